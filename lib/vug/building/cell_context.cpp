@@ -37,7 +37,7 @@ std::vector<float> cell_context(const cells::Network& cells, const std::string& 
   options.sky = name == shot::kExposure;
   if (name == shot::kOcclusion) options.max_distance = kNear;
   std::vector<float> shares =
-      render::Openness(meshes).of(cells.position, cells.normal, options, progress);
+      render::Openness(meshes).compute(cells.position, cells.normal, options, progress);
   if (name == shot::kOcclusion)
     for (float& share : shares) share = 1 - share;
   return shares;

@@ -1,4 +1,4 @@
-// The seam of integrators: from a camera ray to radiance.
+// Interface of integrators: computes the radiance along a camera ray.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -16,23 +16,23 @@ class Camera;
 class LightPathRecorder;
 class PreparedScene;
 
-/// What the first surface on a camera ray looks like.
+/// The first surface on a camera ray, for AOVs.
 struct FirstHit {
   bool hit = false;
   Vec3f position{0, 0, 0};
   Vec3f normal{0, 0, 0};  ///< Shading normal, on the viewer's side.
   Rgb albedo{0, 0, 0};
-  uint32_t object = kNoObject;  ///< Index in the scene.
+  uint32_t object = kNoObject;  ///< Index in Scene::objects.
 };
 
 struct PathResult {
   Rgb radiance{0, 0, 0};
-  float alpha = 0;  ///< 0 where the camera ray sees only the sky.
+  float alpha = 0;  ///< 0 if the camera ray sees only the environment.
   FirstHit first;
-  float time = 0.5f;  ///< At which the camera looked, from 0 as the shutter opens to 1.
+  float time = 0.5f;  ///< Shutter time of the camera ray: 0 as the shutter opens, 1 as it closes.
 };
 
-/// The picture that paths will be traced for, as far as they can learn from it beforehand.
+/// The picture to be rendered, as far as integrators may use it for training.
 struct TrainingContext {
   const PreparedScene& world;
   const Camera& camera;
@@ -41,7 +41,7 @@ struct TrainingContext {
   uint64_t samples = 0;  ///< Of the whole picture.
   uint64_t seed = 0;
 
-  /// Of the index-th of `count` samples; `salt` tells one use of numbers from others.
+  /// The id of sample `index` out of `count`; `salt` separates independent uses of random numbers.
   SampleId sample_id(uint64_t salt, size_t index, size_t count) const {
     SampleId id;
     id.seed = seed ^ salt;
@@ -54,17 +54,17 @@ struct TrainingContext {
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  /// The integrator that knows this scene; null when there is nothing to learn. The same for any
-  /// number of threads and for every part of the picture.
+  /// Returns an integrator trained on this scene, or null if there is nothing to learn. The result
+  /// is the same for any number of threads and for every slice of the picture.
   virtual std::shared_ptr<const Integrator> trained(const TrainingContext& context,
                                                     Progress& progress) const {
     (void)context, (void)progress;
     return nullptr;
   }
-  /// What makes pictures other than exact, on request: "clamp 3"; empty where nothing does.
+  /// The settings that bias the picture, such as "clamp 3"; empty without any.
   virtual std::string inexact() const { return {}; }
-  /// `recorder`: null, or where to keep the parts of the radiance apart. `extra_rays`: more camera
-  /// rays of the pixel; what the camera sees shine by itself becomes the mean over all of them.
+  /// `recorder`: records the components of the radiance; may be null. `extra_rays`: further camera
+  /// rays of the pixel; directly visible emission becomes the mean over all of them.
   virtual PathResult trace(const PreparedScene& world, const Ray& ray, SampleCursor& numbers,
                            LightPathRecorder* recorder = nullptr,
                            std::span<const Ray> extra_rays = {}) const = 0;

@@ -1,10 +1,10 @@
-// What the file of a kind needs: the schema, and the macro that exports its maker.
+// Includes and macro for the source file of a kind: the schema, and the export of its factory.
 #pragma once
 
 #include <vug/render/kinds.h>
 
-/// Exports a kind from its file: OBJECT is made from PARAMS, which has `static void
-/// describe(Schema<PARAMS>&)`, and may throw Error; see make_kind in base/kind.h.
+/// Exports a kind from its file: the factory constructs OBJECT from PARAMS, which has `static void
+/// describe(Schema<PARAMS>&)`. The constructor may throw Error; see make_kind in base/kind.h.
 ///   VUG_RENDER_KIND(rect, light, LightPtr, RectParams, RectLight)
 #define VUG_RENDER_KIND(name, category, Pointer, Params, Object)                                 \
   namespace vug::render {                                                                        \

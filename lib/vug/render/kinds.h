@@ -1,5 +1,5 @@
-// The catalogue: every kind of camera, sampler, material, light, medium and integrator with its
-// schema. The lists stand in this module's CMakeLists.txt.
+// Catalogue of all kinds of cameras, samplers, materials, lights, media and integrators with their
+// schemas. The lists are in this module's CMakeLists.txt.
 #pragma once
 
 #include <vug/base/kind.h>
@@ -24,7 +24,7 @@ const Kinds<IntegratorPtr>& integrators();
 /// An angle as a parameter's value.
 inline Value radians(double angle) { return Number{angle, Dimension::angle}; }
 
-/// One product of a kind from named parameters; see make_product.
+/// Creates an object of a kind from named parameters; see make_product.
 CameraPtr make_camera(const std::string& kind, const NamedValues& parameters = {});
 SamplerPtr make_sampler(const std::string& kind, const NamedValues& parameters = {});
 MaterialPtr make_material(const std::string& kind, const NamedValues& parameters = {});

@@ -1,4 +1,4 @@
-// The seam of materials: from a place on a surface to how light scatters there.
+// Interface of materials: provides the BSDF at a point on a surface.
 #pragma once
 
 #include <vug/image/colour_space.h>
@@ -21,74 +21,76 @@ namespace vug::render {
 
 class InstanceTransform;
 
-class AttributeGradients;  ///< See mesh_slopes.h.
+class AttributeGradients;  ///< See attribute_gradients.h.
 
-/// What a material may read at a hit.
+/// Surface properties at a hit, as materials read them.
 struct Surface {
   Vec3f position;
-  Vec3f geometric_normal;  ///< Unit, on the side of the viewer.
-  Vec3f shading_normal;  ///< Unit, on the side of the viewer; interpolated where the mesh has any.
-  Rgb color{1, 1, 1};    ///< Vertex colour "Cd", white without.
-  bool inside = false;   ///< The viewer is on the back of the triangle: inside of a solid.
-  float footprint = 0;   ///< Metres across which the viewer takes in, about.
-  float blur = 0;        ///< Faces are to be this rough at least: see path(regularize: ...).
+  Vec3f geometric_normal;  ///< Unit, on the viewer's side.
+  Vec3f shading_normal;    ///< Unit, on the viewer's side; interpolated if the mesh has normals.
+  Rgb color{1, 1, 1};      ///< Vertex colour "Cd"; white without one.
+  bool inside = false;     ///< The viewer sees the back of the triangle, from inside a solid.
+  float footprint =
+      0;           ///< Approximate diameter in metres of the area that the viewer's ray covers.
+  float blur = 0;  ///< Minimum roughness of specular lobes: see path(regularize: ...).
 
-  const mesh::Mesh* mesh = nullptr;  ///< Null: none, as in tests.
-  uint32_t triangle = 0;             ///< Of the mesh, and the place on it: shares of the second and
-  float u = 0, v = 0;                ///< third corner.
-  const AttributeGradients* gradients = nullptr;  ///< Of the mesh, for bumps.
-  const field::SampledGrid* solid = nullptr;  ///< The level set that the mesh was made of, if any.
-  const InstanceTransform* instance = nullptr;  ///< Of an instance; else null.
+  const mesh::Mesh* mesh = nullptr;  ///< Null: no mesh, as in tests.
+  uint32_t triangle = 0;             ///< Index in the mesh, and the barycentric weights of the
+  float u = 0, v = 0;                ///< second and third corner.
+  const AttributeGradients* gradients = nullptr;  ///< Of the mesh's attributes, for bump mapping.
+  const field::SampledGrid* solid =
+      nullptr;  ///< The level set from which the mesh was made, if any.
+  const InstanceTransform* instance = nullptr;  ///< Null if the object is not an instance.
   bool world_space_material = false;            ///< See Object.
-  float time = 0;                               ///< Of the ray; see InstanceTransform.
+  float time = 0;                               ///< Shutter time of the ray; see InstanceTransform.
 
-  /// Bends a shading normal back that turns away from the viewer, until it just faces them.
+  /// Turns a shading normal that faces away from the viewer back until it just faces the viewer.
   void face(const Vec3f& travel) {
     const float facing = -dot(shading_normal, travel);
     if (facing < 0.01f) shading_normal = normalized(shading_normal - travel * (0.01f - facing));
   }
 };
 
-/// Shared and immutable. What varies over the surface is read once for a hit.
+/// Shared and immutable. Spatially varying parameters are read once per hit.
 class Material {
  public:
   virtual ~Material() = default;
-  /// How the surface scatters towards `out` (local, z > 0). What is returned stands in `memory`
-  /// and lives as long as that.
+  /// Returns the BSDF for light scattered towards `out` (local, z > 0). It is stored in `memory`
+  /// and lives as long as `memory`.
   virtual const Bsdf& at(const Surface& surface, const Vec3f& out, BsdfMemory& memory) const = 0;
-  /// Bytes of a BsdfMemory that `at` takes.
+  /// Bytes of a BsdfMemory that `at` uses.
   virtual size_t memory_bytes() const = 0;
 
-  /// See Bsdf::thin: all or nothing of a material.
+  /// See Bsdf::thin; it holds for all of a material or none of it.
   virtual bool thin() const { return false; }
-  /// It sends out light by itself, from the outside of what is made of it, as `emission` says:
-  /// radiance (W/sr/m^2), the same in all directions.
+  /// True if the outer side of the surface emits light. `emission` is its radiance (W/sr/m^2), the
+  /// same in all directions.
   virtual bool is_emissive() const { return false; }
   virtual Rgb emission(const Surface& surface) const { return (void)surface, Rgb(0.0f); }
 
-  /// It has holes, or is there only in part: rays pass through with the chance that `opacity`
-  /// leaves, as if nothing were there. The normal of that surface is not bent by bumps yet.
+  /// True if the surface has holes or is partly transparent: rays pass through unaffected with the
+  /// probability 1 - `opacity`. The normal of that surface does not include bumps yet.
   virtual bool cut_out() const { return false; }
   virtual float opacity(const Surface& surface) const { return (void)surface, 1.0f; }
 
-  /// Bends the shading normal over small forms, before `at`; false where it stays.
+  /// Applies the bump map to the shading normal, before `at`; false if it stays unchanged.
   virtual bool bump(Surface& surface) const { return (void)surface, false; }
-  /// Light that was scattered beneath the surface (BsdfSample::beneath) and comes out here; the
-  /// surface is seen from outside. Null where nothing goes beneath.
+  /// The lobe of light that was scattered below the surface (BsdfSample::subsurface) and leaves it
+  /// here, seen from outside. Null without subsurface scattering.
   virtual const Bsdf* subsurface_exit(const Surface& surface, BsdfMemory& memory) const {
     (void)surface, (void)memory;
     return nullptr;
   }
 
-  /// Share of the place that water covers, 0 to 1.
+  /// Fraction of the point that is covered by water, 0 to 1.
   virtual float wetness(const Surface& surface) const { return (void)surface, 0.0f; }
 
-  /// What it looks like there to programs that know one mix of lobes, but for its emission; without
-  /// more a matte body that reflects as much light as this does seen from above.
+  /// Approximation by a single mix of lobes for exporters, without emission; by default a diffuse
+  /// surface with this material's albedo at normal incidence.
   virtual exchange::Look look(const Surface& surface) const;
 
-  /// The same material for light in other primaries: `from_rec709` leads there from linear Rec.709,
-  /// in which its parameters, paints and vertex colours are.
+  /// The same material for light in other primaries. `from_rec709` converts from linear Rec.709,
+  /// the space of its parameters, paints and vertex colours.
   virtual std::shared_ptr<const Material> in_space(
       const image::ColourMatrix& from_rec709) const = 0;
 };

@@ -32,9 +32,9 @@ PreparedScene::~PreparedScene() = default;
 
 bool PreparedScene::intersect(const Ray& ray, Hit& hit, void (*work)(const void*),
                               const void* what) const {
-  const Geometry::Found found = geometry_->find(ray, time_);
+  const Geometry::Intersection found = geometry_->intersect(ray, time_);
   work(what);
-  return geometry_->fill(found, ray, time_, hit);
+  return geometry_->fill_hit(found, ray, time_, hit);
 }
 bool PreparedScene::occluded(const Ray& ray, float distance) const {
   return geometry_->occluded(ray, distance, time_);

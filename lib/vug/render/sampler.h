@@ -1,4 +1,4 @@
-// The seam of samplers: the numbers in [0, 1) that a path spends, by name of their place.
+// Interface of samplers: the uniform numbers in [0, 1) of a path, addressed by dimension.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -9,7 +9,7 @@
 
 namespace vug::render {
 
-/// Which sample of which pixel asks; a sampler may use it in any way but must not keep state.
+/// Identifies a sample of a pixel. Samplers may use it in any way but must not keep state.
 struct SampleId {
   uint32_t x = 0;
   uint32_t y = 0;
@@ -24,13 +24,13 @@ using FourPairs = std::array<Vec2f, 4>;
 class Sampler {
  public:
   virtual ~Sampler() = default;
-  /// Two numbers for dimension pair `dimension`.
+  /// Returns two numbers for dimension pair `dimension`.
   virtual Vec2f pair(const SampleId& id, uint32_t dimension) const = 0;
-  /// One number; dimensions of `single` and `pair` are counted together.
+  /// Returns one number; `single` and `pair` share one count of dimensions.
   virtual float single(const SampleId& id, uint32_t dimension) const {
     return pair(id, dimension).x;
   }
-  /// Those of this dimension pair and of the next three.
+  /// The pairs of this dimension and the next three.
   virtual FourPairs four_pairs(const SampleId& id, uint32_t dimension) const {
     return {pair(id, dimension), pair(id, dimension + 1), pair(id, dimension + 2),
             pair(id, dimension + 3)};
@@ -48,8 +48,8 @@ class SampleCursor {
     return sampler_.four_pairs(id_, dimension_ - 4);
   }
   float single() { return sampler_.single(id_, dimension_++); }
-  /// Goes to the first dimension of a bounce, so that a branch taken or not taken earlier on the
-  /// path does not shift the numbers that follow.
+  /// Skips to the first dimension of a bounce, so that earlier branches of the path do not shift
+  /// the numbers that follow.
   void jump(uint32_t dimension) { dimension_ = dimension; }
 
  private:

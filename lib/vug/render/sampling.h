@@ -1,5 +1,5 @@
-// Maps from uniform numbers in [0, 1)^2 to directions, in single precision and with the same bits
-// on every machine.
+// Mappings from uniform numbers in [0, 1)^2 to directions, in single precision and with the same
+// bits on every machine.
 #pragma once
 
 #include <vug/render/vectors.h>
@@ -22,7 +22,7 @@ inline SinCos sincos_turns(float turns) {
   const float s =
       x * (1 + xx * (-1 / 6.0f + xx * (1 / 120.0f + xx * (-1 / 5040.0f + xx / 362880.0f))));
   const float c = 1 + xx * (-0.5f + xx * (1 / 24.0f + xx * (-1 / 720.0f + xx * (1 / 40320.0f))));
-  // Which of the four quarters it is cannot be guessed, so nothing branches by it.
+  // The quadrant is unpredictable, so no branch depends on it.
   const auto turn = static_cast<uint32_t>(static_cast<int>(quarter));
   const bool across = (turn & 1) != 0;
   const auto with_sign = [](float v, uint32_t sign) {
@@ -47,7 +47,7 @@ inline float turns_of(float y, float x) {
   return turns < 1 ? turns : 0;
 }
 
-/// Uniform on the unit disk, keeping strata whole: Shirley and Chiu 1997 (cite shirley1997disk).
+/// Uniform on the unit disk, preserving strata: Shirley and Chiu 1997 (cite shirley1997disk).
 inline Vec2f sample_disk(const Vec2f& u) {
   const float a = 2 * u.x - 1, b = 2 * u.y - 1;
   if (a == 0 && b == 0) return {0, 0};
@@ -57,19 +57,19 @@ inline Vec2f sample_disk(const Vec2f& u) {
   return {r * sc.cos, r * sc.sin};
 }
 
-/// Local direction with density cos / pi over the upper hemisphere.
+/// Local direction with density cos / pi on the upper hemisphere.
 inline Vec3f sample_cosine_hemisphere(const Vec2f& u) {
   const Vec2f d = sample_disk(u);
   return {d.x, d.y, std::sqrt(std::max(0.0f, 1 - d.x * d.x - d.y * d.y))};
 }
 
-/// 1 - cosine of an angle below 90 degrees by its sine's square, <= 1: exact for small angles.
+/// 1 - cosine of an angle below 90 degrees, from its squared sine <= 1; exact for small angles.
 inline float one_minus_cosine(float squared_sine) {
   return squared_sine / (1 + std::sqrt(std::max(0.0f, 1 - squared_sine)));
 }
 
-/// Direction at an angle from z whose 1 - cosine is given, which keeps small angles exact;
-/// `turn` of the way round.
+/// Direction at an angle from z given by 1 - cosine, which is exact for small angles; `turn` is the
+/// azimuth as a fraction of a full turn.
 inline Vec3f direction_off_axis(float one_minus_cosine, float turn) {
   const SinCos sc = sincos_turns(turn);
   const float sine = std::sqrt(std::max(0.0f, one_minus_cosine * (2 - one_minus_cosine)));

@@ -1,4 +1,4 @@
-// What is rendered, as plain data. Objects are shared and never changed.
+// The scene to be rendered, as plain data. Objects are shared and immutable.
 #pragma once
 
 #include <vug/mesh/mesh.h>
@@ -16,38 +16,38 @@
 
 namespace vug::render {
 
-/// A mesh, or a level set, and its material. Vertex colours (attribute "Cd", arity 3) multiply the
-/// material's colour; vertex normals, where the mesh has them, shade it smoothly unless `flat` is
-/// set.
+/// A mesh or a level set, with its material. Vertex colours (attribute "Cd", arity 3) multiply the
+/// material's colour. Vertex normals, if present, give smooth shading unless `flat` is set.
 struct Object {
   std::string name;
   mesh::MeshPtr mesh;
-  MaterialPtr material;  ///< Null: a grey Lambert surface of albedo 0.5.
+  MaterialPtr material;  ///< Null: a grey Lambertian surface of albedo 0.5.
   bool flat = false;
-  /// Radiance (W/sr/m^2) that its triangles send out from their front, the outside.
+  /// Radiance (W/sr/m^2) emitted by the outer side of its triangles.
   Rgb emission{0, 0, 0};
-  std::string light_group;                ///< Of its emission; see LightLinking.
-  std::string material_name = "default";  ///< For mattes.
-  /// The level set that the mesh was made of, for masks that ask about the rock around a place.
+  std::string light_group;                ///< Light group of its emission; see LightLinking.
+  std::string material_name = "default";  ///< For Cryptomatte.
+  /// The level set from which the mesh was made, for masks that depend on the rock around a point.
   std::shared_ptr<const field::SampledGrid> solid = nullptr;
-  /// Null: the mesh stands in the scene as it is. Else this is an instance: all that share a mesh
-  /// share its tree, and cost next to no memory of their own.
+  /// Null: the mesh is in world space. Otherwise this is an instance: instances of the same mesh
+  /// share its BVH and need almost no memory of their own.
   InstanceTransformPtr instance = nullptr;
-  /// Of an instance: its material sees the place it stands at, instead of the mesh's own space.
+  /// For instances: the material is evaluated in world space instead of the mesh's own space.
   bool world_space_material = false;
-  /// In place of a mesh: the surface of a level set, traced as it is (see first_crossing). It has
-  /// no attributes and cannot shine.
+  /// Replaces the mesh: the surface of a level set, ray traced directly (see first_crossing). It
+  /// has no attributes and cannot emit light.
   volume::SurfaceBricksPtr surface = nullptr;
-  paint::Paint color = nullptr;  ///< With `surface`: what the vertex colours would be; or null.
-  /// Attributes of the mesh that are 1 where a vertex is of a kind of element and 0 elsewhere.
+  paint::Paint color = nullptr;  ///< With `surface`: replaces vertex colours; may be null.
+  /// Mesh attributes that are 1 at vertices of an element kind and 0 elsewhere.
   std::vector<std::string> elements = {};
 };
 
 struct Scene {
   CameraPtr camera;
   std::vector<Object> objects;
-  std::vector<LightPtr> lights;  ///< Lamps and skies; skies add up.
-  MediumPtr medium;              ///< Null: clear air.
+  std::vector<LightPtr>
+      lights;        ///< Finite and infinite lights; the radiance of environments adds up.
+  MediumPtr medium;  ///< Null: vacuum.
 };
 
 }  // namespace vug::render

@@ -1,4 +1,4 @@
-// A scene ready to be sampled anywhere in the picture.
+// A scene prepared for sampling any pixel of the picture.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -10,25 +10,27 @@
 
 namespace vug::render {
 
-/// Takes samples of pixels; any thread may ask for any of them, and gets the same ones.
+/// Renders tiles: samples are independent of each other, so any thread may render any of them with
+/// the same result.
 class TileRenderer {
  public:
-  /// The scene and the options must outlive it. Throws as `render` does.
+  /// Keeps references to the scene and the options. Throws as `render` does. The constructor builds
+  /// the BVH, finds automatic portals, trains the integrator and detects bright edges.
   TileRenderer(const Scene& scene, const Options& options, Progress& progress);
 
-  /// The pixels of the picture that are wanted: Options::crop, or all.
+  /// The pixels to be rendered: Options::crop, or the whole picture.
   const Region& region() const { return region_; }
-  /// Samples begin <= i < end of each pixel of the region; `deep` is a picture of all that is
-  /// wanted, or null.
+  /// Renders the samples begin <= i < end of each pixel of the tile. `deep` is a picture of
+  /// region(), or null.
   Film render_tile(const Region& region, uint32_t begin, uint32_t end,
                    image::DeepImage* deep = nullptr) const;
-  /// Wall-clock seconds that `samples` will take, about, from a few taken now.
+  /// Estimates the wall-clock time in seconds of `samples` samples, from a few taken now.
   double estimate_seconds(double samples) const;
 
  private:
   PathResult sample(int x, int y, uint32_t index, LightPathRecorder& recorder) const;
   Ray camera_ray(const SampleId& id, float time) const;
-  /// The rays extra_rays those of a sample; see BrightEdges.
+  /// The additional rays of a sample; see BrightEdges.
   std::vector<Ray> extra_rays(SampleId id, float time) const;
 
   const Scene& scene_;
@@ -41,7 +43,7 @@ class TileRenderer {
   BrightEdges edges_;
   Region region_;
   float spread_;
-  bool is_static_;  ///< Nothing moves, and nobody asks how.
+  bool is_static_;  ///< True if nothing moves and no motion AOV is requested.
 };
 
 }  // namespace vug::render

@@ -1,4 +1,4 @@
-// A scene made ready for light in other primaries than those of Rec.709.
+// Converts a scene to a working colour space with primaries other than those of Rec.709.
 #pragma once
 
 #include <vug/image/colour_space.h>
@@ -6,13 +6,13 @@
 
 namespace vug::render {
 
-/// Parameters of lights, media and materials are linear Rec.709. This is the same scene in another
-/// space, in which it then is rendered: lights and media give their colours there, materials
-/// reflect as before the light that is white in both. Nothing is wrapped where the space is
-/// Rec.709. What steers sampling (importance, noise) goes on weighing channels as Rec.709 does.
+/// Parameters of lights, media and materials are linear Rec.709. This returns the scene converted
+/// to another space for rendering: lights and media give their colours in that space, and materials
+/// reflect it such that white stays white. Nothing is wrapped if the space is Rec.709. Sampling
+/// decisions (importance, noise) still weight the channels as in Rec.709.
 Scene in_space(Scene scene, image::WorkingSpace space);
 
-/// The parts of it. Null stays null.
+/// Converts a single light or medium; null stays null.
 LightPtr in_space(const LightPtr& light, const image::ColourMatrix& way);
 MediumPtr in_space(const MediumPtr& medium, const image::ColourMatrix& way);
 

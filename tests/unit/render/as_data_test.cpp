@@ -13,7 +13,7 @@
 namespace vug::render {
 namespace {
 
-exchange::Light told(const LightPtr& light) {
+exchange::Light exported(const LightPtr& light) {
   exchange::Light lamp;
   EXPECT_TRUE(light->as_data(lamp));
   return lamp;
@@ -24,7 +24,7 @@ const char* const kLights[] = {"sphere", "rect", "disk", "spot"};
 TEST(AsData, LampsHaveTheWattsThatWereAskedFor) {
   for (const char* kind : kLights) {
     const exchange::Light lamp =
-        told(make_light(kind, {{"power", 100.0}, {"radiance", Vec3d(3, 2, 1)}}));
+        exported(make_light(kind, {{"power", 100.0}, {"radiance", Vec3d(3, 2, 1)}}));
     EXPECT_NEAR(exchange::luminance(exchange::power(lamp)), 100, 1e-3) << kind;
     EXPECT_NEAR(lamp.radiance.x / lamp.radiance.z, 3, 1e-6) << kind;
   }
@@ -35,7 +35,7 @@ TEST(AsData, LampsShineTheWayTheyDo) {
   for (const char* kind : {"rect", "disk", "spot"}) {
     const std::string name = std::string(kind) == "spot" ? "direction" : "normal";
     const LightPtr light = make_light(kind, {{name, way}, {"center", Vec3d(1, 2, 3)}});
-    const exchange::Light lamp = told(light);
+    const exchange::Light lamp = exported(light);
     EXPECT_LT((lamp.place.vector({0, 0, -1}) - way).length(), 1e-6) << kind;
     EXPECT_LT((lamp.place.origin() - Vec3d(1, 2, 3)).length(), 1e-6) << kind;
     EXPECT_NEAR(lamp.place.determinant(), 1, 1e-6) << kind;
@@ -51,7 +51,7 @@ TEST(AsData, ARectanglesSidesLieWhereTheyLie) {
   const LightPtr light = make_light(
       "rect",
       {{"normal", Vec3d(0, 0, 1)}, {"up", Vec3d(1, 0, 0)}, {"width", 0.5}, {"height", 2.0}});
-  const exchange::Light lamp = told(light);
+  const exchange::Light lamp = exported(light);
   for (const double x : {-0.9, 0.9, -1.1, 1.1})
     for (const double y : {-0.2, 0.2, -0.3, 0.3}) {
       LightHit hit;
@@ -63,7 +63,7 @@ TEST(AsData, ARectanglesSidesLieWhereTheyLie) {
 }
 
 TEST(AsData, TheSunsStrengthIsItsIrradiance) {
-  const exchange::Light sun = told(make_light("sun", {{"irradiance", Vec3d(10, 9, 8)},
+  const exchange::Light sun = exported(make_light("sun", {{"irradiance", Vec3d(10, 9, 8)},
                                                       {"angle", radians(0.01)},
                                                       {"elevation", radians(kPi / 2)}}));
   EXPECT_LT((exchange::peak_intensity(sun) - Vec3d(10, 9, 8)).length(), 1e-4);
@@ -73,7 +73,7 @@ TEST(AsData, TheSunsStrengthIsItsIrradiance) {
 
 TEST(AsData, ADomesPictureIsTheSky) {
   const LightPtr sky = make_light("daylight", {{"elevation", radians(0.5)}});
-  const exchange::Light dome = told(sky);
+  const exchange::Light dome = exported(sky);
   ASSERT_TRUE(dome.picture);
   const image::Image& picture = *dome.picture;
   const int columns[] = {5, picture.width / 2, picture.width - 9};
@@ -96,7 +96,7 @@ TEST(AsData, PlacedLampsGrow) {
                           Transform::scaling(Vec3d(3.0));
   for (const char* kind : kLights) {
     const LightPtr lamp = make_light(kind);
-    const exchange::Light before = told(lamp), after = told(transformed_light(lamp, place, {}));
+    const exchange::Light before = exported(lamp), after = exported(transformed_light(lamp, place, {}));
     EXPECT_NEAR(exchange::power(after).x / exchange::power(before).x, 9, 1e-5) << kind;
     EXPECT_LT((after.place.origin() - place.point(before.place.origin())).length(), 1e-6);
   }

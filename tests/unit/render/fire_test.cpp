@@ -144,14 +144,14 @@ TEST(Fire, ColoursOfTheGridAreAlbedos) {
 
 // With the grid names that other programs expect, in kelvin, and where they vary.
 TEST(Fire, IsExportedAsGrids) {
-  const auto told = [](const NamedValues& more) { return fire(more)->as_data(nullptr).value(); };
+  const auto exported = [](const NamedValues& more) { return fire(more)->as_data(nullptr).value(); };
   const auto named = [](const MediumData& data, const std::string& name) {
     for (const volume::Grid& grid : data.grids)
       if (grid.name() == name) return volume::Density(grid);
     throw std::runtime_error("no grid " + name);
   };
   const MediumData plain =
-      told({{"albedo", Vec3d(0.5)}, {"g", 0.25}, {"emission", Vec3d(1, 2, 3)}});
+      exported({{"albedo", Vec3d(0.5)}, {"g", 0.25}, {"emission", Vec3d(1, 2, 3)}});
   ASSERT_EQ(plain.grids.size(), 1u);
   EXPECT_EQ(plain.grids[0].name(), "density");
   EXPECT_EQ(plain.medium.extinction, kExtinction);
@@ -160,7 +160,7 @@ TEST(Fire, IsExportedAsGrids) {
   EXPECT_EQ(plain.medium.emission, Vec3d(1, 2, 3));
   EXPECT_EQ(plain.medium.heat, 0);
 
-  const MediumData whole = told({{"albedo", Vec3d(0.5)},
+  const MediumData whole = exported({{"albedo", Vec3d(0.5)},
                                  {"color_grid", "Cd"},
                                  {"emission_mask", 0.5},
                                  {"emission_grid", "flame"},

@@ -224,7 +224,7 @@ TEST(Lights, BranchBoundsContainTheirLights) {
     const LightPtr light = make_light(kind->info.name, needed(kind->info));
     const LightTree tree(1, 0, [&](size_t) { return light->bounds(); });
     RandomStream random{RandomKey(22)};
-    int shines = 0;
+    int contributions = 0;
     for (int i = 0; i < 20000; ++i) {
       const float a = one(random), far = 0.05f + 4 * one(random) * one(random);
       LightSampleContext point{light->center() + sample_sphere({a, one(random)}) * far};
@@ -234,11 +234,11 @@ TEST(Lights, BranchBoundsContainTheirLights) {
       const LightSample s = light->sample(point, {u, one(random)});
       if (!(s.pdf > 0) || is_black(s.radiance)) continue;
       if (point.on_surface() && !(dot(point.normal, s.direction) > 1e-3f)) continue;
-      ++shines;
+      ++contributions;
       EXPECT_GT(light->importance(point), 0);
       EXPECT_GT(LightTree::importance(tree.node(0), point)[0], 0);
     }
-    EXPECT_GT(shines, 100);
+    EXPECT_GT(contributions, 100);
   }
 }
 

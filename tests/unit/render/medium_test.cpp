@@ -92,15 +92,15 @@ TEST(Haze, TheSunIsAsBrightWithPortals) {
   scene.lights = {make_light("sky", {{"radiance", Vec3d(0.2)}}),
                   make_light("sun", {{"irradiance", Vec3d(5)}})};
   scene.medium = haze(0.4, 0.9, 0.3, {2, 2, 2});
-  const Mean alone = mean_of(render(scene, options(32, 32, 64, 4)), "G");
+  const Mean without_portals = mean_of(render(scene, options(32, 32, 64, 4)), "G");
   scene.lights.push_back(make_light("portal", {{"center", Vec3d(0, 4, 0)},
                                                {"normal", Vec3d(0, -1, 0)},
                                                {"width", 20.0},
                                                {"height", 20.0}}));
-  const Mean beside = mean_of(render(scene, options(32, 32, 64, 4)), "G");
-  EXPECT_LT(std::fabs(beside.value - alone.value), 4 * std::hypot(alone.error, beside.error));
-  EXPECT_LT(alone.error, 0.01 * alone.value);
-  EXPECT_LT(beside.error, 3 * alone.error) << "by chance only";
+  const Mean with_portals = mean_of(render(scene, options(32, 32, 64, 4)), "G");
+  EXPECT_LT(std::fabs(with_portals.value - without_portals.value), 4 * std::hypot(without_portals.error, with_portals.error));
+  EXPECT_LT(without_portals.error, 0.01 * without_portals.value);
+  EXPECT_LT(with_portals.error, 3 * without_portals.error) << "by chance only";
 }
 
 TEST(Haze, FillsTheScene) {

@@ -24,7 +24,7 @@ const mesh::MeshPtr kFloor = quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9}
 double mean(const Openness& around, const std::vector<Vec3f>& places, const Vec3f& normal,
             const OpennessOptions& options) {
   const std::vector<float> got =
-      around.of(places, std::vector<Vec3f>(places.size(), normal), options);
+      around.compute(places, std::vector<Vec3f>(places.size(), normal), options);
   return std::accumulate(got.begin(), got.end(), 0.0) / static_cast<double>(got.size());
 }
 
@@ -81,13 +81,13 @@ TEST(Openness, InsideOfABoxIsNothingForAnyNumberOfThreads) {
       std::make_shared<const mesh::Mesh>(mesh::box_mesh(Box3d(Vec3d(-1), Vec3d(1, 2, 3))));
   const Openness around({box, kFloor});
   std::vector<Vec3f> places = along_z({0.5f, -1, 0}), normals(places.size(), Vec3f(0, 1, 0));
-  for (const float share : around.of(places, normals, {})) EXPECT_EQ(share, 0);
+  for (const float share : around.compute(places, normals, {})) EXPECT_EQ(share, 0);
   places.insert(places.end(), 3000, Vec3f(3, 0.5f, 2));
   normals.resize(places.size(), Vec3f(0, 1, 0));
   std::vector<float> expected;
   for (const int threads : {1, 2, 7}) {
     const ThreadLimit limit(threads);
-    const std::vector<float> got = around.of(places, normals, {});
+    const std::vector<float> got = around.compute(places, normals, {});
     if (threads == 1) expected = got;
     EXPECT_EQ(got, expected);
   }

@@ -63,7 +63,7 @@ TEST(Opacity, ShadowsHaveTheSameHoles) {
 
 TEST(Opacity, MasksCutSharpEdges) {
   const auto right =
-      as_mask([](const paint::EvalPoint& spot) { return spot.position.x > 0 ? 1 : 0; });
+      as_mask([](const paint::EvalPoint& point) { return point.position.x > 0 ? 1 : 0; });
   const image::Image seen = render(over_a_light(black(right), 1), options(32, 32, 16, 0));
   const auto green = static_cast<size_t>(seen.find_channel("G"));
   for (int y = 0; y < 32; ++y)
@@ -76,7 +76,7 @@ TEST(Opacity, MasksCutSharpEdges) {
 
 TEST(Opacity, OfAnInstanceUsesItsOwnSpace) {
   const auto right =
-      as_mask([](const paint::EvalPoint& spot) { return spot.position.x > 0 ? 1 : 0; });
+      as_mask([](const paint::EvalPoint& point) { return point.position.x > 0 ? 1 : 0; });
   Scene scene = over_a_light(black(right), 1);
   scene.objects[1].instance = std::make_shared<const InstanceTransform>(
       Transform::rotation({0, 1, 0}, kPi / 2) * Transform::scaling(Vec3d(0.9)));

@@ -34,7 +34,7 @@ std::array<float, 16> CameraFrame::world_to_camera() const {
   return m;
 }
 
-Transform CameraFrame::place() const {
+Transform CameraFrame::transform() const {
   return {Vec3d(right), Vec3d(up), -Vec3d(forward), Vec3d(eye)};
 }
 

@@ -74,7 +74,7 @@ struct CameraFrame {
   }
   std::array<float, 16> world_to_camera() const;
   /// From where it looks along -z to the world.
-  Transform place() const;
+  Transform transform() const;
 
   Vec3f eye, right, up, forward;
   Shutter shutter;

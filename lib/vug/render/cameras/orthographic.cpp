@@ -38,7 +38,7 @@ class OrthographicCamera final : public Camera {
   Shutter shutter() const override { return frame_.shutter; }
   float depth(const Vec3f& point) const override { return dot(point - frame_.eye, frame_.forward); }
   bool as_data(exchange::Camera& camera) const override {
-    camera.place = frame_.place();
+    camera.place = frame_.transform();
     camera.orthographic = true;
     camera.span = static_cast<double>(width_);
     return true;

@@ -36,7 +36,7 @@ class PanoramicCamera final : public Camera {
   explicit PanoramicCamera(const Panoramic& p)
       : frame_(p), turns_round_(static_cast<float>(p.horizontal / (2 * kPi))) {
     if (p.vertical) turns_high_ = static_cast<float>(*p.vertical / (2 * kPi));
-    half_distance_ = static_cast<float>(0.5 * p.interaxial);
+    half_interaxial_ = static_cast<float>(0.5 * p.interaxial);
     if (p.convergence) convergence_ = static_cast<float>(*p.convergence);
   }
 
@@ -45,18 +45,18 @@ class PanoramicCamera final : public Camera {
     const SinCos latitude = sincos_turns((0.5f - film.y) * turns_high(aspect));
     const Vec3f local(latitude.cos * longitude.sin, latitude.sin, latitude.cos * longitude.cos);
     const Vec3f direction = normalized(frame_.to_world(local));
-    if (!(std::fabs(aside_) > 0)) return {frame_.eye, direction};
-    const Vec3f shift = shift_of(longitude, (0.5f - film.y) * turns_high(aspect));
+    if (!(std::fabs(eye_side_) > 0)) return {frame_.eye, direction};
+    const Vec3f shift = eye_offset(longitude, (0.5f - film.y) * turns_high(aspect));
     if (!(convergence_ > 0)) return {frame_.eye + shift, direction};
     return {frame_.eye + shift, normalized(direction * convergence_ - shift)};
   }
   std::optional<Vec2f> project(const Vec3f& point, float aspect) const override {
-    if (!(std::fabs(aside_) > 0)) return project_from_center(point, aspect);
+    if (!(std::fabs(eye_side_) > 0)) return project_from_center(point, aspect);
     // The eye stands aside of where it looks: looked up by a few steps from the middle.
     std::optional<Vec2f> place = project_from_center(point, aspect);
     for (int step = 0; place && step < 8; ++step) {
       const SinCos longitude = sincos_turns((place->x - 0.5f) * turns_round_);
-      const Vec3f shift = shift_of(longitude, (0.5f - place->y) * turns_high(aspect));
+      const Vec3f shift = eye_offset(longitude, (0.5f - place->y) * turns_high(aspect));
       Vec3f way = point - frame_.eye - shift;
       if (convergence_ > 0) {  // from the middle to where the ray crosses the ball of convergence
         way = normalized(way);
@@ -77,10 +77,10 @@ class PanoramicCamera final : public Camera {
   /// Omni-directional stereo: wherever one looks, the eyes stand beside each other. Peleg et al.
   /// 2001, "Omnistereo" (peleg2001omnistereo).
   CameraPtr stereo_view(int side) const override {
-    if (!(half_distance_ > 0)) return nullptr;
+    if (!(half_interaxial_ > 0)) return nullptr;
     auto one = std::make_shared<PanoramicCamera>(*this);
-    one->aside_ = half_distance_ * static_cast<float>(side);
-    one->half_distance_ = 0;
+    one->eye_side_ = half_interaxial_ * static_cast<float>(side);
+    one->half_interaxial_ = 0;
     return one;
   }
 
@@ -95,12 +95,12 @@ class PanoramicCamera final : public Camera {
   }
   /// Where one eye stands beside the middle; towards the zenith and the nadir, where there is no
   /// beside, the eyes come together.
-  Vec3f shift_of(const SinCos& longitude, float latitude_turns) const {
-    constexpr float kApart = 60 / 360.0f, kTogether = 75 / 360.0f;
+  Vec3f eye_offset(const SinCos& longitude, float latitude_turns) const {
+    constexpr float kFadeBegin = 60 / 360.0f, kFadeEnd = 75 / 360.0f;
     const float t =
-        std::clamp((std::fabs(latitude_turns) - kApart) / (kTogether - kApart), 0.0f, 1.0f);
+        std::clamp((std::fabs(latitude_turns) - kFadeBegin) / (kFadeEnd - kFadeBegin), 0.0f, 1.0f);
     const float part = 1 - t * t * (3 - 2 * t);
-    return (frame_.right * longitude.cos - frame_.forward * longitude.sin) * (aside_ * part);
+    return (frame_.right * longitude.cos - frame_.forward * longitude.sin) * (eye_side_ * part);
   }
   float turns_high(float aspect) const {
     return turns_high_ > 0 ? turns_high_ : std::min(turns_round_ / aspect, 0.5f);
@@ -109,8 +109,8 @@ class PanoramicCamera final : public Camera {
   CameraFrame frame_;
   float turns_round_;
   float turns_high_ = 0;  ///< 0: by the picture's shape.
-  float aside_ = 0;       ///< Of one eye: how far it stands to the right of the middle.
-  float half_distance_ = 0, convergence_ = 0;
+  float eye_side_ = 0;       ///< Of one eye: how far it stands to the right of the middle.
+  float half_interaxial_ = 0, convergence_ = 0;
 };
 
 }  // namespace

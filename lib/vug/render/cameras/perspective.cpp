@@ -32,8 +32,8 @@ class PerspectiveCamera final : public Camera {
     half_width_ = static_cast<float>(maths::tan(0.5 * p.fov));
     lens_radius_ = static_cast<float>(0.5 * p.aperture);
     focus_ = static_cast<float>(p.focus.value_or((p.target - p.eye).length()));
-    aside_ = static_cast<float>(0.5 * p.interaxial);
-    if (p.convergence) inwards_ = static_cast<float>(0.5 * p.interaxial / *p.convergence);
+    half_interaxial_ = static_cast<float>(0.5 * p.interaxial);
+    if (p.convergence) convergence_skew_ = static_cast<float>(0.5 * p.interaxial / *p.convergence);
   }
 
   Ray ray(const Vec2f& film, float aspect, const Vec2f& lens) const override {
@@ -66,7 +66,7 @@ class PerspectiveCamera final : public Camera {
     return CameraMatrices{to_camera, product(to_camera, to_ndc)};
   }
   bool as_data(exchange::Camera& camera) const override {
-    camera.place = frame_.place();
+    camera.place = frame_.transform();
     camera.fov = 2 * maths::atan2(static_cast<double>(half_width_), 1);
     camera.aperture = 2 * static_cast<double>(lens_radius_);
     camera.focus = static_cast<double>(focus_);
@@ -75,11 +75,11 @@ class PerspectiveCamera final : public Camera {
   Shutter shutter() const override { return frame_.shutter; }
   /// Both eyes look the same way; each sees a part of the same window at the convergence.
   CameraPtr stereo_view(int side) const override {
-    if (!(aside_ > 0)) return nullptr;
+    if (!(half_interaxial_ > 0)) return nullptr;
     auto one = std::make_shared<PerspectiveCamera>(*this);
-    one->frame_.eye += frame_.right * (aside_ * static_cast<float>(side));
-    one->skew_ = -inwards_ * static_cast<float>(side);
-    one->aside_ = 0;
+    one->frame_.eye += frame_.right * (half_interaxial_ * static_cast<float>(side));
+    one->skew_ = -convergence_skew_ * static_cast<float>(side);
+    one->half_interaxial_ = 0;
     return one;
   }
 
@@ -88,7 +88,7 @@ class PerspectiveCamera final : public Camera {
   ApertureShape aperture_;
   float half_width_, lens_radius_, focus_;
   float skew_ = 0;                 ///< By which the window stands to the right, at distance 1.
-  float aside_ = 0, inwards_ = 0;  ///< Of the eyes of stereo: half their distance, and their skew.
+  float half_interaxial_ = 0, convergence_skew_ = 0;  ///< Of the eyes of stereo: half their distance, and their skew.
 };
 
 }  // namespace

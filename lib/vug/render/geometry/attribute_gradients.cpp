@@ -11,8 +11,8 @@ double mean(const mesh::Attribute& attribute, uint32_t vertex) {
   return sum / static_cast<double>(arity);
 }
 
-/// On a triangle with corners a, b, c and the area vector n = (b - a) x (c - a) / 2, the slope of a
-/// number f is (f_a n x (c - b) + f_b n x (a - c) + f_c n x (b - a)) / (2 n.n). Weighted by the
+/// On a triangle with corners a, b, c and the area vector n = (b - a) x (c - a) / 2, the gradient
+/// of a value f is (f_a n x (c - b) + f_b n x (a - c) + f_c n x (b - a)) / (2 n.n), weighted by the
 /// area |n|.
 std::vector<Vec3f> gradients(const mesh::Mesh& mesh, const mesh::Attribute& attribute) {
   std::vector<Vec3d> sums(mesh.positions.size(), Vec3d(0));
@@ -36,12 +36,13 @@ std::vector<Vec3f> gradients(const mesh::Mesh& mesh, const mesh::Attribute& attr
 
 }  // namespace
 
-AttributeGradients::AttributeGradients(const mesh::Mesh& mesh) : mesh_(mesh), gradients_(mesh.attributes.size()) {}
+AttributeGradients::AttributeGradients(const mesh::Mesh& mesh)
+    : mesh_(mesh), gradients_(mesh.attributes.size()) {}
 
-const std::vector<Vec3f>* AttributeGradients::of(std::string_view name) const {
+const std::vector<Vec3f>* AttributeGradients::at_vertices(std::string_view name) const {
   const mesh::Attribute* attribute = mesh::find_attribute(mesh_, name);
   if (!attribute || attribute->arity < 1) return nullptr;
-  Slope& slope = gradients_[static_cast<size_t>(attribute - mesh_.attributes.data())];
+  Gradient& slope = gradients_[static_cast<size_t>(attribute - mesh_.attributes.data())];
   std::call_once(slope.once, [&] { slope.at_vertex = gradients(mesh_, *attribute); });
   return &slope.at_vertex;
 }

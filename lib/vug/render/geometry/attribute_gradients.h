@@ -1,4 +1,4 @@
-// How the numbers that a mesh carries change along it: what bump needs of an attribute.
+// Gradients of mesh attributes, for bump mapping.
 #pragma once
 
 #include <vug/mesh/mesh.h>
@@ -10,25 +10,24 @@
 
 namespace vug::render {
 
-/// Slopes of a mesh's attributes at its vertices, each computed when first asked for. For several
-/// threads.
+/// Gradients of a mesh's attributes at its vertices, each computed on first use. Thread-safe.
 class AttributeGradients {
  public:
-  /// The mesh must outlive it.
+  /// Keeps a reference to the mesh.
   explicit AttributeGradients(const mesh::Mesh& mesh);
 
-  /// For each vertex the slope, a change for each metre, in the mesh's own space; of a vector that
-  /// of the mean of its parts. The mean over the triangles around weighted by their areas, along
-  /// each of which an attribute changes evenly. Null where the mesh has no such attribute.
-  const std::vector<Vec3f>* of(std::string_view attribute) const;
+  /// For each vertex the gradient, per metre, in the mesh's own space; for vector attributes the
+  /// gradient of the mean of the components. It is the area-weighted mean over the adjacent
+  /// triangles, on each of which the attribute is linear. Null if the mesh has no such attribute.
+  const std::vector<Vec3f>* at_vertices(std::string_view attribute) const;
 
  private:
-  struct Slope {
+  struct Gradient {
     std::once_flag once;
     std::vector<Vec3f> at_vertex;
   };
   const mesh::Mesh& mesh_;
-  mutable std::deque<Slope> gradients_;  ///< As many as the mesh has attributes.
+  mutable std::deque<Gradient> gradients_;  ///< One per attribute of the mesh.
 };
 
 }  // namespace vug::render

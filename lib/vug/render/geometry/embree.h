@@ -1,4 +1,4 @@
-// For geometry.cpp and geometry_grid.cpp only: what Embree holds.
+// Embree's part of the geometry: only for geometry.cpp and geometry_grid.cpp.
 #pragma once
 
 #include <vug/raytree/embree_device.h>
@@ -10,41 +10,42 @@
 
 namespace vug::render {
 
-/// What callbacks know of the ray that is on its way: all of it as it started, since Embree turns
-/// those of instances into their own space.
-struct PreparedScene::Geometry::Search : RTCIntersectContext {
-  Search(const Geometry& geometry, const Ray& world_ray, float when)
-      : RTCIntersectContext{}, of(geometry), ray(world_ray), time(when) {
+/// Data of the current ray for Embree's callbacks: the ray in world space, since Embree transforms
+/// rays into the space of an instance.
+struct PreparedScene::Geometry::RayContext : RTCIntersectContext {
+  RayContext(const Geometry& scene_geometry, const Ray& world_ray, float when)
+      : RTCIntersectContext{}, geometry(scene_geometry), ray(world_ray), time(when) {
     rtcInitIntersectContext(this);
   }
-  const Geometry& of;
+  const Geometry& geometry;
   const Ray& ray;
   float time;
-  Crossing met;  ///< Of the last level set that was met.
+  Crossing crossing;  ///< Of the level set that was hit last.
 };
 
 struct PreparedScene::Geometry::Embree {
-  /// The tree of a mesh or a surface that instances share.
-  struct Shape {
+  /// The BVH of a mesh or a level set, shared by instances.
+  struct SharedBvh {
     RTCScene scene = nullptr;
     std::shared_ptr<const std::vector<Corners>> corners;
     Box3f box;
   };
   raytree::EmbreeDevice device;
-  RTCScene scene = nullptr;             ///< Null where all is in Geometry::triangles_.
-  std::map<const void*, Shape> shapes;  ///< By mesh or surface.
-  std::set<const mesh::Mesh*> cut;      ///< Meshes of objects that rays may pass through.
+  RTCScene scene = nullptr;  ///< Null if all geometry is in Geometry::triangles_.
+  std::map<const void*, SharedBvh> shared_bvhs;  ///< By mesh or surface.
+  std::set<const mesh::Mesh*> cutout_meshes;     ///< Meshes of objects that rays may pass through.
 
   ~Embree();
   RTCScene new_scene() const;
   void attach(RTCScene to, RTCGeometry geometry, size_t number) const;
   void add_mesh(RTCScene to, const mesh::Mesh& mesh, size_t number) const;
-  /// Embree's question whether a triangle of something cut out is there for the ray.
-  static void pass_holes(const RTCFilterFunctionNArguments* args);
+  /// Embree's filter callback: rejects hits where a cut-out triangle is transparent for the ray.
+  static void cutout_filter(const RTCFilterFunctionNArguments* args);
   void add_surface(RTCScene to, const volume::SurfaceBricks& surface, size_t number) const;
-  void add_instance(const Shape& shape, const InstanceTransform& instance, size_t number) const;
-  void build(RTCScene what) const;
-  const Shape& shape(const Object& object);
+  void add_instance(const SharedBvh& shared, const InstanceTransform& instance,
+                    size_t number) const;
+  void commit(RTCScene what) const;
+  const SharedBvh& shared_bvh(const Object& object);
 };
 
 }  // namespace vug::render

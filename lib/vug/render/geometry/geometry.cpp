@@ -14,8 +14,8 @@
 namespace vug::render {
 namespace {
 
-/// Embree's build splits its work by this number, not by the threads there are.
-constexpr int kBuildSlots = 1;
+/// Embree's build depends on this number of threads, so it is constant.
+constexpr int kBuildThreads = 1;
 
 std::shared_ptr<std::vector<std::array<Vec3f, 3>>> corners_of(const mesh::Mesh& mesh) {
   auto corners = std::make_shared<std::vector<std::array<Vec3f, 3>>>();
@@ -40,37 +40,39 @@ float extent_of(const Vec3f& point) {
   return std::max(std::fabs(point.x), std::max(std::fabs(point.y), std::fabs(point.z)));
 }
 
-/// The space of a mesh that stands in the scene itself.
-struct OwnSpace {
+/// The space of a mesh that is not an instance.
+struct WorldSpace {
   static const Vec3f& point(const Vec3f& p) { return p; }
   static const Vec3f& normal(const Vec3f& n) { return n; }
-  static float turn() { return 1; }
+  static float orientation() { return 1; }
   static float extent(float size) { return size; }
 };
 
 /// The space of an instance, at the time of a ray.
-struct PlacedSpace {
+struct InstanceSpace {
   const InstanceTransform& instance;
   Affine to;
 
-  PlacedSpace(const InstanceTransform& p, float time) : instance(p), to(p.at(time)) {}
+  InstanceSpace(const InstanceTransform& p, float time) : instance(p), to(p.at(time)) {}
   Vec3f point(const Vec3f& p) const { return to.point(p); }
   Vec3f normal(const Vec3f& n) const { return normalized(to.normal(n)); }
-  /// Mirrors turn the way round a triangle over.
-  float turn() const { return to.determinant() < 0 ? -1.0f : 1.0f; }
-  float extent(float size) const { return (size + instance.origin_extent()) * instance.error_scale(); }
+  /// -1 for mirroring transforms, which reverse the orientation of triangles.
+  float orientation() const { return to.determinant() < 0 ? -1.0f : 1.0f; }
+  float extent(float size) const {
+    return (size + instance.origin_extent()) * instance.error_scale();
+  }
 };
 
 }  // namespace
 
-Vec3f lifted(const Vec3f& point, const Vec3f& normal, float extent) {
+Vec3f offset_point(const Vec3f& point, const Vec3f& normal, float extent) {
   constexpr float kUnits = 0x1p-19f;  // 16 units in the last place
   return point + normal * (extent * kUnits);
 }
 
 PreparedScene::Geometry::Embree::~Embree() {
   if (scene) rtcReleaseScene(scene);
-  for (const auto& each : shapes)
+  for (const auto& each : shared_bvhs)
     if (each.second.scene) rtcReleaseScene(each.second.scene);
 }
 
@@ -81,21 +83,23 @@ RTCScene PreparedScene::Geometry::Embree::new_scene() const {
   return made;
 }
 
-void PreparedScene::Geometry::Embree::attach(RTCScene to, RTCGeometry geometry, size_t number) const {
+void PreparedScene::Geometry::Embree::attach(RTCScene to, RTCGeometry geometry,
+                                             size_t number) const {
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(to, geometry, static_cast<unsigned>(number));
   rtcReleaseGeometry(geometry);
 }
 
-void PreparedScene::Geometry::Embree::build(RTCScene what) const {
-  tbb::task_arena arena(kBuildSlots);
+void PreparedScene::Geometry::Embree::commit(RTCScene what) const {
+  tbb::task_arena arena(kBuildThreads);
   arena.execute([&] { rtcJoinCommitScene(what); });
   device.check("building the tree of triangles");
 }
 
-void PreparedScene::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& mesh, size_t number) const {
+void PreparedScene::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& mesh,
+                                               size_t number) const {
   RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-  // Copies, because Embree reads 16 bytes at the last vertex.
+  // Copied, because Embree reads 16 bytes at the last vertex.
   void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                            sizeof(Vec3f), mesh.positions.size());
   if (vertices)
@@ -103,18 +107,19 @@ void PreparedScene::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& me
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              mesh.triangles.data(), 0, sizeof(mesh::Triangle),
                              mesh.triangles.size());
-  if (cut.count(&mesh)) {
-    rtcSetGeometryIntersectFilterFunction(geometry, pass_holes);
-    rtcSetGeometryOccludedFilterFunction(geometry, pass_holes);
+  if (cutout_meshes.count(&mesh)) {
+    rtcSetGeometryIntersectFilterFunction(geometry, cutout_filter);
+    rtcSetGeometryOccludedFilterFunction(geometry, cutout_filter);
   }
   attach(to, geometry, number);
   device.check("taking in a mesh");
 }
 
-void PreparedScene::Geometry::Embree::add_instance(const Shape& shape, const InstanceTransform& instance,
-                                           size_t number) const {
+void PreparedScene::Geometry::Embree::add_instance(const SharedBvh& shared,
+                                                   const InstanceTransform& instance,
+                                                   size_t number) const {
   RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE);
-  rtcSetGeometryInstancedScene(geometry, shape.scene);
+  rtcSetGeometryInstancedScene(geometry, shared.scene);
   rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(instance.keyframes().size()));
   for (size_t step = 0; step < instance.keyframes().size(); ++step) {
     const Affine& to = instance.keyframes()[step];
@@ -124,27 +129,28 @@ void PreparedScene::Geometry::Embree::add_instance(const Shape& shape, const Ins
                             columns);
   }
   attach(scene, geometry, number);
-  device.check("instance an instance");
+  device.check("placing an instance");
 }
 
-const PreparedScene::Geometry::Embree::Shape& PreparedScene::Geometry::Embree::shape(const Object& object) {
+const PreparedScene::Geometry::Embree::SharedBvh& PreparedScene::Geometry::Embree::shared_bvh(
+    const Object& object) {
   const void* key = object.mesh.get();
   if (object.surface) key = object.surface.get();
-  const auto [at, is_new] = shapes.try_emplace(key);
-  Shape& shape = at->second;
+  const auto [at, is_new] = shared_bvhs.try_emplace(key);
+  SharedBvh& shared = at->second;
   if (is_new) {
-    shape.scene = new_scene();
+    shared.scene = new_scene();
     if (object.surface) {
-      shape.box = box_of(*object.surface);
-      add_surface(shape.scene, *object.surface, 0);
+      shared.box = box_of(*object.surface);
+      add_surface(shared.scene, *object.surface, 0);
     } else {
-      shape.corners = corners_of(*object.mesh);
-      shape.box = box_of(*object.mesh);
-      add_mesh(shape.scene, *object.mesh, 0);
+      shared.corners = corners_of(*object.mesh);
+      shared.box = box_of(*object.mesh);
+      add_mesh(shared.scene, *object.mesh, 0);
     }
-    build(shape.scene);
+    commit(shared.scene);
   }
-  return shape;
+  return shared;
 }
 
 PreparedScene::Geometry::Geometry(const std::vector<Object>& objects)
@@ -152,90 +158,94 @@ PreparedScene::Geometry::Geometry(const std::vector<Object>& objects)
   embree_->scene = embree_->new_scene();
   bounds.makeEmpty();
   for (const Object& object : objects)
-    if (object.material && object.material->cut_out()) embree_->cut.insert(object.mesh.get());
+    if (object.material && object.material->cut_out())
+      embree_->cutout_meshes.insert(object.mesh.get());
   std::vector<raytree::WideBvh::Geometry> static_meshes;
   for (const Object& object : objects)
     add(object, static_cast<uint32_t>(&object - objects.data()), static_meshes);
   triangles_ = raytree::WideBvh(static_meshes);
-  const bool all = static_meshes.size() == parts_.size();
-  if (!all) embree_->build(embree_->scene);
-  rest_ = !all;
+  const bool all = static_meshes.size() == objects_.size();
+  if (!all) embree_->commit(embree_->scene);
+  uses_embree_ = !all;
 }
 
 void PreparedScene::Geometry::add(const Object& object, uint32_t number,
-                          std::vector<raytree::WideBvh::Geometry>& static_meshes) {
+                                  std::vector<raytree::WideBvh::Geometry>& static_meshes) {
   if (!object.mesh && !object.surface)
     throw Error(ErrorCode::bad_input, fmt::format("object '{}' has no mesh", object.name));
-  Part part;
-  part.material = object.material ? object.material : make_material("lambert");
-  part.object = number;
-  part.emission = object.emission;
-  part.solid = object.solid;
-  part.instance = object.instance;
-  part.world_space_material = object.world_space_material;
-  part.cut = part.material->cut_out();
-  if (part.cut && object.surface)
+  TracedObject traced;
+  traced.material = object.material ? object.material : make_material("lambert");
+  traced.scene_index = number;
+  traced.emission = object.emission;
+  traced.solid = object.solid;
+  traced.instance = object.instance;
+  traced.world_space_material = object.world_space_material;
+  traced.cutout = traced.material->cut_out();
+  if (traced.cutout && object.surface)
     throw Error(ErrorCode::bad_input,
-                fmt::format("object '{}' has holes by its material's opacity, but no mesh to cut "
-                            "them in",
+                fmt::format("object '{}' is cut out by its material's opacity, but has no mesh "
+                            "to cut",
                             object.name),
                 {}, "leave out 'direct'");
   if (object.surface) {
     if (object.surface->bricks().empty()) return;
-    part.surface = object.surface;
-    part.color = object.color;
-    part.flat = object.flat;
+    traced.surface = object.surface;
+    traced.color = object.color;
+    traced.flat = object.flat;
   } else {
     const mesh::Mesh& mesh = *object.mesh;
-    if (!embree_->shapes.count(&mesh))
+    if (!embree_->shared_bvhs.count(&mesh))
       mesh::validate(mesh, fmt::format("object '{}'", object.name));
     if (mesh.triangles.empty()) return;
-    part.mesh = object.mesh;
-    if (!object.flat && !mesh.normals.empty()) part.normals = mesh.normals.data();
+    traced.mesh = object.mesh;
+    if (!object.flat && !mesh.normals.empty()) traced.normals = mesh.normals.data();
     if (const auto* colour = mesh::find_attribute(mesh, mesh::kColour, 3))
-      part.colours = colour->values.data();
+      traced.colours = colour->values.data();
     auto& gradients = gradients_[&mesh];
     if (!gradients) gradients = std::make_unique<const AttributeGradients>(mesh);
-    part.gradients = gradients.get();
+    traced.gradients = gradients.get();
   }
   if (object.instance) {
-    const Embree::Shape& shape = embree_->shape(object);
-    part.corners = shape.corners;
+    const Embree::SharedBvh& shared = embree_->shared_bvh(object);
+    traced.corners = shared.corners;
     moves = moves || object.instance->moves();
-    embree_->add_instance(shape, *object.instance, parts_.size());
-    for (const Affine& to : object.instance->keyframes()) bounds.extendBy(to.box(shape.box));
+    embree_->add_instance(shared, *object.instance, objects_.size());
+    for (const Affine& to : object.instance->keyframes()) bounds.extendBy(to.box(shared.box));
   } else if (object.surface) {
-    embree_->add_surface(embree_->scene, *object.surface, parts_.size());
+    embree_->add_surface(embree_->scene, *object.surface, objects_.size());
     bounds.extendBy(box_of(*object.surface));
   } else {
     bounds.extendBy(box_of(*object.mesh));
-    if (embree_->cut.count(object.mesh.get())) {
-      part.corners = corners_of(*object.mesh);
-      embree_->add_mesh(embree_->scene, *object.mesh, parts_.size());
+    if (embree_->cutout_meshes.count(object.mesh.get())) {
+      traced.corners = corners_of(*object.mesh);
+      embree_->add_mesh(embree_->scene, *object.mesh, objects_.size());
     } else {
-      static_meshes.push_back({object.mesh, static_cast<uint32_t>(parts_.size())});
+      static_meshes.push_back({object.mesh, static_cast<uint32_t>(objects_.size())});
     }
   }
-  parts_.push_back(std::move(part));
+  objects_.push_back(std::move(traced));
 }
 
 PreparedScene::Geometry::~Geometry() = default;
 
-PreparedScene::Geometry::Found PreparedScene::Geometry::find(const Ray& ray, float time) const {
-  Found found;
+PreparedScene::Geometry::Intersection PreparedScene::Geometry::intersect(const Ray& ray,
+                                                                         float time) const {
+  Intersection found;
   raytree::BvhTraversal traversal(triangles_, ray, kFar, raytree::BvhTraversal::Query::closest);
   finish(traversal);
   if (traversal.hit())
     found = {true, false, traversal.geometry(), traversal.triangle(), traversal.corners(), {}};
-  if (rest_) find_before(ray, time, traversal.distance(), found);
-  if (found.any && !parts_[found.part].surface) {
-    const Part& part = parts_[found.part];
-    if (part.normals || part.colours) __builtin_prefetch(&part.mesh->triangles[found.primitive]);
+  if (uses_embree_) intersect_embree(ray, time, traversal.distance(), found);
+  if (found.hit && !objects_[found.object].surface) {
+    const TracedObject& traced = objects_[found.object];
+    if (traced.normals || traced.colours)
+      __builtin_prefetch(&traced.mesh->triangles[found.primitive]);
   }
   return found;
 }
 
-void PreparedScene::Geometry::find_before(const Ray& ray, float time, float distance, Found& found) const {
+void PreparedScene::Geometry::intersect_embree(const Ray& ray, float time, float distance,
+                                               Intersection& found) const {
   RTCRayHit query{};
   query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
   query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y;
@@ -243,66 +253,69 @@ void PreparedScene::Geometry::find_before(const Ray& ray, float time, float dist
   query.ray.tnear = 0, query.ray.tfar = distance, query.ray.time = time;
   query.ray.mask = ~0u, query.ray.id = 0, query.ray.flags = 0;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID, query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  Search search(*this, ray, time);
-  rtcIntersect1(embree_->scene, &search, &query);
+  RayContext context(*this, ray, time);
+  rtcIntersect1(embree_->scene, &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
   const bool placed = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
   const uint32_t number = placed ? query.hit.instID[0] : query.hit.geomID;
-  found.any = true, found.placed = placed;
-  found.part = number, found.primitive = query.hit.primID;
-  found.met = search.met;
-  if (!parts_[number].surface) found.corners = (*parts_[number].corners)[query.hit.primID];
+  found.hit = true, found.is_instance = placed;
+  found.object = number, found.primitive = query.hit.primID;
+  found.crossing = context.crossing;
+  if (!objects_[number].surface) found.corners = (*objects_[number].corners)[query.hit.primID];
 }
 
-bool PreparedScene::Geometry::fill(const Found& found, const Ray& ray, float time, Hit& hit) const {
-  if (!found.any) return false;
-  const Part& part = parts_[found.part];
-  if (part.surface)
-    fill_surface(part, found.primitive, found.met, time, ray, hit);
+bool PreparedScene::Geometry::fill_hit(const Intersection& found, const Ray& ray, float time,
+                                       Hit& hit) const {
+  if (!found.hit) return false;
+  const TracedObject& traced = objects_[found.object];
+  if (traced.surface)
+    fill_surface(traced, found.primitive, found.crossing, time, ray, hit);
   else
-    fill_mesh(part, found.primitive, found.corners, ray, time, hit);
-  if (found.placed) set_place(part, time, hit);
+    fill_mesh(traced, found.primitive, found.corners, ray, time, hit);
+  if (found.is_instance) set_instance(traced, time, hit);
   return true;
 }
 
 bool PreparedScene::Geometry::occluded(const Ray& ray, float distance, float time) const {
   raytree::BvhTraversal traversal(triangles_, ray, distance, raytree::BvhTraversal::Query::any);
   finish(traversal);
-  if (traversal.hit() || !rest_) return traversal.hit();
+  if (traversal.hit() || !uses_embree_) return traversal.hit();
   RTCRay query{};
   query.org_x = ray.origin.x, query.org_y = ray.origin.y, query.org_z = ray.origin.z;
   query.dir_x = ray.direction.x, query.dir_y = ray.direction.y, query.dir_z = ray.direction.z;
   query.tnear = 0, query.tfar = distance, query.time = time;
   query.mask = ~0u, query.id = 0, query.flags = 0;
-  Search search(*this, ray, time);
-  rtcOccluded1(embree_->scene, &search, &query);
+  RayContext context(*this, ray, time);
+  rtcOccluded1(embree_->scene, &context, &query);
   return query.tfar < 0;
 }
 
-void PreparedScene::Geometry::fill_mesh(const Part& part, uint32_t triangle, const Corners& corners,
-                                const Ray& ray, float time, Hit& hit) const {
-  if (part.instance)
-    fill(part, triangle, corners, PlacedSpace(*part.instance, time), ray, hit);
+void PreparedScene::Geometry::fill_mesh(const TracedObject& traced, uint32_t triangle,
+                                        const Corners& corners, const Ray& ray, float time,
+                                        Hit& hit) const {
+  if (traced.instance)
+    fill(traced, triangle, corners, InstanceSpace(*traced.instance, time), ray, hit);
   else
-    fill(part, triangle, corners, OwnSpace(), ray, hit);
+    fill(traced, triangle, corners, WorldSpace(), ray, hit);
 }
 
-void PreparedScene::Geometry::set_place(const Part& part, float time, Hit& hit) {
-  hit.surface.instance = part.instance.get();
-  hit.surface.world_space_material = part.world_space_material;
+void PreparedScene::Geometry::set_instance(const TracedObject& traced, float time, Hit& hit) {
+  hit.surface.instance = traced.instance.get();
+  hit.surface.world_space_material = traced.world_space_material;
   hit.surface.time = time;
 }
 
-bool PreparedScene::Geometry::passes(uint32_t number, uint32_t triangle, const Search& search) const {
-  const Part& part = parts_[number];
-  if (!part.cut) return false;
+bool PreparedScene::Geometry::passes_through(uint32_t number, uint32_t triangle,
+                                             const RayContext& context) const {
+  const TracedObject& traced = objects_[number];
+  if (!traced.cutout) return false;
   Hit hit;
-  fill_mesh(part, triangle, (*part.corners)[triangle], search.ray, search.time, hit);
-  if (part.instance) set_place(part, search.time, hit);
-  const float opacity = part.material->opacity(hit.surface);
+  fill_mesh(traced, triangle, (*traced.corners)[triangle], context.ray, context.time, hit);
+  if (traced.instance) set_instance(traced, context.time, hit);
+  const float opacity = traced.material->opacity(hit.surface);
   if (opacity <= 0 || opacity >= 1) return opacity <= 0;
   const auto bits = [](float x) { return uint64_t{std::bit_cast<uint32_t>(x)}; };
-  const Vec3f &o = search.ray.origin, &d = search.ray.direction;
+  const Vec3f &o = context.ray.origin, &d = context.ray.direction;
   const RandomKey key = RandomKey(bits(o.x) << 32 | bits(o.y))
                             .at(bits(o.z) << 32 | bits(d.x))
                             .at(bits(d.y) << 32 | bits(d.z))
@@ -310,23 +323,25 @@ bool PreparedScene::Geometry::passes(uint32_t number, uint32_t triangle, const S
   return static_cast<float>(RandomStream(key).bits() >> 8) * 0x1p-24f >= opacity;
 }
 
-void PreparedScene::Geometry::Embree::pass_holes(const RTCFilterFunctionNArguments* args) {
+void PreparedScene::Geometry::Embree::cutout_filter(const RTCFilterFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
   const auto& hit = *reinterpret_cast<const RTCHit*>(args->hit);  // rays come one at a time
   const bool own = hit.instID[0] == RTC_INVALID_GEOMETRY_ID;
-  const auto& search = *static_cast<const Search*>(args->context);
-  if (search.of.passes(own ? hit.geomID : hit.instID[0], hit.primID, search)) args->valid[0] = 0;
+  const auto& context = *static_cast<const RayContext*>(args->context);
+  if (context.geometry.passes_through(own ? hit.geomID : hit.instID[0], hit.primID, context))
+    args->valid[0] = 0;
 }
 
 template <class Space>
-void PreparedScene::Geometry::fill(const Part& part, uint32_t triangle, const Corners& own,
-                           const Space& space, const Ray& ray, Hit& hit) const {
-  const mesh::Triangle& corner = part.mesh->triangles[triangle];
+void PreparedScene::Geometry::fill(const TracedObject& traced, uint32_t triangle,
+                                   const Corners& own, const Space& space, const Ray& ray,
+                                   Hit& hit) const {
+  const mesh::Triangle& corner = traced.mesh->triangles[triangle];
   const Vec3f a = space.point(own[0]), b = space.point(own[1]), c = space.point(own[2]);
-  const Vec3f ab = b - a, ac = c - a, n = cross(ab, ac) * space.turn();
+  const Vec3f ab = b - a, ac = c - a, n = cross(ab, ac) * space.orientation();
 
-  // Moeller and Trumbore 1997; barycentric weights are clamped onto the triangle, since Embree
-  // may have found it by its edge.
+  // Moeller and Trumbore 1997; barycentric weights are clamped to the triangle, since Embree may
+  // have found it at its edge.
   const Vec3f p = cross(ray.direction, ac), s = ray.origin - a, q = cross(s, ab);
   const float determinant = dot(p, ab);
   const float inverse = determinant != 0 ? 1 / determinant : 0;
@@ -341,26 +356,26 @@ void PreparedScene::Geometry::fill(const Part& part, uint32_t triangle, const Co
   Surface& surface = hit.surface;
   surface.position = a + ab * u + ac * v;
   hit.distance = dot(surface.position - ray.origin, ray.direction);
-  hit.material = part.material.get();
-  hit.object = part.object;
+  hit.material = traced.material.get();
+  hit.object = traced.scene_index;
   hit.triangle = triangle;
   const float area = length(n);
   const float side = dot(n, ray.direction) > 0 ? -1.0f : 1.0f;
-  hit.emission = side > 0 ? part.emission : Rgb(0.0f);
+  hit.emission = side > 0 ? traced.emission : Rgb(0.0f);
   surface.geometric_normal = area > 0 ? n * (side / area) : -ray.direction;
   surface.shading_normal = surface.geometric_normal;
   surface.inside = side < 0;
-  surface.mesh = part.mesh.get();
-  surface.gradients = part.gradients;
+  surface.mesh = traced.mesh.get();
+  surface.gradients = traced.gradients;
   surface.triangle = triangle;
   surface.u = u, surface.v = v;
-  surface.solid = part.solid.get();
+  surface.solid = traced.solid.get();
   Vec3f origin = surface.position;
-  if (part.normals) {
-    // On fins as thin as a voxel, and in broken files, normals may point through their triangle:
-    // rays would leave from behind it, and see what lies outside.
+  if (traced.normals) {
+    // On features as thin as a voxel, and in broken files, normals may point through their
+    // triangle: rays would start behind it and see the other side.
     const auto normal_at = [&](uint32_t vertex) {
-      const Vec3f normal = space.normal(part.normals[vertex]) * side;
+      const Vec3f normal = space.normal(traced.normals[vertex]) * side;
       return dot(normal, surface.geometric_normal) > 0 ? normal : surface.geometric_normal;
     };
     const Vec3f na = normal_at(corner[0]), nb = normal_at(corner[1]), nc = normal_at(corner[2]);
@@ -374,12 +389,12 @@ void PreparedScene::Geometry::fill(const Part& part, uint32_t triangle, const Co
     surface.face(ray.direction);
   }
   const float size = space.extent(std::max(extent_of(a), std::max(extent_of(b), extent_of(c))));
-  hit.origin = lifted(origin, surface.geometric_normal, size);
-  hit.behind = lifted(surface.position, -surface.geometric_normal, size);
+  hit.origin = offset_point(origin, surface.geometric_normal, size);
+  hit.behind = offset_point(surface.position, -surface.geometric_normal, size);
   surface.color = Rgb(1.0f);
-  if (part.colours) {
+  if (traced.colours) {
     const auto colour = [&](uint32_t vertex) {
-      const float* values = part.colours + 3 * static_cast<size_t>(vertex);
+      const float* values = traced.colours + 3 * static_cast<size_t>(vertex);
       return Rgb(values[0], values[1], values[2]);
     };
     surface.color = colour(corner[0]) * w + colour(corner[1]) * u + colour(corner[2]) * v;

@@ -1,4 +1,4 @@
-// Surfaces of level sets without a mesh: Embree finds the bricks, the bricks find the crossing.
+// Surfaces of level sets without a mesh: Embree finds the bricks, and the bricks the crossing.
 #include <vug/render/geometry/embree.h>
 #include <vug/render/geometry/grid_surface.h>
 
@@ -15,7 +15,7 @@ std::optional<Crossing> crossing(const void* surface, uint32_t brick, const RTCR
                         static_cast<double>(ray.tnear), static_cast<double>(ray.tfar));
 }
 
-/// A little more than the brick: boxes are in single precision.
+/// Slightly larger than the brick, because boxes are in single precision.
 void bounds_of(const RTCBoundsFunctionArguments* args) {
   const auto& surface = *static_cast<const volume::SurfaceBricks*>(args->geometryUserPtr);
   const Box3d box = surface.box(args->primID);
@@ -31,7 +31,7 @@ void bounds_of(const RTCBoundsFunctionArguments* args) {
   out.lower_z = below(box.min.z), out.upper_z = above(box.max.z);
 }
 
-template <class Search>
+template <class RayContext>
 void intersect_brick(const RTCIntersectFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
   auto& query = *reinterpret_cast<RTCRayHit*>(args->rayhit);  // rays come one at a time
@@ -40,7 +40,7 @@ void intersect_brick(const RTCIntersectFunctionNArguments* args) {
   query.ray.tfar = static_cast<float>(met->t);
   query.hit.geomID = args->geomID, query.hit.primID = args->primID;
   query.hit.instID[0] = args->context->instID[0];
-  static_cast<Search*>(args->context)->met = *met;
+  static_cast<RayContext*>(args->context)->crossing = *met;
 }
 
 void occlude_brick(const RTCOccludedFunctionNArguments* args) {
@@ -49,7 +49,7 @@ void occlude_brick(const RTCOccludedFunctionNArguments* args) {
   if (crossing(args->geometryUserPtr, args->primID, ray)) ray.tfar = -kFar;
 }
 
-/// Scene to lattice and back, for an object that stands as it is or is an instance.
+/// Transforms between world space and the space of the level set, for instances and other objects.
 struct Space {
   const InstanceTransform* instance;
   Transform to_own;
@@ -61,7 +61,7 @@ struct Space {
   Vec3d point(const Vec3d& p) const { return instance ? to_own.point(p) : p; }
   Vec3d vector(const Vec3d& v) const { return instance ? to_own.vector(v) : v; }
   Vec3d back(const Vec3d& v) const { return instance ? Vec3d(to.vector(Vec3f(v))) : v; }
-  /// Unit, in the scene.
+  /// Unit length, in world space.
   Vec3f normal(const Vec3d& n) const {
     const Vec3d unit = n.normalized();
     return instance ? normalized(to.normal(Vec3f(unit))) : Vec3f(unit);
@@ -71,7 +71,7 @@ struct Space {
   }
 };
 
-/// As if the surface were met at `t`.
+/// Constructs a crossing at `t` when the exact one is missed.
 Crossing crossing_near(const volume::SurfaceBricks& surface, size_t number, const Vec3d& origin,
                        const Vec3d& direction, double t) {
   const volume::SurfaceBricks::Brick& brick = surface.bricks()[number];
@@ -93,26 +93,27 @@ float largest_coordinate(const Vec3f& p) {
 }  // namespace
 
 void PreparedScene::Geometry::Embree::add_surface(RTCScene to, const volume::SurfaceBricks& surface,
-                                          size_t number) const {
+                                                  size_t number) const {
   RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(surface.bricks().size()));
   rtcSetGeometryUserData(geometry, const_cast<volume::SurfaceBricks*>(&surface));
   rtcSetGeometryBoundsFunction(geometry, bounds_of, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, intersect_brick<Search>);
+  rtcSetGeometryIntersectFunction(geometry, intersect_brick<RayContext>);
   rtcSetGeometryOccludedFunction(geometry, occlude_brick);
   attach(to, geometry, number);
   device.check("taking in a level set");
 }
 
-void PreparedScene::Geometry::fill_surface(const Part& part, uint32_t brick, const Crossing& seen,
-                                   float time, const Ray& ray, Hit& hit) {
-  const volume::SurfaceBricks& grid = *part.surface;
-  const Space space(part.instance.get(), time);
+void PreparedScene::Geometry::fill_surface(const TracedObject& traced, uint32_t brick,
+                                           const Crossing& seen, float time, const Ray& ray,
+                                           Hit& hit) {
+  const volume::SurfaceBricks& grid = *traced.surface;
+  const Space space(traced.instance.get(), time);
   const Vec3d from = space.point(Vec3d(ray.origin)), way = space.vector(Vec3d(ray.direction));
   Crossing met = seen;
-  // An instance's ray is Embree's own, whose last bits are the machine's: again, so that they are
-  // the same everywhere. It may just miss here what it has met there.
-  if (part.instance) {
+  // The ray of an instance is transformed by Embree, whose last bits depend on the machine. The
+  // crossing is recomputed, so that it is the same everywhere; it may just miss here.
+  if (traced.instance) {
     const auto again = first_crossing(grid, brick, from, way, 0, kInfinity);
     met = again ? *again : crossing_near(grid, brick, from, way, seen.t);
   }
@@ -124,16 +125,16 @@ void PreparedScene::Geometry::fill_surface(const Part& part, uint32_t brick, con
   Surface& surface = hit.surface;
   surface.position = Vec3f(Vec3d(ray.origin) + Vec3d(ray.direction) * met.t);
   hit.distance = static_cast<float>(met.t);
-  hit.material = part.material.get();
-  hit.object = part.object;
+  hit.material = traced.material.get();
+  hit.object = traced.scene_index;
   hit.triangle = brick;
   hit.emission = Rgb(0.0f);
   surface.inside = met.outwards;
   surface.mesh = nullptr;
-  surface.solid = part.solid.get();
+  surface.solid = traced.solid.get();
   surface.geometric_normal = -ray.direction;
   if (sharp.gradient.length2() > 0) surface.geometric_normal = space.normal(sharp.gradient) * side;
-  const bool is_smooth = !part.flat && soft.gradient.length2() > 0;
+  const bool is_smooth = !traced.flat && soft.gradient.length2() > 0;
   const Vec3f smooth_normal =
       is_smooth ? space.normal(soft.gradient) * side : surface.geometric_normal;
   surface.shading_normal = smooth_normal;
@@ -143,23 +144,23 @@ void PreparedScene::Geometry::fill_surface(const Part& part, uint32_t brick, con
   const auto value = [&](const Vec3f& at) {
     return static_cast<float>(trilinear_value(grid, brick, space.point(Vec3d(at))));
   };
-  // Off the surface by rounding, and further until the place is that far on its side in fact: in a
-  // sharp valley the other wall is near, and the smooth normal leads away from both.
+  // Offset from the surface by the rounding error, and further until the point really is on its
+  // side by that much: in a sharp valley the other wall is near, and the smooth normal avoids both.
   const auto shrink = static_cast<float>(space.vector(Vec3d(surface.geometric_normal)).length());
   const auto clear = [&](const Vec3f& from_here, float to) {
     const float enough =
-        0.25f * shrink * length(lifted(Vec3f(0.0f), surface.geometric_normal, size));
+        0.25f * shrink * length(offset_point(Vec3f(0.0f), surface.geometric_normal, size));
     Vec3f best = from_here;
     float most = -kFar, reach = size;
     for (int more = 0; more < 6 && !(most > enough); ++more, reach *= 2) {
       const Vec3f& normal = more % 2 ? smooth_normal : surface.geometric_normal;
-      const Vec3f at = lifted(from_here, normal * to, reach);
+      const Vec3f at = offset_point(from_here, normal * to, reach);
       if (const float here = value(at) * side * to; here > most) best = at, most = here;
     }
     return best;
   };
-  // Up to the smooth surface, where that is nearer to the viewer: cells are flat along their axes,
-  // and their edges would cast shadows under light that grazes them.
+  // Lift to the smooth surface where that is nearer to the viewer: cells are flat along their axes,
+  // and their edges would cast shadows under grazing light.
   Vec3f origin = surface.position;
   const double beneath = -soft.value * static_cast<double>(side);
   if (is_smooth && beneath > 0) {
@@ -173,9 +174,9 @@ void PreparedScene::Geometry::fill_surface(const Part& part, uint32_t brick, con
   hit.origin = clear(origin, 1);
   hit.behind = clear(surface.position, -1);
   surface.color = Rgb(1.0f);
-  if (part.color) {
+  if (traced.color) {
     const Vec3d out = (soft.gradient.length2() > 0 ? soft.gradient : sharp.gradient).normalized();
-    const Vec3d color = (*part.color)({own, out, part.solid.get()});
+    const Vec3d color = (*traced.color)({own, out, traced.solid.get()});
     for (int c = 0; c < 3; ++c)
       surface.color[c] = static_cast<float>(std::min(1.0, std::max(0.0, color[c])));
   }

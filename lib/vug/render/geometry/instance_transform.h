@@ -1,4 +1,4 @@
-// Where a mesh stands that is shown in other places than its own.
+// Transforms of mesh instances.
 #pragma once
 
 #include <vug/base/transform.h>
@@ -9,7 +9,7 @@
 
 namespace vug::render {
 
-/// A Transform in single precision, as rays meet it.
+/// A Transform in single precision, as used for rays.
 struct Affine {
   Vec3f x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};  ///< Images of the axes.
   Vec3f origin{0, 0, 0};
@@ -20,7 +20,7 @@ struct Affine {
 
   Vec3f vector(const Vec3f& v) const { return x * v.x + y * v.y + z * v.z; }
   Vec3f point(const Vec3f& p) const { return vector(p) + origin; }
-  /// Around the images of a box's corners.
+  /// Bounding box of the transformed corners of a box.
   Box3f box(const Box3f& from) const {
     Box3f out;
     for (int i = 0; i < 8; ++i)
@@ -29,7 +29,7 @@ struct Affine {
     return out;
   }
   float determinant() const { return dot(x, cross(y, z)); }
-  /// Normals of a solid go by the inverse transpose and keep pointing out; not of unit length.
+  /// Transforms a normal by the inverse transpose; it keeps pointing outwards. Not of unit length.
   Vec3f normal(const Vec3f& n) const {
     const Vec3f yz = cross(y, z);
     const Vec3f out = yz * n.x + cross(z, x) * n.y + cross(x, y) * n.z;
@@ -37,14 +37,14 @@ struct Affine {
   }
 };
 
-/// From a mesh's own space to that of the scene, as an affine map that may mirror and may stretch
-/// unevenly, and may change while the shutter is open.
+/// Transform from a mesh's own space to world space: an affine map, possibly mirroring or
+/// non-uniformly scaling, that may change while the shutter is open.
 class InstanceTransform {
  public:
   explicit InstanceTransform(const Transform& place)
       : InstanceTransform(std::vector<Transform>{place}) {}
-  /// At moments evenly spread from the opening of the shutter to its close; in between, numbers of
-  /// the maps are blended in proportion. Error(bad_input): none.
+  /// Keyframes are evenly spaced from the opening of the shutter to its close; matrices are
+  /// interpolated linearly in between. Throws Error(bad_input) without keyframes.
   explicit InstanceTransform(const std::vector<Transform>& places);
 
   const std::vector<Affine>& keyframes() const { return keyframes_; }
@@ -52,14 +52,16 @@ class InstanceTransform {
   /// `time`: 0 as the shutter opens, 1 as it closes.
   Affine at(float time) const { return moves() ? interpolate(time) : keyframes_[0]; }
 
-  /// The way back, for what looks up places of the mesh's own space.
+  /// The inverse transform, for lookups in the mesh's own space.
   Transform inverse(float time) const;
-  /// Lengths here over lengths there, on average over the directions.
+  /// Mean scale factor over all directions: lengths in world space over lengths in the mesh's
+  /// space.
   float mean_scale() const { return mean_scale_; }
-  /// Errors of rays that are met in the mesh's own space, in units in the last place of the
-  /// coordinates of a place: that many times those of a mesh that stands in the scene itself.
+  /// Factor of the rounding errors of hits in the mesh's own space, in units in the last place of
+  /// the hit's coordinates, relative to those of a mesh in world space.
   float error_scale() const { return error_scale_; }
-  /// Added to these coordinates: where rays go through numbers that large on their way.
+  /// Largest coordinate of the origins: add it to a hit's coordinates to bound the rounding errors
+  /// of transformed rays.
   float origin_extent() const { return origin_extent_; }
 
  private:

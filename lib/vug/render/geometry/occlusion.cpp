@@ -1,8 +1,8 @@
 #include <vug/base/parallel.h>
 #include <vug/base/rng.h>
 #include <vug/render/geometry/occlusion.h>
-#include <vug/render/sampling.h>
 #include <vug/render/prepared_scene.h>
+#include <vug/render/sampling.h>
 
 #include <bit>
 #include <cmath>
@@ -32,28 +32,30 @@ Vec2d shift(const Vec3f& place) {
 
 }  // namespace
 
-struct Openness::Around {
+struct Openness::Surroundings {
   PreparedScene world;
 };
 
 Openness::Openness(const std::vector<mesh::MeshPtr>& meshes)
-    : around_(new Around{PreparedScene(scene_of(meshes))}) {}
+    : surroundings_(new Surroundings{PreparedScene(scene_of(meshes))}) {}
 Openness::~Openness() = default;
 
-std::vector<float> Openness::of(const std::vector<Vec3f>& places, const std::vector<Vec3f>& normals,
-                                const OpennessOptions& options, Progress& progress) const {
+std::vector<float> Openness::compute(const std::vector<Vec3f>& points,
+                                     const std::vector<Vec3f>& normals,
+                                     const OpennessOptions& options, Progress& progress) const {
   constexpr size_t kBlock = 1024;
   constexpr double kGolden = 0.6180339887498949;
-  std::vector<float> shares(places.size());
-  const size_t blocks = (places.size() + kBlock - 1) / kBlock;
-  const auto lift = static_cast<float>(options.lift), reach = static_cast<float>(options.reach);
+  std::vector<float> shares(points.size());
+  const size_t blocks = (points.size() + kBlock - 1) / kBlock;
+  const auto lift = static_cast<float>(options.offset),
+             reach = static_cast<float>(options.max_distance);
   progress.begin("looking around", blocks);
   parallel_for(blocks, [&](size_t block) {
     progress.check();
-    const size_t end = std::min(places.size(), (block + 1) * kBlock);
+    const size_t end = std::min(points.size(), (block + 1) * kBlock);
     for (size_t i = block * kBlock; i < end; ++i) {
       const Frame frame(normals[i]);
-      const Vec2d start = shift(places[i]);
+      const Vec2d start = shift(points[i]);
       int open = 0;
       // A golden section between turns spreads directions evenly over the disc below them.
       for (int ray = 0; ray < options.rays; ++ray) {
@@ -61,7 +63,7 @@ std::vector<float> Openness::of(const std::vector<Vec3f>& places, const std::vec
         const Vec2f u(static_cast<float>(out), static_cast<float>(turn - std::floor(turn)));
         const Vec3f way = frame.to_world(sample_cosine_hemisphere(u));
         if (options.sky && way.y <= 0) continue;
-        open += !around_->world.occluded(Ray{places[i] + normals[i] * lift, way}, reach);
+        open += !surroundings_->world.occluded(Ray{points[i] + normals[i] * lift, way}, reach);
       }
       shares[i] = static_cast<float>(open) / static_cast<float>(options.rays);
     }

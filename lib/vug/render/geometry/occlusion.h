@@ -1,4 +1,4 @@
-// How open places on surfaces are: the share of the directions above them in which nothing stands.
+// Openness of surface points: the share of unoccluded directions above them.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -11,29 +11,29 @@
 namespace vug::render {
 
 struct OpennessOptions {
-  int rays = 64;             ///< From each place; the error falls with their square root or faster.
-  double reach = kInfinity;  ///< Metres: what is further away does not count.
-  double lift = 1e-3;        ///< Metres along the normal from the place to where rays start.
-  bool sky = false;          ///< Directions below the horizon (y up) count as closed.
+  int rays = 64;  ///< Per point; the error falls with their square root or faster.
+  double max_distance = kInfinity;  ///< Metres: occluders beyond this are ignored.
+  double offset = 1e-3;  ///< Metres from the point to the rays' origin, along the normal.
+  bool sky = false;      ///< Directions below the horizon (y up) count as occluded.
 };
 
-/// What stands around, ready for rays.
+/// The occluders, prepared for ray tracing.
 class Openness {
  public:
   explicit Openness(const std::vector<mesh::MeshPtr>& meshes);
   ~Openness();
 
-  /// Of each place, the open share of the directions within 90 degrees of its normal, each weighted
-  /// with the cosine of its angle to it: 1 - ambient occlusion, or with `sky` the light of an even
-  /// sky as a share of what falls on open level ground (1; 1/2 on a wall, 0 on a ceiling). Normals
-  /// are unit. The same bytes for any number of threads, and for the same places among others.
-  std::vector<float> of(const std::vector<Vec3f>& places, const std::vector<Vec3f>& normals,
-                        const OpennessOptions& options,
-                        Progress& progress = Progress::none()) const;
+  /// For each point, the cosine-weighted share of unoccluded directions in the hemisphere around
+  /// its normal: 1 - ambient occlusion, or with `sky` the irradiance from a uniform sky relative to
+  /// that of open, level ground (1; 1/2 on a wall, 0 on a ceiling). Normals must have unit length.
+  /// The same bytes for any number of threads, whatever the other points are.
+  std::vector<float> compute(const std::vector<Vec3f>& points, const std::vector<Vec3f>& normals,
+                             const OpennessOptions& options,
+                             Progress& progress = Progress::none()) const;
 
  private:
-  struct Around;
-  std::unique_ptr<const Around> around_;
+  struct Surroundings;
+  std::unique_ptr<const Surroundings> surroundings_;
 };
 
 }  // namespace vug::render

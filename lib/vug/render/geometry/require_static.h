@@ -1,12 +1,12 @@
-// What shines must stand still.
+// Check that emissive objects do not move.
 #pragma once
 
 #include <vug/render/scene.h>
 
 namespace vug::render {
 
-/// Triangles that shine are lamps, which have one place. Error(bad_input) where the object shines
-/// and moves.
+/// Emissive triangles are lights, which cannot move. Throws Error(bad_input) if the object is
+/// emissive and moves.
 void require_static(const Object& object);
 
 }  // namespace vug::render

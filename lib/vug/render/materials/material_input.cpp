@@ -47,7 +47,7 @@ std::optional<Vec3d> SurfacePoint::read(std::string_view name) const {
           static_cast<double>(shares[corner] * attribute->values[corners[corner] * arity + own]);
     }
   if (const auto* gradients =
-          moved_ && surface_.gradients ? surface_.gradients->of(name) : nullptr) {
+          moved_ && surface_.gradients ? surface_.gradients->at_vertices(name) : nullptr) {
     Vec3f slope(0);
     for (size_t corner = 0; corner < 3; ++corner)
       slope += (*gradients)[corners[corner]] * shares[corner];

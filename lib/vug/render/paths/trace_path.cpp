@@ -22,7 +22,7 @@ constexpr float kBlur = 0.05f;
 /// the deviation of single paths (RadianceCache::noise) where the camera looks. The survival
 /// probability is at least kMinSurvival, since the cached radiance may be wrong. Both constants,
 /// and the square root of the ratio, were chosen by variance times time
-/// (docs/explanation/decisions/0030-worth-of-paths.md).
+/// (docs/explanation/decisions/0030-adjoint-driven-roulette.md).
 constexpr float kNegligible = 20, kMinSurvival = 0.5f;
 
 Rgb albedo_of(const Hit& hit, const Ray& ray) {
