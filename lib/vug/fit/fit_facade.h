@@ -1,4 +1,4 @@
-// A facade out of a picture, from evidence to tree: the whole chain with good defaults.
+// Facade reconstruction from a picture, from evidence to tree, with good defaults.
 #pragma once
 
 #include <vug/fit/report.h>
@@ -7,33 +7,35 @@
 namespace vug::fit {
 
 struct FitOptions {
-  std::string likelihood = "kt";  ///< `supervised` where the evidence is of looks.
-  /// How much the bits of a pixel count: neighbours are no independent witnesses.
+  /// Name of a likelihood; `supervised` for evidence from a pixel classifier.
+  std::string likelihood = "kt";
+  /// Weight of the pixels' bits, below 1 because neighbouring pixels are not independent.
   double pixel_weight = 0.1;
   Limits limits;
   SeedOptions seeds;
   SamplerOptions sampler;
-  int runs =
-      2;  ///< Independent of each other, from seeds of their own, to hold against each other.
+  int runs = 2;  ///< Independent runs from different seeds, compared by the report.
 };
 
-/// What is seen somewhere in the picture.
+/// An element found in the picture.
 struct DetectedElement {
   RegionType type = RegionType::window;
-  int node = 0;  ///< The terminal of the tree.
-  Rect rect;     ///< In pixels, the top row being 0.
+  int node = 0;  ///< The terminal in the tree.
+  Rect rect;     ///< Pixels; row 0 is the top row.
   bool operator==(const DetectedElement&) const = default;
 };
 
 struct FitResult {
   Tree tree;
-  std::vector<DetectedElement> elements;  ///< Everywhere, in the order of nodes.
-  Report report;                          ///< Of how it was found; its bits are those of the tree.
+  std::vector<DetectedElement> elements;  ///< All instances, in the order of nodes.
+  /// Diagnostics of the run; its bits are those of the tree.
+  Report report;
 };
 
-/// Reads the tree of rules that the evidence is likely to be of: seeds, chains, and a polish.
-/// When told to stop it returns the best so far. The same for any number of threads.
-/// Error(bad_input) for unknown likelihoods, evidence that does not suit them and no runs.
+/// Finds the most likely tree of the rules for the evidence: seeds, Markov chains, and a final
+/// local refinement. If cancelled it returns the best tree so far. The result does not depend on
+/// the number of threads. Error(bad_input) for an unknown likelihood, unsuitable evidence, or zero
+/// runs.
 FitResult fit_facade(const Evidence& evidence, const Rules& rules, const FitOptions& options,
                      RandomKey key, Progress& progress = Progress::none());
 

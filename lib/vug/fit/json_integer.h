@@ -1,4 +1,4 @@
-// Numbers in JSON that users hand in.
+// Validated integers from user-supplied JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,7 +7,7 @@
 
 namespace vug::fit {
 
-/// The value where it is a whole number that an int can hold.
+/// The value if it is an integer that fits an int.
 std::optional<int> json_integer(const nlohmann::json& value);
 
 }  // namespace vug::fit

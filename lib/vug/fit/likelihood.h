@@ -1,4 +1,4 @@
-// How many bits the pixels of a region cost once the model says that they are one region.
+// Likelihoods: the bits that the pixels of a region cost if the model treats them as one region.
 #pragma once
 
 #include <vug/base/schema.h>
@@ -9,32 +9,32 @@
 
 namespace vug::fit {
 
-/// A code for one region's pixels; immutable, and used by several chains at once.
+/// A code for the pixels of one region; immutable and shared by several chains.
 class Likelihood {
  public:
   virtual ~Likelihood() = default;
-  /// Bits, from the sums over the region; 0 for no pixel.
+  /// Bits for the sums over the region; 0 without pixels.
   virtual double bits(RegionType type, const Sums& sums) const = 0;
-  /// Whether lanes are code lengths under each Look, and not clusters.
+  /// Whether the lanes are code lengths under each RegionType instead of cluster counts.
   virtual bool is_supervised() const { return false; }
 };
 using LikelihoodPtr = std::shared_ptr<const Likelihood>;
 
 struct LikelihoodKind {
   KindInfo info;
-  /// For pictures of that size and number of lanes.
+  /// Creates the likelihood for evidence of this size and number of lanes.
   std::function<LikelihoodPtr(const Evidence&)> make;
 };
 
-/// One file a kind in likelihoods/.
+/// One file per kind in likelihoods/.
 const std::vector<const LikelihoodKind*>& likelihood_kinds();
-/// By name; Error(bad_input) with the nearest one where there is none.
+/// Looks up a kind by name; Error(bad_input) suggests the nearest name.
 LikelihoodPtr make_likelihood(const std::string& name, const Evidence& evidence);
 
-/// Lanes of supervised evidence hold bits in steps of this size, in the order of Look.
+/// Step in bits of the lanes of supervised evidence, which are in the order of RegionType.
 constexpr double kBitStep = 1.0 / 64;
 
 }  // namespace vug::fit
 
-/// Opens the one definition that a likelihood's file exports, from outside of any namespace.
+/// Opens the one definition that the file of a likelihood exports; used outside of any namespace.
 #define VUG_LIKELIHOOD(name) VUG_EXPORT_KIND(vug::fit, LikelihoodKind, name##_likelihood)

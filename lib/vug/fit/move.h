@@ -1,4 +1,4 @@
-// What a file of a move needs. Moves change a tree and tell how they would be taken back; see
+// Interface of the sampler's moves. A move changes a tree and scores the reverse move; see
 // inference/choices.h.
 #pragma once
 
@@ -12,18 +12,18 @@ using inference::Choices;
 
 struct MoveKind {
   KindInfo info;
-  double weight = 1;  ///< How often it is tried, beside the others.
+  double weight = 1;  ///< Relative frequency of proposals.
   bool (*propose)(const MoveContext&, TreeState&, Choices& forward, Choices& back) = nullptr;
 };
 
-/// One file a kind in moves/.
+/// One file per kind in moves/.
 const std::vector<const MoveKind*>& move_kinds();
 
-/// All moves, or those of the names, for chains; the workshop must outlive them.
+/// The moves with these names, or all moves, for use in chains; the context must outlive them.
 inference::Moves<TreeState> moves(const MoveContext& context,
                                   const std::vector<std::string>& names = {});
 
-/// One of the nodes for which `fits(node index)` holds, all alike; -1 where there is none.
+/// Picks one of the nodes for which `fits(node index)` holds, uniformly; -1 if there is none.
 template <class Fits>
 int pick(const TreeState& state, Choices& forward, const Fits& fits) {
   int count = 0;
@@ -35,7 +35,7 @@ int pick(const TreeState& state, Choices& forward, const Fits& fits) {
   return -1;
 }
 
-/// Tells that node `which` would be picked.
+/// Scores the choice of node `which` by pick().
 template <class Fits>
 void score_pick(const TreeState& state, Choices& back, int which, const Fits& fits) {
   int count = 0, place = -1;
@@ -47,7 +47,7 @@ void score_pick(const TreeState& state, Choices& back, int which, const Fits& fi
   back.below(count, place);
 }
 
-/// Picks one of the nodes that a move leaves as they are, so that the way back picks it again.
+/// Picks one of the nodes that the move leaves unchanged, so that the reverse move picks it again.
 template <class Fits>
 int pick_same(const TreeState& state, Choices& forward, Choices& back, const Fits& fits) {
   const int i = pick(state, forward, fits);
@@ -55,7 +55,8 @@ int pick_same(const TreeState& state, Choices& forward, Choices& back, const Fit
   return i;
 }
 
-/// A step of 1 to 16 pixels to either side, short ones more often; told back with its sign turned.
+/// A step of 1 to 16 pixels in either direction, short steps being more frequent; the reverse
+/// choice has the opposite sign.
 inline int step(Choices& forward, Choices& back) {
   const int scale = forward.below(3);
   const bool down = forward.flip();
@@ -69,15 +70,16 @@ inline int step(Choices& forward, Choices& back) {
 /// Adds to a parameter.
 inline void add(int16_t& value, int by) { value = static_cast<int16_t>(value + by); }
 
-/// Moves all columns, or all rows, of a grid.
+/// Shifts all columns, or all rows, of a grid.
 inline void shift_lines(Node& grid, bool along_x, int by) {
   Lines& lines = along_x ? grid.left : grid.top;
   const int count = along_x ? grid.columns : grid.rows;
   for (int line = 0; line < count; ++line) add(lines[static_cast<size_t>(line)], by);
 }
 
-/// Moves the lower or upper edge, along x or y, of a terminal; of a grid's window that of all of
-/// its kind, with the grid where it is the lower one. False where it does not fit.
+/// Moves the lower or upper edge, along x or y, of a terminal. For a window of a grid this moves
+/// the edge of all windows of its kind, and the grid's lines with a lower edge. False if the result
+/// does not fit.
 bool move_edge(const MoveContext& context, TreeState& state, int i, bool along_x, bool low, int by);
 
 inline bool is_terminal(const MoveContext& context, const TreeState& state, int i) {
@@ -89,5 +91,5 @@ inline bool is_grid(const MoveContext& context, const TreeState& state, int i) {
 
 }  // namespace vug::fit
 
-/// Opens the one definition that a move's file exports, from outside of any namespace.
+/// Opens the one definition that the file of a move exports; used outside of any namespace.
 #define VUG_MOVE(name) VUG_EXPORT_KIND(vug::fit, MoveKind, name##_move)

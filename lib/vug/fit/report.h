@@ -1,5 +1,5 @@
-// What reading a facade tells beside the tree: scores, the posterior, and whether chains ran long
-// enough. Plain data; nothing is written to files here.
+// Diagnostics of a facade fit: scores, posterior and convergence. Plain data; nothing is written to
+// files here.
 #pragma once
 
 #include <vug/fit/search/sampler.h>
@@ -7,53 +7,56 @@
 
 namespace vug::fit {
 
-/// How much of the posterior has one structure.
+/// Posterior probability of one structure.
 struct StructureProbability {
-  std::string structure;      ///< As structure_of.
-  double probability = 0;     ///< Of all rounds of the coldest chains.
-  double standard_error = 0;  ///< Its standard error, rounds being as independent as they are.
+  std::string structure;      ///< Text from structure_of.
+  double probability = 0;     ///< Share of the rounds of the coldest chains.
+  double standard_error = 0;  ///< Takes the autocorrelation of rounds into account.
 };
 
 struct MoveRate {
   std::string name;
-  inference::MoveCount count;  ///< Of the coldest chains of all runs.
+  inference::MoveCount count;  ///< Summed over the coldest chains of all runs.
 };
 
 struct Report {
   std::string structure;
-  double bits = 0;            ///< Of the tree and the pixels under it, these as much as is trusted.
-  double complexity = 0;      ///< c(T): bits of the tree alone.
-  double wall_bits = 0;       ///< Of the picture as nothing but wall,
-  double seed_bits = 0;       ///< of the best seed,
-  double chain_bits = 0;      ///< and of the best tree of the chains, before it was polished.
-  double score = 0;           ///< s(T) in 0..1 (cite ripperda2009),
-  double max_complexity = 0;  ///< with maxComp, of the most complex tree that it compares to,
-  double misfit = 0;          ///< and diffPixel(T) log2(numCluster), of that likelihood.
+  double bits = 0;        ///< Bits of the tree and the weighted pixels.
+  double complexity = 0;  ///< c(T): bits of the tree alone.
+  double wall_bits = 0;   ///< Bits of the picture as wall only.
+  double seed_bits = 0;   ///< Bits of the best seed.
+  double chain_bits = 0;  ///< Bits of the best tree of the chains, before refinement.
+  double score = 0;       ///< s(T) in 0..1 (cite ripperda2009).
+  /// maxComp: bits of the most complex tree, the reference of the score.
+  double max_complexity = 0;
+  double misfit = 0;  ///< diffPixel(T) log2(numCluster), of the same reference.
 
-  std::vector<StructureProbability> posterior;  ///< The most frequent structures first.
-  double effective_size = 0;                    ///< Of the traces of energies together.
-  double scale_reduction = 1;        ///< Split R-hat of energies between and within the runs.
-  double geweke = 0;                 ///< The z-score furthest from 0 of the runs.
-  std::vector<double> temperatures;  ///< Of the first run.
-  std::vector<double> swap_rates;    ///< Between neighbours, in all runs.
+  std::vector<StructureProbability> posterior;  ///< Most frequent structures first.
+  /// Sum of the effective sample sizes of the energy traces.
+  double effective_size = 0;
+  double scale_reduction = 1;        ///< Split R-hat of the energies between and within the runs.
+  double geweke = 0;                 ///< The z-score of the runs that is furthest from 0.
+  std::vector<double> temperatures;  ///< Temperatures of the first run.
+  std::vector<double> swap_rates;    ///< Exchange rates between neighbours, over all runs.
   std::vector<MoveRate> moves;
-  std::vector<inference::Trace> traces;  ///< Energies of the coldest chain, of each run.
-  bool stopped = false;                  ///< Before the end, by whoever watched.
+  std::vector<inference::Trace> traces;  ///< Energies of the coldest chain, per run.
+  bool stopped = false;                  ///< Whether the fit was cancelled.
 };
 
-/// From runs that are independent of one another; the scores stay 0.
+/// Summarises independent runs; the scores stay 0.
 Report make_report(const std::vector<SamplerResult>& runs);
 
-/// 1 - (c(T) + misfit) / (most complexity + pixels log2(lanes)): the published score. The misfit is
-/// that of the likelihood `paper`; of maps of looks their bits, as far as they are below the most.
+/// Adds the published score 1 - (c(T) + misfit) / (max complexity + pixels log2(lanes)). The misfit
+/// is that of the likelihood `paper`; for supervised evidence it is the bits of the pixels, limited
+/// to pixels log2(lanes).
 void add_score(Report& report, const Model& model, const Evidence& evidence, const Tree& tree);
 
-/// maxComp: bits of the most complex tree whose splits lie at most that deep in each other.
+/// maxComp: bits of the most complex tree with splits nested at most `depth` deep.
 double max_complexity(const Model& model, int depth = 6);
 
-/// All of it as JSON, traces thinned to at most 1,000 values each.
+/// The report as JSON; traces are thinned to at most 1,000 values each.
 std::string report_json(const Report& report);
-/// A drawing of traces, temperatures, swaps, moves and structures that needs nothing else.
+/// A self-contained SVG with traces, temperatures, exchange rates, moves and structures.
 std::string report_svg(const Report& report);
 
 }  // namespace vug::fit

@@ -1,4 +1,4 @@
-// From pixels back to metres: a fitted tree as everything else knows facades.
+// Conversion of fitted trees from pixels to facade trees in metres.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -8,10 +8,10 @@
 
 namespace vug::fit {
 
-/// The tree with pixels of so many metres across and up; the picture's lower left corner is the
-/// origin. `text` is what the model's rules were compiled from. Elements have the measures that
-/// they have by default. Windows that a door stands before are left out, and so are kinds of
-/// windows that stand nowhere. The state's areas must hold (see Model::place).
+/// Converts the tree with a pixel size in metres along x and y; the origin is the lower left corner
+/// of the picture. `text` holds the rules that the model's rules were compiled from. Elements have
+/// their default dimensions. Windows covered by a door and window kinds without instances are
+/// omitted. The state's areas must be valid (see Model::compute_areas).
 facade::Tree to_facade_tree(const facade::Rules& text, const Model& model, const TreeState& state,
                             const Vec2d& pixel);
 

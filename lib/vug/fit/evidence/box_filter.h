@@ -1,4 +1,4 @@
-// Planes filtered with boxes, by sums over rectangles (cite crow1984).
+// Box filters over image planes, computed with summed area tables (cite crow1984).
 #pragma once
 
 #include <cstddef>
@@ -6,18 +6,19 @@
 
 namespace vug::fit {
 
-/// A number for each pixel, row after row from the top.
+/// One value per pixel, row by row from the top.
 using Plane = std::vector<float>;
 
-/// Means of a plane over boxes around each pixel: over the part of each box that is in the picture.
-/// Sizes are half of a box's, in pixels, beside the pixel itself.
+/// Box means of a plane, clipped to the picture. Sizes are half widths in pixels, not counting the
+/// centre pixel.
 class BoxFilter {
  public:
   BoxFilter(int width, int height, const Plane& plane);
 
   Plane mean(int half_x, int half_y) const;
   Plane mean(int half) const { return mean(half, half); }
-  /// Over whole rows, `half` of them to either side, whole columns, and the whole picture.
+  /// Means over full rows (`half` rows to either side), over full columns, and over the whole
+  /// picture.
   Plane rows(int half) const { return mean(width_, half); }
   Plane columns(int half) const { return mean(half, height_); }
   Plane whole() const { return mean(width_, height_); }
@@ -28,17 +29,17 @@ class BoxFilter {
   }
 
   int width_, height_;
-  std::vector<double> table_;  ///< Of what lies above and to the left.
+  std::vector<double> table_;  ///< Summed area table, exclusive of the entry's own row and column.
 };
 
-/// Each value less the other's; each value's square.
+/// Difference and square, value by value.
 Plane difference(const Plane& a, const Plane& b);
 Plane squared(const Plane& plane);
-/// How much the plane changes from the pixel before to the one behind, along x or y.
+/// Absolute central difference along x or y, one-sided at the border.
 Plane central_differences(int width, int height, const Plane& plane, bool along_x);
 
-/// What sizes of boxes grow with, so that pictures of one facade at two resolutions have like
-/// features: 1/160 of the height, a pixel at least.
+/// Scale unit of box sizes: 1/160 of the height, at least one pixel. Box sizes are multiples of it,
+/// so that pictures of one facade at two resolutions have comparable features.
 inline int box_unit(int height) { return height / 160 > 1 ? height / 160 : 1; }
 
 }  // namespace vug::fit

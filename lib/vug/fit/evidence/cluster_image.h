@@ -1,4 +1,4 @@
-// The cluster image that a tree is fitted to where nobody has trained looks.
+// The cluster image that a tree is fitted to when no pixel classifier has been trained.
 #pragma once
 
 #include <vug/base/rng.h>
@@ -8,20 +8,20 @@
 namespace vug::fit {
 
 struct ClusterImageOptions {
-  int photo_clusters = 2;  ///< 2 to kMostLanes.
-  int depth_clusters = 3;  ///< 2 to kMostLanes - 1: holes are one more.
-  /// Depths further than this from the middle one, in metres, are no facade's: interiors that shine
-  /// through panes, people, trees.
+  int photo_clusters = 2;  ///< 2 to kMaxLanes.
+  int depth_clusters = 3;  ///< 2 to kMaxLanes - 1: holes are one more cluster.
+  /// Depths further than this from the median depth, in metres, do not belong to the facade:
+  /// interiors behind panes, people, trees.
   double depth_range = 1;
-  /// Depths that are apart by less than this, in metres, as a pane and its frame, are of one
-  /// cluster.
+  /// Clusters of depths closer than this, in metres, are merged, such as a pane and its frame.
   double min_step = 0.05;
-  /// Where depths deviate by less than this, in metres, the facade is flat, and the photo decides.
+  /// If the deviation of the depths is below this, in metres, the facade counts as flat and the
+  /// photo decides.
   double min_relief = 0.01;
 };
 
-/// Which cluster each pixel is of. The first one is what windows are most likely made of: of a
-/// photo what looks like glass, of depths what lies deepest or has none.
+/// The cluster of each pixel. The first cluster is the most likely window: in a photo the pixels
+/// that look like glass, in depths the deepest ones and the holes.
 struct ClusterImage {
   int width = 0, height = 0;
   int clusters = 1;
@@ -30,16 +30,16 @@ struct ClusterImage {
   Evidence evidence() const { return Evidence::from_clusters(width, height, clusters, labels); }
 };
 
-/// One plane, lower where a pixel looks more like a window's than what is around it, a seventh of
-/// the picture's height across: glass mirrors the sky, so that it is bluer and darker than stone,
-/// and frames are upright edges. Each of these in deviations of its own over the picture, so that
-/// light and camera do not matter.
+/// One plane with lower values where a pixel looks more like window glass than its surroundings (a
+/// box of a seventh of the picture's height): glass reflects the sky, so it is bluer and darker
+/// than stone, and frames are vertical edges. Each cue is divided by its standard deviation over
+/// the picture, which removes the influence of lighting and camera.
 Planes glass_cue(const image::Image& linear);
 
-/// Of a photo (linear R, G, B), or of a plane of depths in metres, larger further away, NaN where
-/// nothing came back, or both: then depth decides, unless the facade is flat.
-/// Error(bad_input) where neither is given or sizes differ. Work with pictures of a
-/// working_size, as statistics are of the whole picture.
+/// Clusters a photo (linear R, G, B), a plane of depths, or both; with both, depth decides unless
+/// the facade is flat. Depths are in metres, larger further away, NaN without a return.
+/// Error(bad_input) if both are missing or the sizes differ. Expects pictures of a working_size,
+/// because the statistics cover the whole picture.
 ClusterImage cluster_image(const image::Image* linear, const image::Image* depth,
                            const ClusterImageOptions& options, RandomKey key);
 

@@ -1,4 +1,4 @@
-// What is known of a picture's pixels, summed up over rectangles in no time.
+// Evidence about a picture's pixels with constant-time sums over rectangles.
 #pragma once
 
 #include <array>
@@ -9,9 +9,10 @@
 namespace vug::fit {
 
 constexpr int kMaxLanes = 8;
-/// Instead of a cluster: a pixel that tells nothing, such as one beside the facade.
+/// Replaces a cluster index at pixels without evidence, such as those next to the facade.
 constexpr uint8_t kNoEvidence = 255;
-/// Sums over pixels, one a lane: pixels of each cluster, or code lengths under each look.
+/// Sums over pixels, one per lane: the pixel count of each cluster, or the code length under each
+/// region type.
 struct alignas(32) Sums {
   std::array<uint32_t, kMaxLanes> lane{};
 
@@ -26,14 +27,14 @@ struct alignas(32) Sums {
   bool operator==(const Sums&) const = default;
 };
 
-/// Summed area tables (cite crow1984). Sums are modulo 2^32, so differences are right as long as
-/// the whole picture's fit.
+/// Summed area tables (cite crow1984). Sums are modulo 2^32, so differences are correct as long as
+/// the sums over the whole picture fit.
 class Evidence {
  public:
-  /// `lanes` numbers for each pixel, row after row from the top. Error(bad_input) for sizes that
-  /// are not positive or do not fit, Error(too_large) where a lane's sum exceeds 32 bits.
+  /// `values` holds `lanes` numbers per pixel, row by row from the top. Error(bad_input) for
+  /// non-positive or mismatched sizes, Error(too_large) if the sum of a lane exceeds 32 bits.
   Evidence(int width, int height, int lanes, const std::vector<uint32_t>& values);
-  /// One lane for each cluster 0..lanes-1, from the clusters of the pixels; kNoEvidence is none.
+  /// One lane per cluster 0..lanes-1, from the cluster of each pixel; kNoEvidence adds to no lane.
   static Evidence from_clusters(int width, int height, int lanes,
                                 const std::vector<uint8_t>& clusters);
 
@@ -41,7 +42,7 @@ class Evidence {
   int height() const { return height_; }
   int lanes() const { return lanes_; }
 
-  /// Over the pixels with x0 <= x < x1 and y0 <= y < y1, y downwards.
+  /// Sums over the pixels with x0 <= x < x1 and y0 <= y < y1; y points down.
   Sums sums(int x0, int y0, int x1, int y1) const {
     Sums out = at(x1, y1);
     out -= at(x0, y1);

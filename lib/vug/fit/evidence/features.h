@@ -1,4 +1,4 @@
-// What a pixel and its surroundings look like, as numbers that a classifier can be trained on.
+// Features of a pixel and its surroundings for a classifier.
 #pragma once
 
 #include <vug/fit/evidence/box_filter.h>
@@ -9,7 +9,7 @@
 
 namespace vug::fit {
 
-/// Planes of one number a pixel, row after row from the top.
+/// Image planes with one value per pixel, row by row from the top.
 struct Planes {
   int width = 0, height = 0;
   std::vector<Plane> planes;
@@ -21,20 +21,21 @@ struct Planes {
 /// CIE L*a*b* under D65 of linear Rec.709 R, G, B: three planes.
 Planes to_lab(const image::Image& linear);
 
-/// The planes less their means over boxes of a fifth of the height: what is left where one picture
-/// has bright sky, dark shops and shadows.
+/// The planes minus their box means over a fifth of the height, which removes bright skies, dark
+/// shop fronts and shadows.
 Planes high_pass(const Planes& planes);
 
-/// Colour, its means and deviations over boxes, edges, rows and columns of the picture, samples
-/// from around, and the place in the picture. Boxes grow with the picture's height, so pictures of
-/// one facade at two resolutions have like features.
+/// Colour; its means and deviations over boxes; edges; row and column statistics; samples of the
+/// surroundings; and the position in the picture. Boxes scale with the picture's height, so
+/// pictures of one facade at two resolutions have comparable features.
 Planes features(const image::Image& linear);
-/// How many those are.
+/// Number of planes returned by features().
 size_t feature_count();
 
-/// The same of maps that an earlier classifier made, so that a later one sees what is around.
+/// The corresponding features of the probability maps of an earlier classifier, which show a later
+/// one the context of a pixel.
 Planes context_features(const Planes& maps);
-/// How many those are of each map.
+/// Number of context features per map.
 size_t context_count();
 
 }  // namespace vug::fit

@@ -1,5 +1,5 @@
-// How much of a picture would rather be windows than wall, over areas that are seen in several
-// places at once.
+// How much better windows explain the pixels of an area than wall, over areas with several
+// instances in the picture.
 #pragma once
 
 #include <vug/fit/evidence/evidence.h>
@@ -7,18 +7,18 @@
 
 namespace vug::fit {
 
-/// Bits that a pixel saves, lane by lane, when it is a window's rather than the wall's.
+/// Bits per lane that a pixel saves as part of a window instead of the wall.
 using Gains = std::array<double, kMaxLanes>;
 
-/// Of supervised evidence.
+/// Gains for supervised evidence.
 Gains supervised_gains();
-/// Of clusters, from how the pixels of windows and wall of a tree are spread over them.
+/// Gains for clusters, from the distribution of window and wall pixels of a tree over the clusters.
 Gains gains_from_regions(const Sums& windows, const Sums& wall, int lanes);
-/// Of what the windows of the grid below node i look like, as against all else in its area.
+/// Gains from the windows of the grid below node i against the rest of its area.
 Gains gains_from_grid(const Model& model, const Evidence& evidence, const TreeState& state, int i);
 double gain_of(const Gains& gains, const Sums& sums);
 
-/// Of each pixel, row after row from the top.
+/// The gain of each pixel, row by row from the top.
 struct GainMap {
   GainMap(const Evidence& evidence, const Gains& gains);
 
@@ -26,21 +26,21 @@ struct GainMap {
   std::vector<double> gains;
 };
 
-/// An area whose places lie on top of one another, as a summed area table of gains.
+/// Summed area table of gains for an area whose instances are folded on top of each other.
 class FoldedIntegral {
  public:
   FoldedIntegral(const GainMap& map, const TreeState& state, const Area& area);
-  /// The same where the rectangle of the area gains nothing, as something else stands there.
+  /// A copy in which the rectangle (in the area) gains nothing because another element occupies it.
   FoldedIntegral without(const Rect& rect) const;
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// Of the pixels x0 <= x < x1, y0 <= y < y1 of the area, over all its places.
+  /// Gain of the area's pixels x0 <= x < x1, y0 <= y < y1, summed over all instances.
   double sum(int x0, int y0, int x1, int y1) const {
     return at(x1, y1) - at(x0, y1) - at(x1, y0) + at(x0, y0);
   }
-  /// What could be gained if each square of a few pixels might be chosen by itself. Places that do
-  /// not belong on top of one another take from it.
+  /// Upper estimate of the gain if each square of a few pixels could be chosen independently.
+  /// Instances that do not match each other reduce it.
   double potential() const;
 
  private:

@@ -1,4 +1,4 @@
-// What windows gain in the cells of a grid.
+// Gain of windows in the cells of a grid.
 #pragma once
 
 #include <vug/fit/evidence/folded_integral.h>
@@ -6,16 +6,17 @@
 
 namespace vug::fit {
 
-/// Of the grid's place, its door and what its windows look like; where its lines are is told.
+/// Built from the grid's area, its door and the appearance of its windows; the lines are passed to
+/// each call.
 class GridGains {
  public:
   GridGains(const Model& model, const Evidence& evidence, const TreeState& state, int grid);
 
-  /// How far windows may reach to the right, or down.
+  /// Usable extent for windows to the right, or downwards.
   int room(bool along_x) const { return along_x ? usable_width(area_) : area_.height; }
-  /// How large a window may be there until it comes to the next line, or to the border.
+  /// Largest window that fits in the cell before the next line or the border.
   WindowSize max_size(const Node& grid, int column, int row) const;
-  /// Bits; 0 for one that has no room there or is hidden by the door.
+  /// Bits; 0 for a window that does not fit or is hidden by the door.
   double gain(const Node& grid, int column, int row, const WindowSize& size) const;
 
  private:

@@ -1,4 +1,4 @@
-// How well pixels are classified.
+// Accuracy measures of pixel classification.
 #pragma once
 
 #include <vug/fit/learning/labelled_images.h>
@@ -8,7 +8,7 @@
 
 namespace vug::fit {
 
-/// Pixels by their class and by what they were taken for; those without a label do not count.
+/// Pixel counts by true class and predicted class; unlabelled pixels are ignored.
 class ConfusionMatrix {
  public:
   explicit ConfusionMatrix(int classes);
@@ -22,15 +22,15 @@ class ConfusionMatrix {
   }
   int64_t class_count(int truth) const;
 
-  /// Share of all pixels that are right; of the pixels of each class that there is, on average.
-  /// 0 where there are none.
+  /// Overall accuracy, and the mean of the per-class accuracies over the classes that occur. 0
+  /// without pixels.
   double accuracy() const;
   double class_average() const;
-  /// Pixels that are of the class and taken for it, by those that are either.
+  /// Intersection over union of the class.
   double iou(int of) const;
 
-  /// A table with a row for each class: how its pixels are spread over what they were taken for, in
-  /// per cent, and its overlap.
+  /// A table with one row per class: the distribution of its pixels over the predictions in per
+  /// cent, and its intersection over union.
   std::string table(const Classes& classes) const;
 
  private:
@@ -38,8 +38,8 @@ class ConfusionMatrix {
   std::vector<int64_t> counts_;
 };
 
-/// Trains on all pictures but each `folds`th, for each of those parts, and calls
-/// visit(picture, maps) with the maps of each picture by the model that has not seen it.
+/// Cross-validation with `folds` folds: trains on all pictures but every `folds`th and calls
+/// visit(picture, maps) with the maps of each picture from the model that was not trained on it.
 /// Error(bad_input) for fewer than two folds, or fewer pictures than folds.
 void cross_validate(const std::vector<LabelledImage>& pictures, const Classes& classes,
                     const WorkingLimits& limits, const PixelClassifierOptions& options, int folds,

@@ -1,4 +1,4 @@
-// Pictures in which people have labelled each pixel with its class.
+// Training pictures whose pixels carry class labels.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -9,42 +9,42 @@
 
 namespace vug::fit {
 
-/// The class of pixels that nobody has labelled.
+/// Label of pixels without a class.
 constexpr uint8_t kUnlabelled = 255;
 
-/// What classes there are: numbers 0.. in labels.
+/// Class names; the index is the number in the labels.
 struct Classes {
   std::vector<std::string> names;
 
   int count() const { return static_cast<int>(names.size()); }
-  /// What a class is in a tree: that of its name; anything else is wall.
+  /// The region type of the class's name; wall for any other name.
   RegionType region_type(int number) const;
-  /// The class of that look, by name; -1: none.
+  /// The class named like the region type; -1 if there is none.
   int find(RegionType type) const;
   bool operator==(const Classes&) const = default;
 };
 
-/// {"0": "door", "1": "shop", ...}, numbered without gaps; one of them is a window.
+/// Reads {"0": "door", "1": "shop", ...}: numbers without gaps, one of the names being "window".
 /// Error(bad_input).
 Classes classes_from_json(const nlohmann::json& text);
 nlohmann::json to_json(const Classes& classes);
 Classes read_classes(const std::filesystem::path& file);
 
-/// Both at the working size.
+/// Photo and labels at the working size.
 struct LabelledImage {
   std::string name;
   image::Image photo;           ///< Linear R, G, B.
-  std::vector<uint8_t> labels;  ///< A class, or kVoid, of each pixel.
+  std::vector<uint8_t> labels;  ///< A class or kUnlabelled for each pixel.
 };
 
-/// `labels`: an 8-bit grey picture of class numbers, as large as the photo. Error(bad_input) names
-/// the file and the pixel that does not fit, Error(too_large) as read_photo.
+/// `labels`: an 8-bit grey picture of class numbers with the size of the photo. Error(bad_input)
+/// names the file and the offending pixel; Error(too_large) as read_photo.
 LabelledImage read_labelled_image(const std::filesystem::path& photo,
                                   const std::filesystem::path& labels, const Classes& classes,
                                   const WorkingLimits& limits = {}, uint64_t max_memory = 0);
 
-/// All of folder/images and folder/labels, whose files have the same names (but for their endings),
-/// in the order of names, with numbers by their values. Error(bad_input) where one lacks the other.
+/// Reads all files of folder/images and folder/labels, which correspond by name without extension,
+/// in natural order of the names. Error(bad_input) if a counterpart is missing.
 std::vector<LabelledImage> read_labelled_folder(const std::filesystem::path& folder,
                                                 const Classes& classes,
                                                 const WorkingLimits& limits = {},

@@ -1,4 +1,4 @@
-// Classifiers of facades' pixels, trained on labelled pictures, and what they tell a sampler.
+// Pixel classifiers for facades, trained on labelled pictures, and the evidence derived from them.
 #pragma once
 
 #include <vug/fit/evidence/evidence.h>
@@ -10,25 +10,27 @@ namespace vug::fit {
 struct PixelClassifierOptions {
   ForestOptions first;
   ForestOptions second{.tried_features = 20};
-  int examples = 6000;         ///< Pixels of each picture, drawn at random,
-  int max_examples = 500'000;  ///< and in all.
-  uint64_t max_memory = 0;     ///< Bytes; 0: what is available.
+  int examples = 6000;         ///< Random pixels per picture.
+  int max_examples = 500'000;  ///< Limit over all pictures.
+  uint64_t max_memory = 0;     ///< Bytes; 0: the available memory.
 };
 
-/// Two forests: the first sees a pixel's surroundings, the second also what the first makes of
-/// what is around. So that it learns how far to trust that, the maps of the first that the second
-/// is trained on come from forests that have not seen the picture (cite wolpert1992).
+/// Two stacked random forests: the first sees a pixel's surroundings, the second also the first
+/// one's predictions around it. The predictions used to train the second forest come from forests
+/// that were not trained on the same picture (cite wolpert1992), so that it learns how far to trust
+/// them.
 class PixelClassifier {
  public:
-  /// The same for any number of threads. Pictures are of one working size's limits, `limits`.
-  /// Error(bad_input) where no pixel has a label, Error(too_large), before it begins, where the
-  /// examples take more memory than there may be.
+  /// The result does not depend on the number of threads. `limits` are the working size's limits
+  /// for which the pictures were prepared. Error(bad_input) if no pixel is labelled;
+  /// Error(too_large), before training starts, if the examples exceed the memory limit.
   static PixelClassifier train(const std::vector<const LabelledImage*>& pictures,
                                const Classes& classes, const WorkingLimits& limits,
                                const PixelClassifierOptions& options, RandomKey key,
                                Progress& progress = Progress::none());
 
-  /// Error(bad_input) with a sentence for what is no such model, damaged, or of another version.
+  /// Error(bad_input) with a sentence for a file that is not such a model, is damaged, or has
+  /// another version.
   static PixelClassifier from_json(const nlohmann::json& text);
   static PixelClassifier read(const std::filesystem::path& file);
   nlohmann::json to_json() const;
@@ -36,8 +38,8 @@ class PixelClassifier {
   const Classes& classes() const { return classes_; }
   const WorkingLimits& limits() const { return limits_; }
 
-  /// How likely each pixel is of each class, one plane a class, at the photo's working_size (the
-  /// photo's own where it is made smaller already).
+  /// Class probabilities, one plane per class, at the photo's working_size (its own size if it is
+  /// already small enough).
   Planes classify(const image::Image& linear) const;
 
  private:
@@ -46,22 +48,23 @@ class PixelClassifier {
   Forest first_, second_;
 };
 
-/// Maps of another size, by the nearest four values.
+/// Resizes maps with bilinear interpolation.
 Planes enlarged(const Planes& maps, int width, int height);
 
 struct ClassifierEvidenceOptions {
-  /// Odds of windows are taken for so many times as high as maps say. A grid whose cells are mostly
-  /// right shares most with the true windows where pixels of a third are windows already.
+  /// Factor on the odds of windows. A grid whose cells are mostly right overlaps most with the true
+  /// windows if pixels with a probability of one third already count as windows.
   double windows = 2;
-  /// Wall is all that no part of a tree stands for, so doors and shops may be wall too, with this
-  /// part of their probability. Else a door is the best that a tree without a shop can say of one.
+  /// Share of the probability of doors and shops that also counts as wall: wall is everything that
+  /// no part of a tree represents. Without it a tree without shops is best off calling a shop a
+  /// door.
   double unnamed = 0.25;
-  /// No pixel is taken for less likely, as maps err, and pixels err together.
+  /// Lower bound of every probability, because maps err and their errors are correlated.
   double min_probability = 0.02;
 };
 
-/// Evidence for the `supervised` likelihood: bits of each Look, in steps of kBitStep.
-/// Error(bad_input) where the maps are not those of the classes.
+/// Evidence for the `supervised` likelihood: bits under each RegionType in steps of kBitStep.
+/// Error(bad_input) if the maps do not match the classes.
 Evidence classifier_evidence(const Planes& maps, const Classes& classes,
                              const ClassifierEvidenceOptions& options = {});
 

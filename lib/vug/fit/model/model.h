@@ -1,4 +1,4 @@
-// What is asked of a tree: whether it is one, where its areas lie, and how many bits it costs.
+// The model of facade trees: validity, layout of the areas, and code length in bits.
 #pragma once
 
 #include <vug/fit/likelihood.h>
@@ -8,7 +8,7 @@
 
 namespace vug::fit {
 
-/// A rectangle of a picture in pixels, its top row being 0: x0 <= x < x1, y0 <= y < y1.
+/// A rectangle of a picture in pixels, row 0 being the top row: x0 <= x < x1, y0 <= y < y1.
 struct Rect {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   bool operator==(const Rect&) const = default;
@@ -18,17 +18,17 @@ inline bool overlap(const Rect& a, const Rect& b) {
   return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
 }
 
-/// Where a terminal stands in its area.
+/// Rectangle of a terminal in its area.
 inline Rect rect_of(const Node& node) {
   return {node.x, node.y, node.x + node.width, node.y + node.height};
 }
 
-/// Rules, limits and evidence; all the same for all chains.
+/// Rules, limits and evidence, shared by all chains.
 class Model {
  public:
-  /// What is referred to must outlive the model. `evidence` and `likelihood` may be null: then
-  /// pixels cost nothing, which leaves the prior. Bits of pixels count `trust` each: neighbours are
-  /// no independent witnesses, so that codes which take them for such make too much of them.
+  /// All references must outlive the model. `evidence` and `likelihood` may be null: pixels then
+  /// cost nothing, which leaves the prior. The bits of pixels are scaled by `pixel_weight`, because
+  /// codes that treat neighbouring pixels as independent overrate them.
   Model(const Rules& rules, const Limits& limits, int width, int height,
         const Evidence* evidence = nullptr, LikelihoodPtr likelihood = nullptr,
         double pixel_weight = 1);
@@ -40,44 +40,44 @@ class Model {
   const Likelihood* likelihood() const { return likelihood_.get(); }
   double pixel_weight() const { return pixel_weight_; }
 
-  /// The axiom alone.
+  /// The state that holds only the axiom.
   TreeState axiom_state() const {
     return make_state({{Node{.symbol = static_cast<int16_t>(rules_->axiom)}}});
   }
   TreeState make_state(Tree tree) const;
 
-  /// Places the areas. False where the tree is none: something does not fit into its area, is
-  /// smaller than the least, overlaps, or is more than the limits allow.
+  /// Computes the areas. False if the tree is invalid: an element does not fit into its area, is
+  /// smaller than the minimum, overlaps another, or a limit is exceeded.
   bool compute_areas(TreeState& state) const;
-  /// Whether the parameters of node i and its terminal parts fit into its area.
+  /// Whether the parameters of node i and its terminal children fit into its area.
   bool fits(const TreeState& state, int i) const;
 
-  /// Bits of the tree and its pixels; computes what is not known.
+  /// Bits of the tree and its pixels; recomputes invalidated values. Infinite for an invalid tree.
   double energy(TreeState& state) const;
-  /// c(T): bits of the nodes' symbols and parameters alone. An element in which nothing stands
-  /// costs as much as one with something: being left out is no description.
+  /// c(T): bits of the nodes' symbols and parameters alone. An empty element costs as much as one
+  /// with content, since leaving the content out is not a shorter description.
   double complexity(const Tree& tree) const;
   double complexity(const Tree& tree, int i) const;
-  /// Bits of the pixels that node i answers for, in full.
+  /// Unweighted bits of the pixels that node i accounts for.
   double pixel_bits(const TreeState& state, int i) const;
 
-  /// Whether the node is a window of a grid, whose lines say where it stands.
+  /// Whether the node is a window of a grid, positioned by the grid's lines.
   bool in_grid(const Node& node) const {
     return static_cast<Op>(node.parent_op) == Op::windows &&
            rules_->symbol(node.symbol).type == RegionType::window;
   }
 
-  /// Calls visit(look, node, rect) for everything that is seen, in the picture: windows, doors.
-  /// The node is the terminal.
+  /// Calls visit(type, node, rect) for every visible instance of a terminal (window, door, ...), in
+  /// picture coordinates. The node is the terminal.
   void each_terminal(const TreeState& state,
                      const std::function<void(RegionType, int, const Rect&)>& visit) const;
 
-  /// Calls visit(part, rect) for each window of grid i, with the index of the window's node and its
-  /// rectangle in the grid's area; none where its door is.
+  /// Calls visit(node, rect) for each window of grid i with the window's node and its rectangle in
+  /// the grid's area; windows covered by the door are skipped.
   void each_window(const Tree& tree, int i,
                    const std::function<void(int, const Rect&)>& visit) const;
 
-  /// In the picture, of a rectangle of an area in one of its places.
+  /// Maps a rectangle of an area to the picture for one of the area's instances.
   static Rect in_picture(const Area& area, const AreaInstance& instance, int x, int y, int width,
                          int height) {
     const int left = instance.mirrored ? instance.x + area.width - x - width : instance.x + x;
@@ -94,24 +94,24 @@ class Model {
   LikelihoodPtr likelihood_;
   double pixel_weight_;
   double symbol_bits_;
-  std::vector<bool> elements_;  ///< Of each symbol: whether it only becomes terminals.
+  std::vector<bool> elements_;  ///< For each symbol: whether all its productions are terminals.
   int x_bits_, y_bits_;
 };
 
-/// What the evidence counts in a rectangle of an area, over all places of the area.
+/// Evidence sums over a rectangle of an area, over all instances of the area.
 Sums sum_of(const Evidence& evidence, const TreeState& state, const Area& area, const Rect& r);
-/// The same of all of the area.
+/// Evidence sums over the whole area.
 Sums sum_of(const Evidence& evidence, const TreeState& state, const Area& area);
 
-/// Where a part begins that stands side by side `times` times in a room of that width, for the time
-/// `again` from 0; its own width is room / times, so that a pixel may be left over between two.
+/// Start of repetition `again` (from 0) of a part that is repeated `times` times over an extent of
+/// `room`. The part's width is room / times, so a pixel may be left over between two repetitions.
 inline int repetition_offset(int room, int times, int again) { return again * room / times; }
 
-/// How far to the right windows of a grid may reach. At the border of a part that comes again they
-/// would touch themselves: one window, told as two.
+/// Extent that windows of a grid may use along x. In a repeated part the last column of pixels
+/// stays free, because windows at the border would touch their own copies and appear as one.
 inline int usable_width(const Area& area) { return area.width - (area.count > 1 ? 1 : 0); }
 
-/// Bits that count `range` values.
+/// Bits needed to encode `range` values.
 int bits_for(int range);
 
 }  // namespace vug::fit

@@ -1,4 +1,4 @@
-// A facade grammar as a sampler sees it: productions whose sizes and counts are free.
+// A facade grammar as the sampler sees it: productions whose sizes and counts are free.
 #pragma once
 
 #include <string>
@@ -6,27 +6,27 @@
 
 namespace vug::fit {
 
-/// What is seen in an area. Each has a lane of its own in supervised evidence.
+/// The type of region seen in an area. Each has its own lane in supervised evidence.
 enum class RegionType { wall, window, door, shop };
 constexpr int kRegionTypes = 4;
 
-/// What a production does with the area of its head.
+/// Operation of a production on the area of its head.
 enum class Op {
   rows,      ///< Ground floor and the part above it.
-  repeat,    ///< One part, side by side several times.
-  mirror,    ///< A side, its mirror image, and maybe a middle between them.
+  repeat,    ///< One part, repeated side by side.
+  mirror,    ///< A side, its mirror image, and optionally a middle between them.
   grid,      ///< Columns and rows.
-  elements,  ///< Parts of different width, side by side.
-  windows,   ///< Of a grid: kinds of windows for its cells, and maybe a door.
-  terminal,  ///< Of an element: what is in it.
+  elements,  ///< Parts of different widths, side by side.
+  windows,   ///< Of a grid: window kinds for its cells, and optionally a door.
+  terminal,  ///< Of an element: its content.
 };
 
 struct SymbolInfo {
   std::string name;
   bool terminal = false;
-  RegionType type = RegionType::wall;  ///< Of terminals.
+  RegionType type = RegionType::wall;  ///< Region type of a terminal.
   bool grid = false;
-  bool regular = false;    ///< Grids: columns have one distance, and rows one.
+  bool regular = false;    ///< Grids: equal spacing of columns and of rows.
   bool identical = false;  ///< Grids: all cells hold the same window.
 };
 
@@ -39,7 +39,7 @@ struct Production {
 struct Rules {
   std::vector<SymbolInfo> symbols;
   std::vector<Production> productions;
-  std::vector<std::vector<int>> by_head;  ///< Indices of productions by their heads.
+  std::vector<std::vector<int>> by_head;  ///< Indices of the productions of each head.
   int axiom = 0;
 
   const Production& production(int i) const { return productions[static_cast<size_t>(i)]; }
@@ -47,17 +47,17 @@ struct Rules {
   const std::vector<int>& productions_of(int s) const { return by_head[static_cast<size_t>(s)]; }
 };
 
-/// Fills `of`.
+/// Fills `by_head`.
 Rules indexed(Rules rules);
 
-/// What bounds the space of trees.
+/// Limits of the space of trees.
 struct Limits {
-  int min_size = 4;    ///< Smallest width and height of anything, pixels.
-  int max_lines = 16;  ///< Columns of a grid, and rows, at most kMostLines.
+  int min_size = 4;    ///< Smallest width and height of any part, pixels.
+  int max_lines = 16;  ///< Columns and rows of a grid, at most kMaxLines.
   int max_elements = 16;
   int max_repeats = 16;
-  int max_kinds = 15;  ///< Kinds of windows in a grid, at most kMostKinds.
-  int max_nodes = 64;  ///< Of a tree.
+  int max_kinds = 15;  ///< Window kinds of a grid, at most kMaxKinds.
+  int max_nodes = 64;  ///< Nodes of a tree.
 };
 
 }  // namespace vug::fit

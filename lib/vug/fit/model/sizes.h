@@ -1,4 +1,4 @@
-// A few sizes of windows for many cells: which sizes, and which of them each cell has.
+// Choice of a few window sizes for many cells, and of the size of each cell.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@ struct WindowSize {
   bool operator==(const WindowSize&) const = default;
 };
 
-/// What a window gains in each cell, at each size from `least` to `most`.
+/// Gain of a window in each cell, for each size from `min_size` to `max_size`.
 struct SizeGains {
   WindowSize min_size, max_size;
-  std::vector<std::vector<double>> cells;  ///< Of each cell the sizes, row after row of widths;
-                                           ///< 0 for those that have no room there.
+  /// For each cell the gain of each size, widths varying fastest; 0 for sizes that do not fit.
+  std::vector<std::vector<double>> cells;
 
   size_t count() const {
     return static_cast<size_t>((max_size.width - min_size.width + 1) *
@@ -31,12 +31,12 @@ struct SizeGains {
 
 struct SizeChoice {
   std::vector<WindowSize> sizes;
-  std::vector<int> kinds;  ///< Of each cell: 0 nothing, else one more than the place of its size.
-  double gain = 0;         ///< Of all cells.
+  std::vector<int> kinds;  ///< For each cell: 0 for empty, else 1 + the index of its size.
+  double gain = 0;         ///< Total gain over all cells.
 };
 
-/// The sizes with, for each cell, what gains most there: `gain(cell, k)` is that of sizes[k], and
-/// nothing gains 0.
+/// Assigns to each cell the size with the largest gain, where `gain(cell, k)` is the gain of
+/// sizes[k] and an empty cell gains 0.
 template <class Gain>
 SizeChoice best_of_each(std::vector<WindowSize> sizes, size_t cells, const Gain& gain) {
   SizeChoice out;
@@ -53,10 +53,10 @@ SizeChoice best_of_each(std::vector<WindowSize> sizes, size_t cells, const Gain&
   return out;
 }
 
-/// For one size, two, and so on up to `most`, as long as another could gain more than `cost`: sizes
-/// of which none can be changed alone such that the cells, each with what gains most there, gain
-/// more. Each begins with the last ones and the size that adds most (k-medians, where centres are
-/// found one by one and exchanged; cite kaufman1990).
+/// Choices of one size, two sizes, and so on up to `most`, as long as another size could gain more
+/// than `cost`. In each choice no single size can be exchanged to increase the total gain. Each
+/// extends the previous one by the size that adds most (k-medians with greedy initialisation and
+/// exchange; cite kaufman1990).
 std::vector<SizeChoice> choose_sizes(const SizeGains& gains, int most, double cost);
 
 }  // namespace vug::fit

@@ -1,4 +1,4 @@
-// The parameters that a production gives to its parts: drawn, or told.
+// Parameters of the nodes that a production creates: sampled, or scored for fixed values.
 #pragma once
 
 #include <vug/fit/model/model.h>
@@ -7,31 +7,31 @@
 
 namespace vug::fit {
 
-/// What moves are made with; shared by all chains.
+/// What moves work with; shared by all chains.
 struct MoveContext {
   const Model& model;
   const EdgeHints& hints;
 };
 
-/// A node's parts, and the cells where the node is a grid whose windows differ.
+/// The child nodes that a production creates, and the cells of a grid whose windows differ.
 struct Successors {
   std::vector<Node> nodes;
   Cells cells{};
 };
 
-/// Those of node i, which has been rewritten.
+/// The successors of node i, which has been rewritten.
 Successors successors_of(const TreeState& state, int i);
 
-/// Chooses the parts that the production gives to node i, whose area is known. Where `choices`
-/// tell, `told` are chosen. False where no parts fit.
+/// Chooses the successors that the production gives to node i, whose area is valid. If `choices`
+/// score instead of sampling, `fixed` is chosen. False if no successors fit.
 bool choose_successors(const MoveContext& context, const TreeState& state, int i, int production,
                        inference::Choices& choices, const Successors& fixed, Successors& out);
 
-/// Chooses where in the area of node i something is that stands by itself, a door or a shop.
+/// Chooses the rectangle of a free-standing element, a door or a shop, in the area of node i.
 void choose_rect(const MoveContext& context, const TreeState& state, int i,
                  inference::Choices& choices, const Node& fixed, Node& out);
 
-/// Rewrites node i into the parts, and takes them away again.
+/// Rewrites node i with a production into the successors, and reverts that.
 void apply_production(TreeState& state, int i, int production, const Successors& parts);
 void undo_production(TreeState& state, int i);
 

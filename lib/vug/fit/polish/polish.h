@@ -1,4 +1,5 @@
-// The last pixels of a tree: its numbers are made the best there are; parts only go.
+// Local refinement of a tree to pixel accuracy: optimises its numbers and removes parts, but adds
+// none.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -7,33 +8,34 @@
 namespace vug::fit {
 
 struct PolishResult {
-  double before = 0, after = 0;  ///< Bits; never more after than before.
-  int rounds = 0;                ///< Until nothing changed any more.
+  double before = 0, after = 0;  ///< Bits; `after` never exceeds `before`.
+  int rounds = 0;                ///< Sweeps until convergence.
 };
 
-/// Turns over all nodes until none gets better: lines and sizes of grids by dynamic programming
-/// over all places, the cheapest type of a grid that draws the same, edges of doors and elements
-/// and the lines between parts by trying all places; what saves no bits is taken back. Stops in
-/// between when told to.
+/// Sweeps over all nodes until no node improves: lines and sizes of grids by dynamic programming
+/// over all positions, the cheapest grid type that draws the same, and exhaustive search over the
+/// edges of doors and elements and the lines between parts. Parts that save no bits are removed.
+/// Stops early if cancelled.
 PolishResult polish(const MoveContext& context, const Evidence& evidence, TreeState& state,
                     Progress& progress = Progress::none());
 
-/// Of the grid below node i: each of its columns and rows and the sizes of its windows. Whether
-/// that saved bits; else the state stays as it is.
+/// Refines the grid below node i: each of its columns and rows and the sizes of its windows.
+/// Returns whether that saved bits; otherwise the state is unchanged.
 bool polish_grid(const MoveContext& context, const Evidence& evidence, TreeState& state, int i);
 
-/// Of the grid below node i, if its windows may differ: how many kinds of windows it has, their
-/// sizes and which of them stands in each cell. Likewise.
+/// Refines the window kinds of the grid below node i, if its windows may differ: their number,
+/// their sizes, and the kind in each cell. Returns as polish_grid.
 bool polish_kinds(const MoveContext& context, const Evidence& evidence, TreeState& state, int i);
 
-/// Likewise where each of its lines stands, as each cell of the line becomes the kind that gains
-/// most there and sizes of kinds follow.
+/// Refines the position of each line of that grid while each cell of the line takes the kind with
+/// the largest gain and the sizes of the kinds adapt. Returns as polish_grid.
 bool polish_cells(const MoveContext& context, const Evidence& evidence, TreeState& state, int i);
 
-/// Of node i, which has been rewritten to a grid: the cheapest type of grid. Likewise.
+/// Selects the cheapest grid type for node i, which has been rewritten to a grid. Returns as
+/// polish_grid.
 bool polish_type(const MoveContext& context, TreeState& state, int i);
 
-/// Takes the other state where it is one and cheaper.
+/// Replaces the state if the other one is valid and cheaper.
 bool replace_if_cheaper(const Model& model, TreeState& state, TreeState other);
 
 }  // namespace vug::fit

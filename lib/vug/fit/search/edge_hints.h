@@ -1,4 +1,4 @@
-// Where the picture says that edges may be, so that proposals need not try every place.
+// Likely positions of edges in the picture, used as proposal distributions.
 #pragma once
 
 #include <vug/fit/evidence/evidence.h>
@@ -6,19 +6,21 @@
 
 namespace vug::fit {
 
-/// Over places between pixels: 0 is the picture's left or upper border, its width or height the
-/// other one. Chains reach the same distribution with any hints, but not as soon.
+/// Distributions over the positions between pixels: 0 is the left or top border, the picture's
+/// width or height the other one. Hints change how fast chains converge, not the distribution they
+/// converge to.
 struct EdgeHints {
-  inference::DiscreteDistribution left, right;  ///< Of windows, places along x.
-  inference::DiscreteDistribution top, bottom;  ///< Of windows, places along y.
-  inference::DiscreteDistribution floor;  ///< Between the ground floor and the part above, along y.
+  inference::DiscreteDistribution left, right;  ///< Edges of windows along x.
+  inference::DiscreteDistribution top, bottom;  ///< Edges of windows along y.
+  /// The line between ground floor and upper part, along y.
+  inference::DiscreteDistribution floor;
 
-  /// Every place is as likely as any other.
+  /// All positions are equally likely.
   static EdgeHints uniform(int width, int height);
-  /// Where whole columns and rows of clusters change.
+  /// Positions at which the clusters of whole columns and rows change.
   static EdgeHints from_clusters(const Evidence& evidence);
-  /// Where whole columns and rows begin, or cease, to look like windows rather than wall; `looks`
-  /// are code lengths under each Look.
+  /// Positions at which whole columns and rows start or stop looking like windows; `evidence` holds
+  /// code lengths per RegionType.
   static EdgeHints from_supervised(const Evidence& evidence);
 };
 

@@ -1,4 +1,4 @@
-// Rows of unequal elements, found by dynamic programming over the places where a picture changes.
+// Rows of unequal elements, found by dynamic programming over the edges of the picture.
 #pragma once
 
 #include <vug/fit/move.h>
@@ -6,18 +6,18 @@
 
 namespace vug::fit {
 
-/// Places along x or y of an area where whole columns or rows of it change most, at most that many,
-/// in order; neither of its borders.
+/// The strongest edges of whole columns or rows of an area, at most `most` positions along x or y
+/// in ascending order, without the borders.
 std::vector<int> strongest_edges(const Evidence& evidence, const TreeState& state, const Area& area,
                                  bool along_x, int most);
 
-/// What stands on the ground of node i's area between the columns of its windows, each of them
-/// `columns`: of each height the one that saves most bits, the best first.
+/// Rectangles on the ground of node i's area between its window columns: for each height the one
+/// that saves most bits, best first.
 std::vector<Rect> ground_elements_between(const MoveContext& context, const Evidence& evidence,
                                           const TreeState& state, int i,
                                           const std::vector<Segment>& columns);
 
-/// Node i rewritten into elements with what stands in them, if the rules have any.
+/// Candidates for node i as a row of elements with content, if the rules have such a production.
 std::vector<TreeState> element_row_candidates(const MoveContext& context, const Evidence& evidence,
                                               const TreeState& state, int i);
 

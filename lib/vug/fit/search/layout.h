@@ -1,4 +1,5 @@
-// Columns and rows of windows in an area, found by dynamic programming in turn, and grids of them.
+// Columns and rows of windows in an area by alternating dynamic programming, and the resulting
+// grids.
 #pragma once
 
 #include <vug/fit/evidence/folded_integral.h>
@@ -7,21 +8,21 @@
 
 namespace vug::fit {
 
-/// In the area's own coordinates.
+/// In coordinates of the area.
 struct Layout {
   std::vector<Segment> columns, rows;
   bool empty() const { return columns.empty() || rows.empty(); }
   bool operator==(const Layout&) const = default;
 };
 
-/// The columns that gain most given the rows, then the rows given the columns, in that many turns;
-/// at first of all of the area, or so the rows where `rows_first` says so.
+/// Alternates `turns` times between the best columns for the rows and the best rows for the
+/// columns. Starts with columns over the whole area, or with rows if `rows_first`.
 Layout find_layout(const FoldedIntegral& integral, const Limits& limits, double cost, int turns,
                    bool rows_first);
 
-/// Node i rewritten into a grid of that layout and its windows: of each type that the rules have,
-/// with windows of one size or of several, with a door and without; each has a finite energy. The
-/// door stands in `door`, unless that is empty, or below some column.
+/// Candidates for node i as a grid of that layout with its windows: for each grid type of the
+/// rules, with one or several window sizes, with and without a door. All candidates have a finite
+/// energy. The door is at `door`, or below one of the columns if that is empty.
 std::vector<TreeState> grid_candidates(const MoveContext& context, const TreeState& state, int i,
                                        const FoldedIntegral& integral, const Layout& layout,
                                        const Rect& door);

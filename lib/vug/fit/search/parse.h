@@ -1,5 +1,5 @@
-// Trees found from the top down: each area is tried as every production's parts, and the parts in
-// turn, as far as the picture promises anything.
+// Top-down search for trees: each area is tried with every production, and recursively its parts,
+// as far as the evidence promises a gain.
 #pragma once
 
 #include <vug/fit/evidence/folded_integral.h>
@@ -8,14 +8,15 @@
 namespace vug::fit {
 
 struct ParseOptions {
-  int depth = 3;               ///< How many splits lie within each other.
-  int breadth = 3;             ///< How many ways to split an area are looked into.
-  double min_potential = 0.8;  ///< Share of an area's gain that must remain when its parts are laid
-                               ///< on top of one another.
+  int depth = 3;    ///< Maximum nesting of splits.
+  int breadth = 3;  ///< Number of best splits of an area that are expanded further.
+  /// Minimum share of an area's potential gain that remains when its instances are folded on top of
+  /// each other.
+  double min_potential = 0.8;
 };
 
-/// The tree of least energy that is found below node i, which has not been rewritten. `gains` say
-/// where windows may be.
+/// The tree of least energy found below node i, which has not been rewritten. `gains` describe the
+/// appearance of windows.
 TreeState parse(const MoveContext& context, const Evidence& evidence, const Gains& gains,
                 TreeState state, int i, const ParseOptions& options = {});
 

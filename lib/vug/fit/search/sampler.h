@@ -1,4 +1,4 @@
-// Facades out of pictures: chains that look for the trees a picture is likely to be of.
+// Markov chain Monte Carlo over facade trees.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -11,38 +11,41 @@ namespace vug::fit {
 
 struct SamplerOptions {
   int chains = 8;
-  double coldest = 1;    ///< Pixels are no independent witnesses: above 1 trusts them less.
-  double spread = 3;     ///< Temperature of the hottest chain by that of the coldest, at first.
-  double annealing = 1;  ///< How much hotter all chains begin than they end; from seeds: as hot.
-  int64_t steps = 1'000'000;  ///< Of each chain.
-  double warm_up = 0.7;       ///< Share of the steps in which they cool, and nothing is told of.
+  /// Temperature; above 1 it weights pixels less, since they are not independent.
+  double coldest = 1;
+  double spread = 3;     ///< Initial ratio of the hottest to the coldest temperature.
+  double annealing = 1;  ///< Initial temperature factor of all chains; 1 when starting from seeds.
+  int64_t steps = 1'000'000;  ///< Steps per chain.
+  double warm_up = 0.7;       ///< Share of the steps used for warm-up, without recording.
   int64_t per_round = 100;    ///< Steps between two exchanges.
 };
 
-/// How often chains were in trees that differ in numbers only.
+/// Number of rounds spent in trees of one structure, which differ in numbers only.
 struct StructureCount {
-  std::string text;  ///< "Facade(RegularGrid(Window Window))"
+  std::string text;  ///< For example "Facade(RegularGrid(Window Window))".
   int64_t rounds = 0;
 };
 
 struct SamplerResult {
-  TreeState best;                          ///< Of least energy.
-  double bits = 0;                         ///< Its energy.
-  std::vector<StructureCount> structures;  ///< Of the coldest chain, the most frequent first.
-  std::vector<double> trace;               ///< Energies of the coldest chain after each round,
-  std::vector<int> visited;                ///< and places of its structures in `structures`.
+  TreeState best;   ///< State of least energy.
+  double bits = 0;  ///< Energy of `best`.
+  /// Structures of the coldest chain, most frequent first.
+  std::vector<StructureCount> structures;
+  std::vector<double> trace;  ///< Energy of the coldest chain after each round.
+  std::vector<int> visited;   ///< Index into `structures` for each round.
   std::vector<inference::TemperatureLadder::Swaps> swaps;
   std::vector<double> temperatures;
-  std::vector<inference::MoveCount> moves;  ///< Of the coldest chain, in the order of move_kinds.
-  bool stopped = false;                     ///< Told to stop: the best so far.
+  /// Counts of the coldest chain, in the order of move_kinds.
+  std::vector<inference::MoveCount> moves;
+  bool stopped = false;  ///< Cancelled; the result is the best so far.
 };
 
-/// Samples trees by parallel tempering from the axiom, or from `start`. The same result for any
-/// number of threads. When told to stop it returns what it has.
+/// Samples trees by parallel tempering, starting with the axiom or with `start`. The result does
+/// not depend on the number of threads. If cancelled it returns the results so far.
 SamplerResult sample(const MoveContext& context, const SamplerOptions& options, RandomKey key,
                      Progress& progress = Progress::none(), const TreeState* start = nullptr);
 
-/// A tree's symbols, without its numbers.
+/// The symbols of a tree without its numbers.
 std::string structure_of(const Rules& rules, const Tree& tree);
 
 }  // namespace vug::fit

@@ -1,4 +1,4 @@
-// Trees to begin with.
+// Start trees for the chains.
 #pragma once
 
 #include <vug/fit/search/parse.h>
@@ -6,13 +6,14 @@
 namespace vug::fit {
 
 struct SeedOptions {
-  int rounds = 3;    ///< In each what windows look like is learnt anew from the last tree.
-  int thorough = 2;  ///< How many of what was learnt are looked at in full depth.
+  /// Rounds in which the appearance of windows is re-estimated from the last tree.
+  int rounds = 3;
+  int thorough = 2;  ///< Number of estimates that are parsed at full depth.
   ParseOptions parse;
 };
 
-/// Trees that are worth to begin with, the best first. `of_looks` says what the lanes of the
-/// evidence are.
+/// Good start trees, best first. `supervised` says whether the evidence holds code lengths per
+/// RegionType instead of clusters.
 std::vector<TreeState> seeds(const MoveContext& context, const Evidence& evidence, bool supervised,
                              const SeedOptions& options = {});
 

@@ -6,20 +6,20 @@
 namespace vug::fit {
 
 struct Segment {
-  int start = 0, end = 0;  ///< Places start <= i < end.
+  int start = 0, end = 0;  ///< Positions start <= i < end.
   int size() const { return end - start; }
   bool operator==(const Segment&) const = default;
 };
 
 struct SegmentLimits {
-  int min_size = 1, max_size = 1;  ///< Of a segment.
-  int max_count = 16;              ///< How many.
-  double cost = 0;                 ///< Of each.
+  int min_size = 1, max_size = 1;  ///< Size of a segment.
+  int max_count = 16;              ///< Number of segments.
+  double cost = 0;                 ///< Cost per segment.
 };
 
-/// `before[i]` is what all places before i gain, so there is one more than places. The segments, at
-/// least a place apart and in order, that gain most less their costs; none where none gains.
-/// Time: places x most.
+/// The segments with the largest gain minus costs, in order and separated by at least one position;
+/// empty if no segment gains. `before` holds prefix sums: `before[i]` is the gain of all positions
+/// before i, so it has one entry more than there are positions. Time: positions x max_count.
 std::vector<Segment> best_segments(const std::vector<double>& before, const SegmentLimits& limits);
 
 }  // namespace vug::fit
