@@ -64,8 +64,8 @@ TEST(AsData, ARectanglesSidesLieWhereTheyLie) {
 
 TEST(AsData, TheSunsStrengthIsItsIrradiance) {
   const exchange::Light sun = exported(make_light("sun", {{"irradiance", Vec3d(10, 9, 8)},
-                                                      {"angle", radians(0.01)},
-                                                      {"elevation", radians(kPi / 2)}}));
+                                                          {"angle", radians(0.01)},
+                                                          {"elevation", radians(kPi / 2)}}));
   EXPECT_LT((exchange::peak_intensity(sun) - Vec3d(10, 9, 8)).length(), 1e-4);
   EXPECT_NEAR(sun.angle, 0.01, 1e-8);
   EXPECT_LT((sun.place.vector({0, 0, -1}) - Vec3d(0, -1, 0)).length(), 1e-6);
@@ -96,7 +96,8 @@ TEST(AsData, PlacedLampsGrow) {
                           Transform::scaling(Vec3d(3.0));
   for (const char* kind : kLights) {
     const LightPtr lamp = make_light(kind);
-    const exchange::Light before = exported(lamp), after = exported(transformed_light(lamp, place, {}));
+    const exchange::Light before = exported(lamp),
+                          after = exported(transformed_light(lamp, place, {}));
     EXPECT_NEAR(exchange::power(after).x / exchange::power(before).x, 9, 1e-5) << kind;
     EXPECT_LT((after.place.origin() - place.point(before.place.origin())).length(), 1e-6);
   }

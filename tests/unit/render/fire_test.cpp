@@ -144,7 +144,9 @@ TEST(Fire, ColoursOfTheGridAreAlbedos) {
 
 // With the grid names that other programs expect, in kelvin, and where they vary.
 TEST(Fire, IsExportedAsGrids) {
-  const auto exported = [](const NamedValues& more) { return fire(more)->as_data(nullptr).value(); };
+  const auto exported = [](const NamedValues& more) {
+    return fire(more)->as_data(nullptr).value();
+  };
   const auto named = [](const MediumData& data, const std::string& name) {
     for (const volume::Grid& grid : data.grids)
       if (grid.name() == name) return volume::Density(grid);
@@ -161,11 +163,11 @@ TEST(Fire, IsExportedAsGrids) {
   EXPECT_EQ(plain.medium.heat, 0);
 
   const MediumData whole = exported({{"albedo", Vec3d(0.5)},
-                                 {"color_grid", "Cd"},
-                                 {"emission_mask", 0.5},
-                                 {"emission_grid", "flame"},
-                                 {"temperature_grid", "temperature"},
-                                 {"temperature", 2.0}});
+                                     {"color_grid", "Cd"},
+                                     {"emission_mask", 0.5},
+                                     {"emission_grid", "flame"},
+                                     {"temperature_grid", "temperature"},
+                                     {"temperature", 2.0}});
   std::vector<std::string> names;
   for (const volume::Grid& grid : whole.grids) names.push_back(grid.name());
   EXPECT_EQ(names, (std::vector<std::string>{"density", "color", "temperature", "flame"}));

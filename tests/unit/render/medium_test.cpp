@@ -98,7 +98,8 @@ TEST(Haze, TheSunIsAsBrightWithPortals) {
                                                {"width", 20.0},
                                                {"height", 20.0}}));
   const Mean with_portals = mean_of(render(scene, options(32, 32, 64, 4)), "G");
-  EXPECT_LT(std::fabs(with_portals.value - without_portals.value), 4 * std::hypot(without_portals.error, with_portals.error));
+  EXPECT_LT(std::fabs(with_portals.value - without_portals.value),
+            4 * std::hypot(without_portals.error, with_portals.error));
   EXPECT_LT(without_portals.error, 0.01 * without_portals.value);
   EXPECT_LT(with_portals.error, 3 * without_portals.error) << "by chance only";
 }

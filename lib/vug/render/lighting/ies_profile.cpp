@@ -17,7 +17,7 @@ class Reader {
  public:
   Reader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
-  [[noreturn]] void refuse(const std::string& what) const {
+  [[noreturn]] void fail(const std::string& what) const {
     throw Error(ErrorCode::bad_input,
                 fmt::format("invalid IES file '{}': line {}: {}", name_, line_, what));
   }
@@ -34,7 +34,7 @@ class Reader {
     const auto gap = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == ','; };
     while (!at_end() && (gap(text_[at_]) || text_[at_] == '\n'))
       if (text_[at_++] == '\n') ++line_;
-    if (at_end()) refuse(fmt::format("the text ends before {}", what));
+    if (at_end()) fail(fmt::format("the text ends before {}", what));
     size_t end = at_;
     while (end < text_.size() && !gap(text_[end]) && text_[end] != '\n') ++end;
     std::string_view word = text_.substr(at_, end - at_);
@@ -42,7 +42,7 @@ class Reader {
     double value = 0;
     const auto [past, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || past != word.data() + word.size() || !std::isfinite(value))
-      refuse(fmt::format("'{}' is not a number for {}", word.substr(0, 30), what));
+      fail(fmt::format("'{}' is not a number for {}", word.substr(0, 30), what));
     at_ = end;
     return value;
   }
@@ -51,8 +51,8 @@ class Reader {
     const double value = number(what);
     if (value != std::floor(value) || !(value >= static_cast<double>(least)) ||
         !(value <= static_cast<double>(most)))
-      refuse(fmt::format("{} is {}, but must be a whole number from {} to {}", what, value, least,
-                         most));
+      fail(fmt::format("{} is {}, but must be a whole number from {} to {}", what, value, least,
+                       most));
     return static_cast<size_t>(value);
   }
   std::vector<double> angles(const char* what, size_t count, double least, double most) {
@@ -60,8 +60,8 @@ class Reader {
     for (size_t i = 0; i < count; ++i) {
       out.push_back(number(what));
       if (!(out.back() >= least && out.back() <= most) || (i > 0 && !(out[i] > out[i - 1])))
-        refuse(fmt::format("{} must ascend from at least {} to at most {} degrees; found {}", what,
-                           least, most, out.back()));
+        fail(fmt::format("{} must ascend from at least {} to at most {} degrees; found {}", what,
+                         least, most, out.back()));
     }
     return out;
   }
@@ -93,9 +93,9 @@ Between find(const std::vector<double>& table, double x) {
 IesProfile::IesProfile(std::string_view text, const std::string& name) {
   Reader in(text, name);
   std::string_view line = in.line();
-  if (line.substr(0, 5) != "IESNA") in.refuse("the file does not begin with IESNA");
+  if (line.substr(0, 5) != "IESNA") in.fail("the file does not begin with IESNA");
   while (line.substr(0, 5) != "TILT=") {
-    if (in.at_end()) in.refuse("no line begins with TILT=");
+    if (in.at_end()) in.fail("no line begins with TILT=");
     line = in.line();
   }
   if (line == "TILT=INCLUDE") {
@@ -106,39 +106,38 @@ IesProfile::IesProfile(std::string_view text, const std::string& name) {
   } else if (line == "TILT=NONE") {
     in.numbers_follow();
   } else {
-    in.refuse("only TILT=NONE and TILT=INCLUDE are supported");
+    in.fail("only TILT=NONE and TILT=INCLUDE are supported");
   }
   const auto light_count = static_cast<double>(in.count("the number of lamps", 1, 10000));
   const double each = in.number("the lumen of a lamp");
   const double multiplier = in.number("the candela multiplier");
   const size_t verticals = in.count("the number of vertical angles", 2, 10000);
   const size_t horizontals = in.count("the number of horizontal angles", 1, 10000);
-  if (verticals * horizontals > 4000000)
-    in.refuse("the file has more than four million intensities");
+  if (verticals * horizontals > 4000000) in.fail("the file has more than four million intensities");
   if (in.count("the photometric type", 1, 3) != 1)
-    in.refuse("only type C photometry (1) is supported, not types B (2) and A (3)");
+    in.fail("only type C photometry (1) is supported, not types B (2) and A (3)");
   in.count("the unit of length", 1, 2);
   for (const char* side : {"the width", "the length", "the height"}) in.number(side);
   const double ballast = in.number("the ballast factor");
   in.number("the reserved value");
   in.number("the input in watts");
   const double factor = multiplier * ballast;
-  if (!(factor > 0)) in.refuse("the product of multiplier and ballast factor must be above 0");
+  if (!(factor > 0)) in.fail("the product of multiplier and ballast factor must be above 0");
   rated_ = each > 0 ? light_count * each : -1;
   vertical_ = in.angles("vertical angles", verticals, 0, 180);
   horizontal_ = in.angles("horizontal angles", horizontals, 0, 360);
   if (horizontal_.front() != 0 && horizontals > 1)
-    in.refuse("the horizontal angles must begin with 0");
+    in.fail("the horizontal angles must begin with 0");
   const double last = horizontal_.back();
   if (horizontals > 1 && last != 90 && last != 180 && last != 360)
-    in.refuse(
+    in.fail(
         fmt::format("the horizontal angles end with {}, but must end with 90, 180 or 360", last));
   for (size_t i = 0; i < verticals * horizontals; ++i) {
     candela_.push_back(in.number("an intensity") * factor);
-    if (!(candela_.back() >= 0)) in.refuse("an intensity is below 0");
+    if (!(candela_.back() >= 0)) in.fail("an intensity is below 0");
     peak_ = std::max(peak_, static_cast<float>(candela_.back()));
   }
-  if (!(peak_ > 0)) in.refuse("all intensities are 0");
+  if (!(peak_ > 0)) in.fail("all intensities are 0");
 
   // Rings of an eighth of a degree, one sample per degree around; the integrand is piecewise
   // linear.

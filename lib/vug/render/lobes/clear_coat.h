@@ -15,10 +15,10 @@ struct InterfaceLayer {
   const InterfaceTable* table;
   float roughness;
   float mean;         ///< Reflected fraction of diffuse light.
-  float clear;        ///< Fraction of the viewer's light that is transmitted.
+  float transmitted;  ///< Fraction of the viewer's light that is transmitted.
   float missing_out;  ///< Fraction of the viewer's light missing from single scattering.
   float missing;      ///< The same for diffuse light.
-  float again;        ///< Fraction of the missing light that multiple scattering returns.
+  float multiple;     ///< Fraction of the missing light that multiple scattering returns.
 
   InterfaceLayer(float roughness, const InterfaceTable& face, const Vec3f& out);
   /// Transmitted fraction of light from a cosine.
@@ -37,9 +37,9 @@ class ClearCoatLobe {
 
   Scattering evaluate(const Vec3f& in) const;
   Vec3f sample(float lobe, const Vec2f& u) const;
-  Rgb albedo() const { return Rgb(1 - face_.clear) + below_ * face_.clear; }
+  Rgb albedo() const { return Rgb(1 - face_.transmitted) + below_ * face_.transmitted; }
   /// Transmitted fraction of the viewer's light; see Base::open.
-  float clear() const { return face_.clear; }
+  float transmitted() const { return face_.transmitted; }
 
  private:
   InterfaceLayer face_;

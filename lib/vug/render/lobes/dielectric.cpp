@@ -30,12 +30,12 @@ Scattering DielectricLobe::evaluate(const Vec3f& in) const {
   // Multiple scattering.
   const float lost = (through ? far_ : near_)->at(std::fabs(in.z), roughness_);
   const float part = through ? 1 - back_ : back_;
-  const float again = loss_out_ * part * lost / (through ? missing_far_ : missing_near_) * even;
+  const float multiple = loss_out_ * part * lost / (through ? missing_far_ : missing_near_) * even;
   s.pdf = loss_out_ * part * ggx_.pdf_multiple(std::fabs(in.z));
 
   const Vec3f bisector = through ? out_ + in * ior_ : out_ + in;
   const float size = length(bisector);
-  float once = 0;
+  float single = 0;
   if (size > 0) {
     Vec3f h = bisector * (1 / size);
     if (h.z < 0) h = -h;
@@ -45,11 +45,11 @@ Scattering DielectricLobe::evaluate(const Vec3f& in) const {
       const float sum = c + ior_ * d;
       const float stretch = through ? ior_ * ior_ * -d / (sum * sum)
                                     : 1 / (4 * c);  // Jacobian from normals to directions
-      once = (through ? 1 - f : f) * ggx_.visible_density(out_, h) * stretch;
+      single = (through ? 1 - f : f) * ggx_.visible_density(out_, h) * stretch;
     }
   }
-  s.pdf += (1 - loss_out_) * once;
-  s.specular = Rgb(once * ggx_.g2_over_g1(out_, in) + again);
+  s.pdf += (1 - loss_out_) * single;
+  s.specular = Rgb(single * ggx_.g2_over_g1(out_, in) + multiple);
   return s;
 }
 

@@ -18,23 +18,24 @@ float single_albedo(float cosine, float roughness, float scale) {
 }  // namespace
 
 EonLobe::EonLobe(const Rgb& color, float roughness, const Vec3f& out)
-    : once_(color), roughness_(std::clamp(roughness, 0.0f, 1.0f)), out_(out) {
+    : single_(color), roughness_(std::clamp(roughness, 0.0f, 1.0f)), out_(out) {
   scale_ = 1 / (1 + kScale * roughness_);
   const float mean = scale_ * (1 + kMean * roughness_);
   albedo_out_ = single_albedo(out.z, roughness_, scale_);
   missing_ = std::max(1 - mean, 1e-7f);
-  const auto again = [&](float rho) { return rho * rho * mean / (1 - rho * missing_); };
-  again_ = {again(color.x), again(color.y), again(color.z)};
+  const auto multiple = [&](float rho) { return rho * rho * mean / (1 - rho * missing_); };
+  multiple_ = {multiple(color.x), multiple(color.y), multiple(color.z)};
 }
 
 Scattering EonLobe::evaluate(const Vec3f& in) const {
   if (!(in.z > 0)) return {};
   const float s = in.x * out_.x + in.y * out_.y;
   const float towards = s > 0 ? s / std::max(in.z, out_.z) : s;
-  const float once = scale_ * (1 + roughness_ * towards);
-  const float again = (1 - albedo_out_) * (1 - single_albedo(in.z, roughness_, scale_)) / missing_;
+  const float single = scale_ * (1 + roughness_ * towards);
+  const float multiple =
+      (1 - albedo_out_) * (1 - single_albedo(in.z, roughness_, scale_)) / missing_;
   const float even = in.z / kPif;
-  return {(once_ * once + again_ * std::max(again, 0.0f)) * even, Rgb(0.0f), even};
+  return {(single_ * single + multiple_ * std::max(multiple, 0.0f)) * even, Rgb(0.0f), even};
 }
 
 }  // namespace vug::render

@@ -13,10 +13,10 @@ class EonLobe {
 
   Scattering evaluate(const Vec3f& in) const;
   Vec3f sample(float, const Vec2f& u) const { return sample_cosine_hemisphere(u); }
-  Rgb albedo() const { return once_ * albedo_out_ + again_ * (1 - albedo_out_); }
+  Rgb albedo() const { return single_ * albedo_out_ + multiple_ * (1 - albedo_out_); }
 
  private:
-  Rgb once_, again_;  ///< Colour of single and of multiple scattering.
+  Rgb single_, multiple_;  ///< Colour of single and of multiple scattering.
   float roughness_, scale_, albedo_out_, missing_;
   Vec3f out_;
 };

@@ -9,8 +9,8 @@ MetalLobe::MetalLobe(const Rgb& color, float roughness, const Vec3f& out)
   missing_ = std::max(1 - facets, 1e-6f);
   missing_out_ = 1 - facet_albedo().at(out.z, roughness);
   // Cosine-weighted mean of Schlick's approximation: (20 F0 + 1) / 21.
-  const auto again = [&](float f) { return rescattered((20 * f + 1) / 21, facets); };
-  again_ = {again(color.x), again(color.y), again(color.z)};
+  const auto multiple = [&](float f) { return rescattered((20 * f + 1) / 21, facets); };
+  multiple_ = {multiple(color.x), multiple(color.y), multiple(color.z)};
 }
 
 Rgb MetalLobe::at(float cosine) const {
@@ -23,11 +23,12 @@ Scattering MetalLobe::evaluate(const Vec3f& in) const {
   if (!(in.z > 0)) return {};
   const Vec3f h = normalized(out_ + in);
   const float density = ggx_.density(h), root = ggx_.root(out_);
-  const float once = density / (2 * (in.z * root + out_.z * ggx_.root(in)));
-  const float again = missing_out_ * (1 - facet_albedo().at(in.z, roughness_)) / (kPif * missing_);
+  const float single = density / (2 * (in.z * root + out_.z * ggx_.root(in)));
+  const float multiple =
+      missing_out_ * (1 - facet_albedo().at(in.z, roughness_)) / (kPif * missing_);
   const float probability = missing_out_;
   return {
-      Rgb(0.0f), (at(dot(out_, h)) * once + again_ * again) * in.z,
+      Rgb(0.0f), (at(dot(out_, h)) * single + multiple_ * multiple) * in.z,
       (1 - probability) * density / (2 * (out_.z + root)) + probability * ggx_.pdf_multiple(in.z)};
 }
 
@@ -38,6 +39,6 @@ Vec3f MetalLobe::sample(float lobe, const Vec2f& u) const {
   return in.z > 0 ? in : Vec3f(0.0f);
 }
 
-Rgb MetalLobe::albedo() const { return at(out_.z) * (1 - missing_out_) + again_ * missing_out_; }
+Rgb MetalLobe::albedo() const { return at(out_.z) * (1 - missing_out_) + multiple_ * missing_out_; }
 
 }  // namespace vug::render

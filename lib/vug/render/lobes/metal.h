@@ -18,7 +18,7 @@ class MetalLobe {
  private:
   Rgb at(float cosine) const;
 
-  Rgb color_, again_;
+  Rgb color_, multiple_;
   Ggx ggx_;
   Vec3f out_;
   float roughness_, missing_out_, missing_;

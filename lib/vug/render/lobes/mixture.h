@@ -38,7 +38,7 @@ class LobeMixture final : public Bsdf {
     if (!(weight > 0)) return;
     add(weight, face);
     subsurface_ = medium;
-    subsurface_weight_ = weight * face.clear();
+    subsurface_weight_ = weight * face.transmitted();
     subsurface_color_ = color;
     subsurface_sampling_weight_ = subsurface_weight_ * std::max(largest(color), 0.05f);
     total_ += subsurface_sampling_weight_;

@@ -29,11 +29,11 @@ Scattering ThinDielectricLobe::evaluate(const Vec3f& in) const {
   const float density = ggx_.density(h), root = ggx_.root(out_);
   const float back = thin_dielectric_reflectance(dot(out_, h), ior_);
   const float part = through ? 1 - back : back, even_part = through ? 1 - mean_ : mean_;
-  const float once = density / (2 * (above.z * root + out_.z * ggx_.root(above)));
-  const float again =
+  const float single = density / (2 * (above.z * root + out_.z * ggx_.root(above)));
+  const float multiple =
       missing_out_ * (1 - facet_albedo().at(above.z, roughness_)) / (kPif * missing_);
   const Rgb color = through ? color_ : Rgb(1.0f);
-  return {Rgb(0.0f), color * ((once * part + again * even_part) * above.z),
+  return {Rgb(0.0f), color * ((single * part + multiple * even_part) * above.z),
           (1 - missing_out_) * part * density / (2 * (out_.z + root)) +
               missing_out_ * even_part * ggx_.pdf_multiple(above.z)};
 }

@@ -10,8 +10,8 @@ namespace vug::render {
 
 /// Reflected fraction of a smooth sheet at a cosine.
 inline float thin_dielectric_reflectance(float cosine, float ior) {
-  const float once = fresnel(cosine, ior);
-  return 2 * once / (1 + once);
+  const float single = fresnel(cosine, ior);
+  return 2 * single / (1 + single);
 }
 
 /// Its cosine-weighted mean.

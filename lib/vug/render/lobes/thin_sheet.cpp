@@ -7,7 +7,7 @@ ThinSheetLobe::ThinSheetLobe(const Rgb& color, float roughness, const InterfaceT
     : face_(color, ClearCoatLobe::Base::open, roughness, face, out),
       share_(roughness, face, out),
       color_(color) {
-  const float reflected = 1 - share_.clear, through = share_.clear * largest(color);
+  const float reflected = 1 - share_.transmitted, through = share_.transmitted * largest(color);
   specular_probability_ = std::clamp(reflected / (reflected + through), 0.1f, 0.9f);
 }
 
@@ -19,7 +19,7 @@ Scattering ThinSheetLobe::evaluate(const Vec3f& in) const {
     return s;
   }
   const float even = -in.z / kPif;
-  return {color_ * (share_.clear * share_.transmittance(-in.z) / (1 - share_.mean) * even),
+  return {color_ * (share_.transmitted * share_.transmittance(-in.z) / (1 - share_.mean) * even),
           Rgb(0.0f), (1 - specular_probability_) * even};
 }
 

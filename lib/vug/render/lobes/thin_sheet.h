@@ -14,7 +14,7 @@ class ThinSheetLobe {
 
   Scattering evaluate(const Vec3f& in) const;
   Vec3f sample(float lobe, const Vec2f& u) const;
-  Rgb albedo() const { return Rgb(1 - share_.clear) + color_ * share_.clear; }
+  Rgb albedo() const { return Rgb(1 - share_.transmitted) + color_ * share_.transmitted; }
 
  private:
   ClearCoatLobe face_;

@@ -125,7 +125,7 @@ class SurfaceMaterial final : public Material {
   explicit SurfaceMaterial(const SurfaceParams& p)
       : p_(p),
         face_(&InterfaceTable::of(static_cast<float>(p.ior))),
-        film_(&InterfaceTable::of(static_cast<float>(p.coat_ior))) {
+        coat_(&InterfaceTable::of(static_cast<float>(p.coat_ior))) {
     const bool clear = p.transmission.varying || p.transmission.constant > 0;
     if (clear && p.thin) thin_mean_ = mean_thin_dielectric_reflectance(face_->ior());
     if (clear && !p.thin) glass_ = &DielectricTable::of(face_->ior());
@@ -174,7 +174,7 @@ class SurfaceMaterial final : public Material {
   }
 
   SurfaceParams p_;
-  const InterfaceTable *face_, *film_;
+  const InterfaceTable *face_, *coat_;
   const DielectricTable* glass_ = nullptr;
   float thin_mean_ = 0;
   Rgb absorption_;
@@ -228,8 +228,9 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
     bsdf.add(rock * furry,
              FuzzLobe(p_.fuzz_color.at(point), p_.fuzz_roughness.at(point), color, out));
   if (wet > 0) {
-    const float film = std::max(p_.coat_roughness.at(point), std::max(kMinRoughness, surface.blur));
-    bsdf.add(wet, ClearCoatLobe(color, ClearCoatLobe::Base::wet, film, *film_, out));
+    const float coat_roughness =
+        std::max(p_.coat_roughness.at(point), std::max(kMinRoughness, surface.blur));
+    bsdf.add(wet, ClearCoatLobe(color, ClearCoatLobe::Base::wet, coat_roughness, *coat_, out));
   }
   if (metal > 0) bsdf.add(metal, MetalLobe(color, roughness, out));
   if (p_.thin) {

@@ -26,7 +26,7 @@ constexpr double kPassing = 0.2;
 
 using DensityPtr = std::shared_ptr<const volume::Density>;
 
-struct DenseCloud {
+struct CloudParams {
   std::filesystem::path file;
   std::string grid;
   double extinction = 1;
@@ -47,11 +47,11 @@ struct DenseCloud {
       return "a temperature grid needs a 'temperature': the kelvin where the grid is 1";
     return "";
   }
-  static void describe(Schema<DenseCloud>& s);
+  static void describe(Schema<CloudParams>& s);
 };
 
-void DenseCloud::describe(Schema<DenseCloud>& s) {
-  using P = DenseCloud;
+void CloudParams::describe(Schema<CloudParams>& s) {
+  using P = CloudParams;
   s.doc(
        "Fog with the density of a grid: of a .vdb file, or of the volume that it is declared on: "
        "medium NAME on VOLUME { kind cloud }.")
@@ -107,7 +107,7 @@ float value_at(const NumberInput& input, const Vec3f& point) {
 /// Grids of one file by name.
 class GridFile {
  public:
-  explicit GridFile(const DenseCloud& p) : file_(p.file), grids_(volume::read(p.file)) {}
+  explicit GridFile(const CloudParams& p) : file_(p.file), grids_(volume::read(p.file)) {}
 
   const volume::Grid& find(const std::string& name) const {
     std::vector<std::string> names;
@@ -138,7 +138,8 @@ class GridFile {
 
 class CloudMedium final : public Medium {
  public:
-  explicit CloudMedium(const DenseCloud& p) : p_(p), extinction_(static_cast<float>(p.extinction)) {
+  explicit CloudMedium(const CloudParams& p)
+      : p_(p), extinction_(static_cast<float>(p.extinction)) {
     if (p.file.empty()) return;
     const GridFile file(p);
     heat_ = file.read(p.temperature_grid);
@@ -366,7 +367,7 @@ class CloudMedium final : public Medium {
     }
   }
 
-  DenseCloud p_;
+  CloudParams p_;
   float extinction_, typical_ = 0;
   DensityPtr density_, heat_, flames_;
   const volume::MajorantGrid* bricks_ =
@@ -378,4 +379,4 @@ class CloudMedium final : public Medium {
 }  // namespace
 }  // namespace vug::render
 
-VUG_RENDER_KIND(cloud, medium, MediumPtr, DenseCloud, CloudMedium)
+VUG_RENDER_KIND(cloud, medium, MediumPtr, CloudParams, CloudMedium)

@@ -13,7 +13,7 @@ namespace vug::render {
 class PathRecorder {
  public:
   explicit PathRecorder(std::vector<RadianceSample>& radiance_samples)
-      : sightings_(radiance_samples) {}
+      : samples_(radiance_samples) {}
 
   /// Adds a vertex that the path reaches with `throughput` after gathering `so_far`.
   void add(const Vec3f& point, const Vec3f& normal, const Rgb& throughput, const Rgb& so_far) {
@@ -28,8 +28,9 @@ class PathRecorder {
   void finish(const Rgb& all) const {
     for (size_t i = 0; i < count_; ++i) {
       const Vertex& vertex = vertices_[i];
-      sightings_.push_back({vertex.point, vertex.normal, sent_back(vertex, all, vertex.so_far),
-                            i == 0, sent_back(vertex, all, vertex.lit)});
+      samples_.push_back({vertex.point, vertex.normal,
+                          reflected_luminance(vertex, all, vertex.so_far), i == 0,
+                          reflected_luminance(vertex, all, vertex.lit)});
     }
   }
 
@@ -38,14 +39,14 @@ class PathRecorder {
     Vec3f point, normal;
     Rgb throughput, so_far, lit;
   };
-  static float sent_back(const Vertex& vertex, const Rgb& all, const Rgb& before) {
+  static float reflected_luminance(const Vertex& vertex, const Rgb& all, const Rgb& before) {
     Rgb left(0.0f);
     for (int k = 0; k < 3; ++k)
       if (vertex.throughput[k] > 0)
         left[k] = std::max(0.0f, all[k] - before[k]) / vertex.throughput[k];
     return luminance(left);
   }
-  std::vector<RadianceSample>& sightings_;
+  std::vector<RadianceSample>& samples_;
   std::array<Vertex, 32> vertices_;
   size_t count_ = 0;
   bool full_ = false;

@@ -54,7 +54,7 @@ class PathTracer {
       add_emission(bounce);
       if (depth_ > settings_.max_bounces) break;
       if (!sample_medium(bounce) && !(bounce.found && scatter(bounce))) break;
-      if (is_black(throughput_) || !(bounce.weighed || survives(bounce.last.x))) break;
+      if (is_black(throughput_) || !(bounce.roulette_done || survives(bounce.last.x))) break;
     }
     return result_;
   }
@@ -69,7 +69,7 @@ class PathTracer {
     Vec2f last{
         0,
         0};  ///< Random numbers for the survival of the path and for the light with a shadow ray.
-    bool weighed = false;  ///< Whether the survival of the path has been decided.
+    bool roulette_done = false;  ///< Whether the survival of the path has been decided.
   };
 
   Bounce begin_bounce() {
@@ -177,9 +177,9 @@ class PathTracer {
     if (path_recorder_) path_recorder_->add_direct(result_.radiance);
     if (recorder_) recorder_->flush_surface(depth_, scale);
     // The cache says nothing about specular and transmissive surfaces.
-    bounce.weighed = settings_.roulette == Roulette::adjoint && !guiding_.radiance.empty() &&
-                     own.guided_fraction() > 0;
-    if (bounce.weighed && !survives_adjoint(hit, bounce.last.x)) return false;
+    bounce.roulette_done = settings_.roulette == Roulette::adjoint && !guiding_.radiance.empty() &&
+                           own.guided_fraction() > 0;
+    if (bounce.roulette_done && !survives_adjoint(hit, bounce.last.x)) return false;
     const GuidedBsdf::Sample s = bsdf.sample(bounce.choice.y, bounce.scatter);
     if (!(s.scattered.pdf > 0)) return false;
     const bool through = s.scattered.direction.z < 0;

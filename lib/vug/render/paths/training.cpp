@@ -20,9 +20,9 @@ constexpr int kRounds = 3;
 constexpr size_t kChunk = 256;
 /// Number of points for visibility samples, relative to the paths of a round; they are spread
 /// evenly over all radiance samples.
-constexpr double kPlaces = 0.5;
+constexpr double kPointsPerPath = 0.5;
 /// Number of lights tested from each point.
-constexpr size_t kLightsAtOnce = 4;
+constexpr size_t kLightsPerPoint = 4;
 /// Edge of the regions that share visibility and radiance: see Regions.
 constexpr float kRegion = 1.0f / 32;
 
@@ -116,7 +116,7 @@ std::vector<VisibilitySample> sample_light_visibility(
     const TrainingContext& context, size_t most, uint64_t salt,
     const std::vector<RadianceSample>& radiance_samples, Progress& progress) {
   const PreparedScene& world = context.world;
-  const size_t branches = world.lights().branches(), each = std::min(branches, kLightsAtOnce);
+  const size_t branches = world.lights().branches(), each = std::min(branches, kLightsPerPoint);
   const size_t step = std::max<size_t>(1, radiance_samples.size() / std::max<size_t>(most, 1));
   const size_t places = radiance_samples.size() / step;
   std::vector<VisibilitySample> visibility_samples(each * places,
@@ -150,7 +150,7 @@ GuidingData train(const TrainingContext& context, uint64_t paths, const Training
   progress.begin("learning where light comes from", 2 * kRounds);
   const Box3f& bounds = context.world.bounds();
   const size_t branches = context.world.lights().branches();
-  const auto places = static_cast<size_t>(kPlaces * static_cast<double>(paths));
+  const auto places = static_cast<size_t>(kPointsPerPath * static_cast<double>(paths));
   std::vector<RadianceSample> radiance_samples;
   GuidingData guiding;
   for (int round = 0; round < kRounds; ++round) {
