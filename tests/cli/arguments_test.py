@@ -46,7 +46,7 @@ class Arguments(VugTest):
     def test_faults_of_options_are_not_those_of_the_text(self):
         self.write("s.vug", BALL + "camera main { eye (0, 0, 4) }\nrender main { size 8x8  spp 1 }\n")
         render = ("render", "s.vug", "-o", "s.exr")
-        for option, said in ((["--layers", "beauty,nope"], "--layers: there is no layer 'nope'"),
+        for option, said in ((["--layers", "beauty,nope"], "--layers: unknown layer 'nope'"),
                              (["--view", "nope"], "--view: unknown view 'nope'"),
                              (["--display", "nope"], "--display: unknown display 'nope'"),
                              (["--eye", "left"], "--eye: the camera has no views"),

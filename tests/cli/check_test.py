@@ -73,7 +73,7 @@ class Check(VugTest):
                 "object ball on skin { emission (1, 1, 1) }\nplace fall { of ball at [pose(position: keys(1: (0, 0, 0), 2: (0, 1, 0)))] }\n"
                 "camera main { eye (0, 0, 4)  shutter %s }\nrender main { size 8x8  spp 1 }\n")
         self.write("s.vug", text % "0.5")
-        self.assertIn("s.vug:4:7: error: object 'fall' shines and moves, which cannot be rendered",
+        self.assertIn("s.vug:4:7: error: object 'fall' is emissive and moves, which is not supported",
                       self.expect(2, "render", "s.vug", "-o", "s.exr").err)
         self.write("s.vug", text % "0")
         self.expect(0, "render", "s.vug", "-o", "s.exr")
@@ -97,11 +97,11 @@ class Check(VugTest):
         self.assertEqual(self.expect(2, "check", "s.vug").err.count("error: "), 1)
 
     def test_pictures_that_cannot_be(self):
-        self.both("s.vug:8:8: error: there is no layer 'light_kye'", render='layers ["beauty", "light_kye"]')
+        self.both("s.vug:8:8: error: unknown layer 'light_kye'", render='layers ["beauty", "light_kye"]')
         self.both("", 0, render='layers ["beauty", "light_key"]')
-        self.both("there is no layer 'light_kye'", render='layers ["light_kye"]')
+        self.both("unknown layer 'light_kye'", render='layers ["light_kye"]')
         self.both("a picture needs the layer 'beauty'", render='layers ["Z"]')
-        self.both("is no part of a picture of 16 x 12", render="crop [0, 0, 17, 4]")
+        self.both("outside the picture of 16 x 12", render="crop [0, 0, 17, 4]")
         self.both("", 0, render="crop [0, 0, 16, 4]")
         self.both("a deep picture takes all samples", render="deep true  noise 5%")
 

@@ -63,7 +63,7 @@ class Frames(VugTest):
         self.expect(0, "merge", "t1.5.part", "t2.5.part", "-o", "joint.exr")
         self.render("-o", "whole.exr", "--frame", "5")
         self.assertEqual(digest(self.folder / "joint.exr"), digest(self.folder / "whole.exr"))
-        self.assertIn("'t1.4.part' and 't2.5.part' are of different frames, 4 and 5",
+        self.assertIn("'t1.4.part' and 't2.5.part' have different frames, 4 and 5",
                       self.expect(2, "merge", "t1.4.part", "t2.5.part", "-o", "x.exr").err)
 
     def test_a_preview_of_each_frame_or_of_the_one_that_is_rendered(self):

@@ -64,9 +64,9 @@ class Farm(VugTest):
         for parts, sentence in [(["a"], "the samples 0..48 of the pixels x 0..63, y 20..39 are missing"),
                                 (["a", "b", "a"], "'a' and 'a' both have the samples 0..48"),
                                 (["a", "b_half"], "samples 24..48 of the pixels x 0..63, y 20..39 are missing"),
-                                (["a", "b_seed"], "'a' and 'b_seed' are of different seeds, 5 and 6"),
-                                (["a", "b_scene"], "'a' and 'b_scene' are of different scenes"),
-                                (["a", "text"], "'text': it is no part of a picture"),
+                                (["a", "b_seed"], "'a' and 'b_seed' have different seeds, 5 and 6"),
+                                (["a", "b_scene"], "'a' and 'b_scene' have different scenes"),
+                                (["a", "text"], "'text': it is not a part of a picture"),
                                 (["a", "none"], "'none': no such file")]:
             self.assertIn(sentence, self.expect(2, "merge", *parts, "-o", "m.exr").err)
         self.assertFalse((self.folder / "m.exr").exists())

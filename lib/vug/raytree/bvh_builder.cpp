@@ -123,7 +123,7 @@ BvhBuilder::BvhBuilder(std::vector<RTCBuildPrimitive> boxes) : memory_(rtcNewBVH
   tbb::task_arena alone(1);  // a single thread builds the same tree in the same order
   void* root = nullptr;
   alone.execute([&] { root = rtcBuildBVH(&build); });
-  device_.check("building the tree of triangles");
+  device_.check("building the BVH");
   root_ = static_cast<const BuildNode*>(root);
 }
 

@@ -12,14 +12,15 @@
 namespace vug::render {
 namespace {
 
-/// Peak of the tree and its building for each triangle: 127, 109 and 105 bytes were measured with
-/// 10^5, 10^6 and 5 10^6 triangles of a wavy ball (growth of the resident set); and its corners.
+/// Peak memory of the BVH and its construction per triangle: 127, 109 and 105 bytes were measured
+/// for 10^5, 10^6 and 5 10^6 triangles of a wavy ball (growth of the resident set); plus its
+/// corners.
 constexpr double kTreeBytes = 125 + 36;
-/// The same of a mesh that stands in the scene itself: 86 bytes with 4 10^6 triangles.
+/// The same for a mesh in the WideBvh: 86 bytes with 4 10^6 triangles.
 constexpr double kStillBytes = 110;
-/// A brick of a surface without a mesh in its tree.
+/// A brick of a level set in Embree's BVH.
 constexpr double kBrickBytes = 200;
-/// An instance in the tree of the scene and among its parts.
+/// An instance in Embree's scene and in the list of objects.
 constexpr double kInstanceBytes = 1500;
 
 }  // namespace
@@ -36,7 +37,7 @@ image::Image render(const Scene& scene, const Options& options, Progress& progre
     continue_render(scene, options, state, callbacks, progress);
     return develop(state, options.aovs);
   }
-  // Blocks are finished one by one, so that only the layers are held.
+  // Tiles are finished one by one, so that only the AOVs are kept, not the sums.
   const TileRenderer renderer(scene, options, progress);
   const Region& all = renderer.region();
   if (callbacks.estimate)

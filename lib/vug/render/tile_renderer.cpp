@@ -15,20 +15,23 @@ namespace vug::render {
 namespace {
 
 const Scene& validated(const Scene& scene, const Options& options) {
-  if (!scene.camera) throw Error(ErrorCode::bad_input, "the scene has no camera to render");
+  if (!scene.camera) throw Error(ErrorCode::bad_input, "the scene has no camera");
   if (options.width < 1 || options.height < 1)
     throw Error(ErrorCode::bad_input,
-                fmt::format("a picture cannot be {} x {} pixels", options.width, options.height));
+                fmt::format("invalid size {} x {}: width and height must be at least 1",
+                            options.width, options.height));
   if (options.width > 65535 || options.height > 65535)
-    throw Error(ErrorCode::bad_input, "a picture can be at most 65535 pixels wide or high");
+    throw Error(ErrorCode::bad_input, "invalid size: width and height must be at most 65535");
   if (options.spp < 1)
-    throw Error(ErrorCode::bad_input, "a picture needs at least one sample for each pixel");
+    throw Error(ErrorCode::bad_input,
+                "invalid number of samples: at least 1 per pixel is required");
   if (options.spp > 1 << 20)
-    throw Error(ErrorCode::bad_input, "a picture can have at most 1048576 samples for each pixel");
+    throw Error(ErrorCode::bad_input,
+                "invalid number of samples: at most 1048576 per pixel are possible");
   return scene;
 }
 
-/// The scene's tree as the world of `progress`'s first stage.
+/// Begins the first progress stage before PreparedScene is constructed.
 const Scene& announced(const Scene& scene, Progress& progress) {
   progress.begin("preparing the scene", 1);
   return scene;
@@ -47,18 +50,18 @@ LightPathPlan plan_light_paths(const AovPlan& aovs, const std::vector<std::strin
   return plan;
 }
 
-/// Beyond those of any path, so that pictures in which nothing moves spend the same numbers.
+/// Above the dimensions of any path, so that pictures without motion use the same numbers.
 constexpr uint32_t kTimeDimension = 1u << 20;
 
-/// Rays extra_rays each sample where something bright ends.
+/// Number of additional rays per sample at bright edges.
 constexpr uint32_t kExtraRays = 7;
-/// Looks for edges through each pixel: those of its four neighbours tell of it, too, yet crystals
-/// smaller than a pixel are missed by few.
+/// Samples per pixel for the detection of edges. A pixel also uses those of its four neighbours;
+/// crystals smaller than a pixel are rarely missed.
 constexpr int kMinEdgeSamples = 2, kMaxEdgeSamples = 8;
-/// Smaller pictures are done before edges are looked for.
+/// Pictures with fewer samples are not worth the detection of edges.
 constexpr uint64_t kMinSamplesForEdges = 1u << 16;
 
-/// The angle across a pixel in the middle of the picture, radians.
+/// The angle subtended by a pixel in the centre of the picture, in radians.
 float pixel_angle(const Camera& camera, const Options& options) {
   const float width = static_cast<float>(options.width);
   const float aspect = width / static_cast<float>(options.height);
@@ -73,10 +76,10 @@ Region render_region(const Options& options) {
   if (options.crop == Region()) return all;
   if (options.crop.empty() || !(options.crop.overlap(all) == options.crop))
     throw Error(ErrorCode::bad_input,
-                fmt::format("a crop of x {} to {}, y {} to {} is no part of a picture of {} x {}",
+                fmt::format("invalid crop x {} to {}, y {} to {}: outside the picture of {} x {}",
                             options.crop.x0, options.crop.x1, options.crop.y0, options.crop.y1,
                             options.width, options.height),
-                {}, "give left, top, right and bottom in pixels; right and bottom are beyond it");
+                {}, "give left, top, right and bottom in pixels; right and bottom are exclusive");
   return options.crop;
 }
 
@@ -115,7 +118,7 @@ TileRenderer::TileRenderer(const Scene& scene, const Options& options, Progress&
 
 Ray TileRenderer::camera_ray(const SampleId& id, float time) const {
   SampleCursor numbers(*sampler_, id);
-  const FourPairs four = numbers.four_pairs();  // hardly dearer than two pairs
+  const FourPairs four = numbers.four_pairs();  // hardly slower than two pairs
   const Vec2f inside = four[0], lens = four[1];
   const float width = static_cast<float>(options_.width);
   const float height = static_cast<float>(options_.height);
@@ -127,8 +130,8 @@ Ray TileRenderer::camera_ray(const SampleId& id, float time) const {
   return ray;
 }
 
-/// Of one sequence with the rays of all samples, which comes to them one after the other: together
-/// they fill the pixel evenly.
+/// The rays of all samples of a pixel form one sequence, so that together they are well
+/// distributed.
 std::vector<Ray> TileRenderer::extra_rays(SampleId id, float time) const {
   std::vector<Ray> rays;
   for (uint32_t k = 0; k < kExtraRays; ++k) {
@@ -205,15 +208,15 @@ double TileRenderer::estimate_seconds(double samples) const {
   constexpr double kEnough = 0.2;  // seconds
   const auto each = static_cast<uint32_t>(std::min(options_.spp, 16));
   size_t pixels = 0;
-  // What the threads were at work, not what they waited for each other: there is more to share out
-  // in a picture.
+  // Busy time of the threads, without their waiting times: a picture has enough tiles to keep all
+  // threads busy.
   std::atomic<int64_t> busy{0};
   const auto batch = [&] {
     parallel_for(
         kBatch,
         [&](size_t i) {
-          // Pixels all over the picture, by multiples of the golden section and of its square root;
-          // several samples of each, for these find what they need at hand as those of a picture.
+          // Pixels all over the picture, by multiples of the golden ratio and of its square root.
+          // Several samples per pixel, so that caches are as warm as in a real render.
           const Clock::time_point begin = Clock::now();
           const auto step = static_cast<double>(pixels + i);
           const double u = step * 0.6180339887498949, v = step * 0.7548776662466927;
@@ -231,7 +234,7 @@ double TileRenderer::estimate_seconds(double samples) const {
     progress_.check();
   };
   if (static_cast<double>(kBatch * each) > 0.02 * samples) return 0;
-  batch();  // wakes threads and warms caches
+  batch();  // starts the threads and warms the caches
   busy = 0;
   const auto taken = [&] { return static_cast<double>((pixels - kBatch) * each); };
   const Clock::time_point start = Clock::now();

@@ -91,7 +91,7 @@ Scene in_space(Scene scene, image::WorkingSpace space) {
   scene.medium = in_space(scene.medium, from_rec709);
   std::map<MaterialPtr, MaterialPtr> made;
   for (Object& object : scene.objects) {
-    // Without a material an object is grey times its vertex colours.
+    // An object without a material is grey, times its vertex colours.
     MaterialPtr& material = made[object.material];
     if (!material)
       material =

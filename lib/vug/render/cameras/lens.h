@@ -1,4 +1,4 @@
-// The opening of a lens: round, or a regular polygon between straight blades.
+// Thin lens with an aperture: a disk, or a regular polygon between straight blades.
 #pragma once
 
 #include <vug/base/maths.h>
@@ -18,7 +18,7 @@ struct LensParams {
   double blade_turn = 0;
 
   std::string lens_fault() const {
-    return blades == 1 || blades == 2 ? "an opening between blades has at least 3 of them" : "";
+    return blades == 1 || blades == 2 ? "'blades' must be 0 or at least 3" : "";
   }
 };
 
@@ -26,20 +26,21 @@ template <class P>
 Schema<P>& describe_lens(Schema<P>& s) {
   return s
       .param("aperture", &P::aperture,
-             {.doc = "Diameter of the lens opening; 0 keeps everything sharp.",
+             {.doc = "Diameter of the aperture; 0: everything is in focus.",
               .dimension = Dimension::length,
               .min = 0})
       .param("focus", &P::focus,
-             positive_length("Distance of the sharp plane; the target's when not given."))
+             positive_length("Distance of the plane in focus; by default that of the target."))
       .param("blades", &P::blades,
-             {.doc = "Corners of the opening, on a circle of the aperture's diameter; 0: round.",
+             {.doc = "Corners of the aperture, on a circle of its diameter; 0: a round aperture.",
               .min = 0,
               .max = 64})
       .param("blade_turn", &P::blade_turn,
-             {.doc = "Turns the opening; at 0 a corner points up.", .dimension = Dimension::angle});
+             {.doc = "Rotation of the aperture; at 0 a corner points up.",
+              .dimension = Dimension::angle});
 }
 
-/// Uniform points of an opening of radius 1, x to the right and y up.
+/// Uniform points on an aperture of radius 1, x to the right and y up.
 class ApertureShape {
  public:
   explicit ApertureShape(const LensParams& p)
@@ -51,14 +52,14 @@ class ApertureShape {
     const auto count = static_cast<float>(blades_);
     const float along = u.x * count;
     const float blade = std::min(std::floor(along), count - 1);
-    // The triangle of the middle and two corners: even over its area.
+    // A uniform point on the triangle of the centre and two corners.
     const float out = std::sqrt(u.y), across = std::min(along - blade, 1.0f);
     const Vec2f a = corner(blade / count), b = corner((blade + 1) / count);
     return (a * (1 - across) + b * across) * out;
   }
 
  private:
-  /// Turns to the left, beginning with the top.
+  /// Corner at an angle in turns to the left of the top.
   Vec2f corner(float turns) const {
     const SinCos sc = sincos_turns(turns + turn_);
     return {-sc.sin, sc.cos};

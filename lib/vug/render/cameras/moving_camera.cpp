@@ -65,7 +65,8 @@ class MovingCamera final : public Camera {
 }  // namespace
 
 CameraPtr moving_camera(std::vector<CameraPtr> moments) {
-  if (moments.empty()) throw Error(ErrorCode::bad_input, "a camera is nowhere");
+  if (moments.empty())
+    throw Error(ErrorCode::bad_input, "a moving camera needs at least one moment");
   if (moments.size() == 1) return moments.front();
   return std::make_shared<const MovingCamera>(std::move(moments));
 }

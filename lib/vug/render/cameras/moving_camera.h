@@ -1,4 +1,4 @@
-// A camera that moves while the shutter is open.
+// Camera motion while the shutter is open.
 #pragma once
 
 #include <vug/render/camera.h>
@@ -7,10 +7,10 @@
 
 namespace vug::render {
 
-/// The camera that goes through all of these, evenly in time from the opening of the shutter to its
-/// close. In between, the rays of the two nearest for the same place on film and lens are blended:
-/// exact where a camera only changes its place. The camera itself where there is but one.
-/// Error(bad_input): none.
+/// A camera that moves through all `moments`, evenly spaced from the opening of the shutter to its
+/// close. In between, the two nearest rays for the same film and lens position are interpolated,
+/// which is exact for pure translation. A single camera is returned unchanged. Throws
+/// Error(bad_input) without cameras.
 CameraPtr moving_camera(std::vector<CameraPtr> moments);
 
 }  // namespace vug::render

@@ -1,4 +1,4 @@
-// A camera whose rays are parallel: plans and sections.
+// Orthographic camera, for plans and sections.
 #include <vug/exchange/camera.h>
 #include <vug/render/cameras/camera_frame.h>
 #include <vug/render/kind.h>
@@ -11,9 +11,9 @@ struct Orthographic : CameraFrameParams {
 
   static void describe(Schema<Orthographic>& s) {
     describe_camera_frame(
-        s.doc("A view by parallel rays, for plans and sections; it sees what lies before "
+        s.doc("An orthographic view, for plans and sections. It shows everything in front of "
               "the plane through the eye."))
-        .param("width", &Orthographic::width, positive_length("What the picture's width spans."));
+        .param("width", &Orthographic::width, positive_length("Width of the view in the scene."));
     describe_shutter(s);
   }
   std::string fault() const { return camera_frame_fault(); }

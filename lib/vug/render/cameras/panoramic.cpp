@@ -1,5 +1,5 @@
-// A camera that looks all round: longitude to the right, latitude upwards, both evenly spaced
-// (equirectangular). The middle of the picture looks at the target.
+// Panoramic camera (equirectangular): longitude to the right, latitude upwards, both evenly spaced.
+// The centre of the picture looks at the target.
 #include <vug/render/cameras/camera_frame.h>
 #include <vug/render/kind.h>
 #include <vug/render/sampling.h>
@@ -13,16 +13,16 @@ struct Panoramic : CameraFrameParams, StereoParams {
 
   static void describe(Schema<Panoramic>& s) {
     describe_camera_frame(
-        s.doc("A view all round, in longitude and latitude: a picture twice as wide as "
-              "high holds all directions."))
+        s.doc("An equirectangular panorama (longitude and latitude): a picture twice as wide "
+              "as high contains all directions."))
         .param("horizontal", &Panoramic::horizontal,
-               {.doc = "How far round the picture goes.",
+               {.doc = "Horizontal angle of view.",
                 .dimension = Dimension::angle,
                 .min = 1e-6,
                 .max = 2 * kPi})
         .param("vertical", &Panoramic::vertical,
-               {.doc = "How far it goes from bottom to top; when not given, pixels are square at "
-                       "its middle.",
+               {.doc = "Vertical angle of view; by default, pixels are square at the picture's "
+                       "centre.",
                 .dimension = Dimension::angle,
                 .min = 1e-6,
                 .max = kPi});
@@ -52,13 +52,13 @@ class PanoramicCamera final : public Camera {
   }
   std::optional<Vec2f> project(const Vec3f& point, float aspect) const override {
     if (!(std::fabs(eye_side_) > 0)) return project_from_center(point, aspect);
-    // The eye stands aside of where it looks: looked up by a few steps from the middle.
+    // The eye's offset depends on the direction: fixed-point iteration from the centre.
     std::optional<Vec2f> place = project_from_center(point, aspect);
     for (int step = 0; place && step < 8; ++step) {
       const SinCos longitude = sincos_turns((place->x - 0.5f) * turns_round_);
       const Vec3f shift = eye_offset(longitude, (0.5f - place->y) * turns_high(aspect));
       Vec3f way = point - frame_.eye - shift;
-      if (convergence_ > 0) {  // from the middle to where the ray crosses the ball of convergence
+      if (convergence_ > 0) {  // from the centre to the ray's hit on the convergence sphere
         way = normalized(way);
         const float b = dot(shift, way), c = dot(shift, shift) - convergence_ * convergence_;
         way = shift + way * (-b + std::sqrt(std::max(0.0f, b * b - c)));
@@ -74,8 +74,8 @@ class PanoramicCamera final : public Camera {
     return CameraMatrices{frame_.world_to_camera(), std::nullopt};
   }
   Shutter shutter() const override { return frame_.shutter; }
-  /// Omni-directional stereo: wherever one looks, the eyes stand beside each other. Peleg et al.
-  /// 2001, "Omnistereo" (peleg2001omnistereo).
+  /// Omni-directional stereo: in every direction, the eyes are offset perpendicularly to it. Peleg
+  /// et al. 2001, "Omnistereo" (peleg2001omnistereo).
   CameraPtr stereo_view(int side) const override {
     if (!(half_interaxial_ > 0)) return nullptr;
     auto one = std::make_shared<PanoramicCamera>(*this);
@@ -93,8 +93,8 @@ class PanoramicCamera final : public Camera {
     return Vec2f(0.5f + signed_turns(turns_of(local.x, local.z)) / turns_round_,
                  0.5f - signed_turns(turns_of(local.y, level)) / turns_high(aspect));
   }
-  /// Where one eye stands beside the middle; towards the zenith and the nadir, where there is no
-  /// beside, the eyes come together.
+  /// Offset of one eye from the centre. It fades to zero towards the zenith and the nadir, where
+  /// the perpendicular direction is undefined.
   Vec3f eye_offset(const SinCos& longitude, float latitude_turns) const {
     constexpr float kFadeBegin = 60 / 360.0f, kFadeEnd = 75 / 360.0f;
     const float t =
@@ -108,8 +108,8 @@ class PanoramicCamera final : public Camera {
 
   CameraFrame frame_;
   float turns_round_;
-  float turns_high_ = 0;  ///< 0: by the picture's shape.
-  float eye_side_ = 0;       ///< Of one eye: how far it stands to the right of the middle.
+  float turns_high_ = 0;  ///< 0: from the aspect ratio.
+  float eye_side_ = 0;    ///< Offset of this eye to the right of the centre.
   float half_interaxial_ = 0, convergence_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// A perspective camera, pinhole or thin lens.
+// Perspective camera with a pinhole or a thin lens.
 #include <vug/exchange/camera.h>
 #include <vug/render/cameras/camera_frame.h>
 #include <vug/render/cameras/lens.h>
@@ -13,7 +13,7 @@ struct Perspective : CameraFrameParams, LensParams, StereoParams {
   static void describe(Schema<Perspective>& s) {
     describe_camera_frame(s.doc("A perspective view with square pixels."))
         .param("fov", &Perspective::fov,
-               {.doc = "Full horizontal angle of view.",
+               {.doc = "Horizontal angle of view.",
                 .dimension = Dimension::angle,
                 .min = 1e-6,
                 .max = 3.1});
@@ -73,7 +73,8 @@ class PerspectiveCamera final : public Camera {
     return true;
   }
   Shutter shutter() const override { return frame_.shutter; }
-  /// Both eyes look the same way; each sees a part of the same window at the convergence.
+  /// Both eyes look in the same direction; each sees a different part of the window at the
+  /// convergence distance.
   CameraPtr stereo_view(int side) const override {
     if (!(half_interaxial_ > 0)) return nullptr;
     auto one = std::make_shared<PerspectiveCamera>(*this);
@@ -87,8 +88,8 @@ class PerspectiveCamera final : public Camera {
   CameraFrame frame_;
   ApertureShape aperture_;
   float half_width_, lens_radius_, focus_;
-  float skew_ = 0;                 ///< By which the window stands to the right, at distance 1.
-  float half_interaxial_ = 0, convergence_skew_ = 0;  ///< Of the eyes of stereo: half their distance, and their skew.
+  float skew_ = 0;  ///< Offset of the window to the right, at distance 1.
+  float half_interaxial_ = 0, convergence_skew_ = 0;  ///< Of each eye of a stereo camera.
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFloorOfKey = 0.25;
 
-constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};  // of Rec.709
+constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};  // Rec.709 luminance
 
 double light_of(const PixelSum& pixel) {
   double light = 0;
@@ -23,13 +23,14 @@ double mean_light(const Film& film, const Region& region) {
   return sum / static_cast<double>(region.pixels());
 }
 
-/// Sum over the pixels of their squared noise.
+/// Sum of the squared noise of the pixels.
 double squared_noise(const Film& film, const Region& region, double floor) {
   double sum = 0;
   for (int y = region.y0; y < region.y1; ++y)
     for (int x = region.x0; x < region.x1; ++x) {
       const PixelSum& pixel = film.at(x, y);
-      // As if the channels' errors went together, which they do but for coloured lights.
+      // The channels' errors are assumed to be correlated, which is true except for coloured
+      // lights.
       double deviation = 0;
       for (size_t c = 0; c < 3; ++c) deviation += kWeights[c] * std::sqrt(pixel.variance(c));
       const double relative = deviation / std::max(light_of(pixel) + floor, 1e-30);
@@ -38,7 +39,7 @@ double squared_noise(const Film& film, const Region& region, double floor) {
   return sum;
 }
 
-/// The log-average luminance of the blocks that light reaches.
+/// The log-average luminance of the tiles that receive light.
 double key_of(const RenderState& state) {
   double sum = 0, lit = 0;
   for (size_t i = 0; i < state.done.size(); ++i) {

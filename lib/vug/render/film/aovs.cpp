@@ -12,7 +12,7 @@
 namespace vug::render {
 namespace {
 
-/// The picture's depth where no surface is.
+/// Depth of pixels without a surface.
 constexpr double kNowhere = 1e10;
 constexpr const char* kLight = "light_";
 constexpr const char* kAttribute = "attribute_";
@@ -22,7 +22,7 @@ struct Out {
   float* to;
 
   void put(double v) { *to++ = static_cast<float>(v); }
-  /// Means over the samples that met a surface.
+  /// Means over the samples that hit a surface.
   void hits(const std::array<int64_t, 3>& sums) {
     for (const int64_t v : sums) hit(v);
   }
@@ -34,23 +34,23 @@ struct Kind {
   void (*write)(Out&);
 };
 
-/// The layers that come straight out of a PixelSum.
+/// AOVs that are computed from a PixelSum.
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all = {
       {{"beauty", "Radiance, in the working space.", {"R", "G", "B"}, true},
        [](Out& o) {
          for (size_t i = 0; i < 3; ++i) o.put(o.sum.mean(i));
        }},
-      {{"A", "1 where a surface or light is seen, 0 where only the sky is.", {"A"}, true},
+      {{"A", "Coverage: 1 for surfaces and visible lights, 0 for the sky.", {"A"}, true},
        [](Out& o) { o.put(from_plain(o.sum.alpha) / std::max(o.sum.samples, 1u)); }},
-      {{"Z", "Depth along the axis of view in metres; 1e10 where no surface is.", {"Z"}, true},
+      {{"Z", "Depth along the viewing axis in metres; 1e10 without a surface.", {"Z"}, true},
        [](Out& o) { o.sum.hits > 0 ? o.hit(o.sum.depth) : o.put(kNowhere); }},
       {{"N", "Normal of the first surface, in world axes.", {"N.X", "N.Y", "N.Z"}, true},
        [](Out& o) { o.hits(o.sum.normal); }},
       {{"P", "Position of the first surface in metres.", {"P.X", "P.Y", "P.Z"}, true},
        [](Out& o) { o.hits(o.sum.position); }},
       {{"albedo",
-        "Share of light that the first surface reflects.",
+        "Fraction of light that the first surface reflects.",
         {"albedo.R", "albedo.G", "albedo.B"},
         true},
        [](Out& o) { o.hits(o.sum.albedo); }},
@@ -61,7 +61,7 @@ const std::vector<Kind>& kinds() {
        [](Out& o) {
          for (size_t i = 0; i < 3; ++i) o.put(o.sum.variance(i));
        }},
-      {{"samples", "How many samples a pixel's means are over.", {"samples"}, true},
+      {{"samples", "Number of samples of the pixel.", {"samples"}, true},
        [](Out& o) { o.put(o.sum.samples); }},
   };
   return all;
@@ -78,14 +78,14 @@ bool is_part(const std::string& name) {
 
 bool is_attribute(const std::string& name) { return name.rfind(kAttribute, 0) == 0; }
 
-/// A layer among a film's lights: where it stands, how many numbers it has, and whether these are
-/// means over the samples that met a surface.
+/// An AOV that is stored in the colours of a film: its index, its number of channels, and whether
+/// it is a mean over the samples that hit a surface.
 struct Summed {
   size_t index = 0, count = 3;
   bool surface = false;
 };
 
-/// In the order of LightPathPlan.
+/// The order is that of LightPathPlan.
 Summed summed(const AovPlan& plan, const std::string& name) {
   const auto& parts = component_names();
   const auto part = std::find(parts.begin(), parts.end(), name);
@@ -105,7 +105,7 @@ Summed summed(const AovPlan& plan, const std::string& name) {
   return {};
 }
 
-/// The attributes of all meshes, each once, with the largest arity it has.
+/// The attributes of all meshes, each once, with its largest arity.
 std::vector<AovAttribute> attributes_of(const Scene& scene) {
   std::vector<AovAttribute> out;
   for (const Object& object : scene.objects) {
@@ -122,7 +122,7 @@ std::vector<AovAttribute> attributes_of(const Scene& scene) {
   return out;
 }
 
-/// Attributes that are asked for by name.
+/// Attributes that are requested by name.
 std::vector<AovAttribute> named_attributes(const std::vector<std::string>& names) {
   std::vector<AovAttribute> out;
   for (const std::string& name : names)
@@ -130,14 +130,15 @@ std::vector<AovAttribute> named_attributes(const std::vector<std::string>& names
   return out;
 }
 
-/// A layer of the Cryptomatte, of objects by coverage or of elements by what was read of each.
+/// A Cryptomatte AOV: of objects or materials, from coverage; or of elements, from attribute
+/// values.
 struct Crypto {
   CryptoIds ids;
   bool elements;
 };
 
-/// What the samples of a pixel have met of each element; `first`: where these begin in a film's
-/// lights.
+/// The shares of the elements in a pixel; `first`: index of the first element in the film's
+/// colours.
 CryptoShares element_shares(const Film& film, int x, int y, size_t first, const CryptoIds& ids) {
   CryptoShares shares;
   const double samples = std::max(film.at(x, y).samples, 1u);
@@ -155,14 +156,15 @@ const std::vector<AovInfo>& aovs() {
     std::vector<AovInfo> list;
     for (const Kind& kind : kinds()) list.push_back(kind.info);
     for (const std::string& part : component_names())
-      list.push_back(
-          {part, "A part of the beauty: see docs/reference/rendering.md.", colour(part), false});
+      list.push_back({part, "A light component of the beauty: see docs/reference/rendering.md.",
+                      colour(part), false});
     list.push_back({kMotion,
-                    "Pixels by which the first surface goes until the next frame, to the right and "
+                    "Motion of the first surface until the next frame in pixels, to the right and "
                     "upwards.",
                     {"motion.X", "motion.Y"},
                     false});
-    list.push_back({kWetness, "Share of the first surface that water covers.", {kWetness}, false});
+    list.push_back(
+        {kWetness, "Fraction of the first surface that is covered by water.", {kWetness}, false});
     list.push_back(
         {kCryptoObject, "Cryptomatte of objects.", crypto_channels(kCryptoObject), false});
     list.push_back(
@@ -244,7 +246,7 @@ AovPlan plan_aovs(const std::vector<std::string>& names, const std::vector<std::
     }
     if (found) continue;
     known.insert(known.end(), {"parts", "lights", "attributes", "cryptomatte", "all"});
-    throw Error(ErrorCode::bad_input, fmt::format("there is no layer '{}'", name), {},
+    throw Error(ErrorCode::bad_input, fmt::format("unknown layer '{}'", name), {},
                 suggestion(name, known));
   }
   AovPlan plan;
@@ -258,7 +260,7 @@ AovPlan plan_aovs(const std::vector<std::string>& names, const std::vector<std::
     else if (i >= aovs().size())
       plan.groups.push_back(groups[i - aovs().size()]);
   }
-  // `develop` writes them last.
+  // `develop` writes these last.
   std::stable_partition(plan.names.begin(), plan.names.end(),
                         [](const std::string& name) { return !is_crypto(name); });
   if (!plan.has("beauty"))

@@ -14,7 +14,7 @@ uint32_t rotated(uint32_t v, int bits) { return (v << bits) | (v >> (32 - bits))
 
 uint32_t scrambled(uint32_t block) { return rotated(block * 0xcc9e2d51u, 15) * 0x1b873593u; }
 
-/// A text in JSON. Bytes of UTF-8 stand as they are.
+/// Quotes a text for JSON. UTF-8 is copied unchanged.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {

@@ -24,7 +24,7 @@ void DeepPixel::add(const PathResult& sample, double depth) {
 }
 
 void DeepPixel::merge_nearby() {
-  // Equal depths keep the order of the samples, so that sums round alike whoever renders.
+  // Equal depths keep the order of the samples, so that sums are rounded deterministically.
   std::stable_sort(fragments_.begin(), fragments_.end(),
                    [](const Fragment& a, const Fragment& b) { return a.near < b.near; });
   std::vector<Fragment> kept;
@@ -38,7 +38,7 @@ void DeepPixel::merge_nearby() {
     size_t nearest = 0;
     double least = kInfinity;
     for (size_t i = 0; i + 1 < kept.size(); ++i) {
-      // By what a tolerance would have had to be.
+      // The tolerance that would have merged these two.
       const double gap = (kept[i + 1].far - kept[i].near) / std::max(std::fabs(kept[i].near), 1e-9);
       if (gap < least) least = gap, nearest = i;
     }
@@ -51,13 +51,13 @@ void DeepPixel::merge_nearby() {
 std::vector<image::DeepSample> DeepPixel::finish() {
   merge_nearby();
   std::vector<image::DeepSample> out;
-  double left = static_cast<double>(std::max<size_t>(samples_, 1));  // samples not yet hidden
+  double left = static_cast<double>(std::max<size_t>(samples_, 1));  // not yet covered
   for (const Fragment& f : fragments_) {
     const auto part = [&](double v) { return static_cast<float>(v / left); };
     out.push_back({static_cast<float>(f.near), static_cast<float>(f.far),
                    std::min(1.0f, part(f.alpha)), part(f.r), part(f.g), part(f.b)});
     left -= f.alpha;
-    // Light behind what hides everything cannot be: a sample hides no more than itself.
+    // Nothing is visible behind full coverage: a sample covers at most itself.
     if (!(left > 0)) break;
   }
   fragments_.clear();

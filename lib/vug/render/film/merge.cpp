@@ -18,7 +18,7 @@ std::string place(const Region& r) {
   return fmt::format("x {}..{}, y {}..{}", r.x0, r.x1 - 1, r.y0, r.y1 - 1);
 }
 
-/// Every rectangle between neighbouring edges of the parts is covered by the same of them all over.
+/// Checks that each cell between neighbouring edges of the regions has every sample exactly once.
 void require_cover(const std::vector<Named>& parts) {
   const PartialRenderHeader& header = parts.front().outline.header;
   std::set<int> xs = {header.crop.x0, header.crop.x1}, ys = {header.crop.y0, header.crop.y1};
@@ -60,7 +60,7 @@ void require_cover(const std::vector<Named>& parts) {
 }  // namespace
 
 std::string difference(const PartialRenderHeader& a, const PartialRenderHeader& b) {
-  // Each frame has a seed of its own, which would say nothing to people.
+  // Each frame has its own seed, which would not be meaningful to users.
   const auto frame = [](const PartialRenderHeader& header) {
     for (const auto& [name, value] : header.notes)
       if (name.ends_with("vug:frame")) return value;
@@ -87,10 +87,10 @@ PartialRender merge(const std::vector<std::filesystem::path>& paths, Progress& p
     const PartialRenderInfo &first = parts.front().outline, &part = parts.back().outline;
     if (part.fraction < 1)
       throw Error(ErrorCode::bad_input,
-                  fmt::format("'{}' is done only to {:.0f} %", path.string(), 100 * part.fraction),
-                  {}, "render it to its end with --resume");
+                  fmt::format("'{}' is only {:.0f} % complete", path.string(), 100 * part.fraction),
+                  {}, "finish it with --resume");
     if (const std::string what = difference(first.header, part.header); !what.empty())
-      throw Error(ErrorCode::bad_input, fmt::format("'{}' and '{}' are of different {}",
+      throw Error(ErrorCode::bad_input, fmt::format("'{}' and '{}' have different {}",
                                                     parts.front().path, path.string(), what));
   }
   require_cover(parts);

@@ -14,7 +14,7 @@ Vec2f MotionStep::motion(const Vec3f& point, uint32_t object, const InstanceTran
   const auto from = now->project(before, aspect), to = next->project(after, aspect);
   if (!from || !to) return Vec2f(0.0f);
   Vec2f way = *to - *from;
-  if (const float period = now->period(); period > 0)  // the short way over the seam
+  if (const float period = now->period(); period > 0)  // the short way across the seam
     way.x -= period * std::floor(way.x / period + 0.5f);
   return {way.x, -way.y};
 }

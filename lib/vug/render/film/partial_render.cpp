@@ -19,8 +19,8 @@ constexpr uint32_t kVersion = 2;
 constexpr uint64_t kDigestBytes = 16;
 constexpr size_t kBuffer = 1 << 20;
 
-/// Both directions of the format are the same list of values, so that they cannot differ: see
-/// `exchange`. Numbers stand as the processor keeps them, which is little-endian.
+/// Reading and writing share the functions that list the values, so that they cannot differ.
+/// Numbers are stored in the byte order of the processor, which is little-endian.
 class Writer {
  public:
   static constexpr bool kReads = false;
@@ -78,13 +78,13 @@ class Reader {
       at_ += some, copied += some, left_ -= some;
     }
   }
-  /// To where the hash begins.
+  /// Skips to the hash at the end.
   void skip() {
     std::vector<char> some(kBuffer);
     while (left_ > kDigestBytes)
       bytes(some.data(), std::min<uint64_t>(some.size(), left_ - kDigestBytes));
   }
-  /// Before memory is taken for that many bytes.
+  /// Call this before allocating memory for this many bytes.
   void need(uint64_t count) const {
     if (count > left_) refuse("it is cut short");
   }
@@ -101,7 +101,7 @@ class Reader {
   }
 
  private:
-  /// Takes in the next bytes, up to where the hash begins, or the hash.
+  /// Reads the next bytes, up to the hash, or the hash itself.
   void refill() {
     const uint64_t some =
         left_ > kDigestBytes ? std::min<uint64_t>(kBuffer, left_ - kDigestBytes) : left_;
@@ -114,7 +114,7 @@ class Reader {
   std::vector<char> buffer_;
   size_t at_ = 0;
   std::filesystem::path path_;
-  std::string what_;  ///< What the file should be.
+  std::string what_;  ///< Name of the expected kind of file.
   std::ifstream in_;
   uint64_t left_;
   Hasher hash_;
@@ -197,12 +197,12 @@ bool sane(const PartialRenderHeader& h, const RenderState& s, const Region& r) {
          s.end <= static_cast<uint32_t>(h.spp);
 }
 
-/// The file as far as its sums, which `into` takes.
+/// Reads everything before the sums.
 void read_front(Reader& file, PartialRenderHeader& header, RenderState& state, Region& covered) {
   char magic[sizeof kMagic];
   uint32_t version = 0;
   file.bytes(magic, sizeof magic);
-  if (std::memcmp(magic, kMagic, sizeof magic) != 0) file.refuse("it is no part of a picture");
+  if (std::memcmp(magic, kMagic, sizeof magic) != 0) file.refuse("it is not a part of a picture");
   file.number(version);
   if (version != kVersion)
     file.refuse(fmt::format("its version is {}, this program reads {}", version, kVersion));

@@ -19,18 +19,18 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Seconds between two savings that nobody asked for: a failure shall not cost more than minutes,
-/// nor shall hundreds of megabytes go to disk in each.
+/// Limits of the automatic save interval in seconds: a crash loses only minutes, and large films
+/// are not written all the time.
 constexpr double kLeastPause = 120, kMostPause = 300;
 
-/// A count of samples that all blocks are brought to before any gets more.
+/// A sample count that all tiles reach before any tile continues.
 struct Stop {
   uint32_t count;
-  bool look;  ///< The picture is looked at: noise is measured, a preview shown.
+  bool look;  ///< Noise is measured and callbacks.pass is called.
 };
 
-/// It is looked at after 4, 8, 16, ... samples and the last; whether it is also saved now and then
-/// must not change when. Saving asks for stops of its own, as it waits for whole blocks.
+/// Evaluation happens after 4, 8, 16, ... samples and at the end, whether or not the state is
+/// saved. Saving adds stops of its own, because it waits for complete tiles.
 std::vector<Stop> stops(const RenderState& state, const Options& options,
                         const RenderCallbacks& callbacks) {
   constexpr uint32_t kSaved = 256;
@@ -45,14 +45,14 @@ std::vector<Stop> stops(const RenderState& state, const Options& options,
   return list;
 }
 
-/// Samples that the blocks still need at most.
+/// Upper bound of the missing samples.
 uint64_t missing(const RenderState& state) { return samples_missing(state, state.region()); }
 
 uint64_t all_samples(const RenderState& state) {
   return state.region().pixels() * uint64_t{state.end - state.begin};
 }
 
-/// Threads write blocks of their own into one state, and wait while it is saved.
+/// Renders tiles into one state on all threads, which pause while it is saved.
 class Work {
  public:
   Work(const TileRenderer& renderer, RenderState& state, const RenderCallbacks& callbacks,
@@ -106,7 +106,7 @@ class Work {
   Progress& progress_;
   std::shared_mutex saving_;
   std::atomic<Clock::duration> saved_ = Clock::now().time_since_epoch();
-  std::atomic<double> every_;  ///< Seconds from one saving to the next.
+  std::atomic<double> every_;  ///< Save interval in seconds.
 };
 
 }  // namespace
@@ -133,20 +133,21 @@ RenderState begin_render(const Options& options, const RenderSlice& slice) {
   const int lines = region.height();
   if (slice.bands < 1 || slice.band < 0 || slice.band >= slice.bands)
     throw Error(ErrorCode::bad_input,
-                fmt::format("there is no tile {} of {}", slice.band + 1, slice.bands));
+                fmt::format("invalid tile {} of {}", slice.band + 1, slice.bands));
   if (slice.bands > lines)
     throw Error(ErrorCode::bad_input,
-                fmt::format("{} lines cannot be shared out to {} tiles", lines, slice.bands));
+                fmt::format("{} lines cannot be divided into {} tiles", lines, slice.bands));
   const auto spp = static_cast<uint32_t>(options.spp);
   const uint32_t end = slice.end == 0 ? spp : slice.end;
   if (slice.begin >= end || end > spp)
-    throw Error(ErrorCode::bad_input, fmt::format("samples {}..{} are no part of a picture of {}",
-                                                  slice.begin, end, spp));
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("invalid samples {}..{}: the picture has {} per pixel", slice.begin, end, spp));
   if (options.noise > 0 && (slice.bands > 1 || end - slice.begin < spp))
     throw Error(ErrorCode::bad_input,
-                "a part of a picture cannot be rendered down to a noise: where enough is done "
-                "shows only in the whole",
-                {}, "leave 'noise' away, or render the whole picture");
+                "a part of a picture cannot use 'noise': the number of samples is decided for the "
+                "whole picture",
+                {}, "remove 'noise', or render the whole picture");
   const auto line = [&](int band) {
     return region.y0 + static_cast<int>(int64_t{lines} * band / slice.bands);
   };
@@ -174,7 +175,7 @@ void continue_render(const Scene& scene, const Options& options, RenderState& st
   Work work(renderer, state, callbacks, progress);
   try {
     for (const Stop& stop : stops(state, options, callbacks)) {
-      // A state that was saved later than this has been looked at here already.
+      // A state that was saved after this stop has already been evaluated here.
       if (std::any_of(state.done.begin(), state.done.end(),
                       [&](uint32_t done) { return done > stop.count; }))
         continue;

@@ -93,7 +93,7 @@ void PreparedScene::Geometry::Embree::attach(RTCScene to, RTCGeometry geometry,
 void PreparedScene::Geometry::Embree::commit(RTCScene what) const {
   tbb::task_arena arena(kBuildThreads);
   arena.execute([&] { rtcJoinCommitScene(what); });
-  device.check("building the tree of triangles");
+  device.check("building the BVH");
 }
 
 void PreparedScene::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& mesh,
@@ -112,7 +112,7 @@ void PreparedScene::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& me
     rtcSetGeometryOccludedFilterFunction(geometry, cutout_filter);
   }
   attach(to, geometry, number);
-  device.check("taking in a mesh");
+  device.check("adding a mesh");
 }
 
 void PreparedScene::Geometry::Embree::add_instance(const SharedBvh& shared,
@@ -129,7 +129,7 @@ void PreparedScene::Geometry::Embree::add_instance(const SharedBvh& shared,
                             columns);
   }
   attach(scene, geometry, number);
-  device.check("placing an instance");
+  device.check("adding an instance");
 }
 
 const PreparedScene::Geometry::Embree::SharedBvh& PreparedScene::Geometry::Embree::shared_bvh(

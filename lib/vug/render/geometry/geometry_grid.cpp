@@ -101,7 +101,7 @@ void PreparedScene::Geometry::Embree::add_surface(RTCScene to, const volume::Sur
   rtcSetGeometryIntersectFunction(geometry, intersect_brick<RayContext>);
   rtcSetGeometryOccludedFunction(geometry, occlude_brick);
   attach(to, geometry, number);
-  device.check("taking in a level set");
+  device.check("adding a level set");
 }
 
 void PreparedScene::Geometry::fill_surface(const TracedObject& traced, uint32_t brick,

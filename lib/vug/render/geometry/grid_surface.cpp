@@ -17,8 +17,8 @@ using Cubic = std::array<double, 4>;
 
 double at(const Cubic& c, double s) { return ((c[3] * s + c[2]) * s + c[1]) * s + c[0]; }
 
-/// The values at the corners of a cell, and what follows from them for places within, 0 to 1 along
-/// each axis. Values are whole numbers: at 0 and 1 a corner's comes out exactly.
+/// The values at the corners of a cell, and interpolation at positions within it, 0 to 1 along each
+/// axis. Values are integers: at 0 and 1 the interpolation is exact.
 struct Cell {
   double v[2][2][2] = {};
 
@@ -47,7 +47,7 @@ struct Cell {
         }
     return sum;
   }
-  /// Along p + s q.
+  /// The cubic along p + s q.
   Cubic along(const Place& p, const Place& q) const {
     double square[2][3];
     for (int a = 0; a < 2; ++a) {
@@ -68,7 +68,8 @@ struct Cell {
   }
 };
 
-/// Where the slope changes its sign within (0, 1), in order; how many.
+/// Positions in (0, 1) where the derivative changes its sign, in ascending order; returns their
+/// number.
 int extrema(const Cubic& c, double (&where)[2]) {
   const double a = 3 * c[3], b = 2 * c[2], d = b * b - 4 * a * c[1];
   if (!(d > 0)) return 0;
@@ -81,8 +82,8 @@ int extrema(const Cubic& c, double (&where)[2]) {
   return count;
 }
 
-/// The root between lo, where the sign is `negative`, and hi, where it is not: Newton's steps, kept
-/// inside of the bracket.
+/// The root between lo, where the sign is `negative`, and hi, where it is not: Newton's method with
+/// bisection as a safeguard.
 double root_within(const Cubic& c, double lo, double hi, bool negative) {
   double s = 0.5 * (lo + hi);
   for (int step = 0; step < 60; ++step) {
@@ -97,10 +98,10 @@ double root_within(const Cubic& c, double lo, double hi, bool negative) {
   return s;
 }
 
-/// The first root in [0, 1]; the signs at both ends are known.
+/// The first root in [0, 1]; the signs at both ends are given.
 std::optional<double> first_root(const Cubic& c, bool from, bool to) {
   if (from == to) {
-    // By the hull of its Bernstein polynomial most cells are done.
+    // The convex hull of the Bernstein polynomial rejects most cells.
     const double b1 = c[0] + c[1] * (1 / 3.0), b2 = b1 + (c[1] + c[2]) * (1 / 3.0);
     if ((b1 < 0) == from && (b2 < 0) == from) return std::nullopt;
   }
@@ -114,8 +115,8 @@ std::optional<double> first_root(const Cubic& c, bool from, bool to) {
   return root_within(c, lo, 1, from);
 }
 
-/// Places that lie on a face of cells but for rounding are put there, so that the cells on both
-/// sides see the same values.
+/// Positions on a face of cells, up to rounding, are snapped to it, so that the cells on both sides
+/// compute the same values.
 double on_face(double x) {
   const double whole = std::nearbyint(x);
   return std::fabs(x - whole) < 1e-9 ? whole : x;
@@ -162,8 +163,9 @@ std::optional<Crossing> first_crossing(const SurfaceBricks& surface, size_t numb
   const auto place = [&](double t) {
     return Place{on_face(o[0] + d[0] * t), on_face(o[1] + d[1] * t), on_face(o[2] + d[2] * t)};
   };
-  // From cell to cell (Amanatides and Woo 1987, "A fast voxel traversal algorithm for ray tracing",
-  // cite amanatides1987traversal); faces are computed anew, as any brick would.
+  // Cell traversal (Amanatides and Woo 1987, "A fast voxel traversal algorithm for ray tracing",
+  // cite amanatides1987traversal); the distances to faces are not accumulated, so that all bricks
+  // compute the same.
   Index cell;
   Place next;
   const auto leave = [&](size_t axis) {
@@ -244,8 +246,8 @@ GridValue smooth(const SurfaceBricks& surface, size_t number, const Index& cell,
         const double x = a > 1 ? p[0] : 1 - p[0], y = b > 1 ? p[1] : 1 - p[1];
         const double z = c > 1 ? p[2] : 1 - p[2];
         out.gradient += Vec3d(v[a + 1][b][c] - v[a - 1][b][c], v[a][b + 1][c] - v[a][b - 1][c],
-                           v[a][b][c + 1] - v[a][b][c - 1]) *
-                     (x * y * z);
+                              v[a][b][c + 1] - v[a][b][c - 1]) *
+                        (x * y * z);
       }
   out.value *= surface.step();
   out.gradient *= 0.5 * surface.step() / surface.voxel();

@@ -8,10 +8,11 @@
 namespace vug::render {
 
 InstanceTransform::InstanceTransform(const std::vector<Transform>& places) {
-  if (places.empty()) throw Error(ErrorCode::bad_input, "an instance stands nowhere");
+  if (places.empty()) throw Error(ErrorCode::bad_input, "an instance needs at least one transform");
   for (const Transform& place : places) {
     keyframes_.emplace_back(place);
-    error_scale_ = std::max(error_scale_, static_cast<float>(place.max_stretch() / place.min_stretch()));
+    error_scale_ =
+        std::max(error_scale_, static_cast<float>(place.max_stretch() / place.min_stretch()));
     const Vec3d& o = place.origin();
     const double far = std::max(std::fabs(o.x), std::max(std::fabs(o.y), std::fabs(o.z)));
     origin_extent_ = std::max(origin_extent_, static_cast<float>(far));

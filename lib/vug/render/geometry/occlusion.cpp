@@ -21,7 +21,7 @@ Scene scene_of(const std::vector<mesh::MeshPtr>& meshes) {
   return scene;
 }
 
-/// Where a place's pattern of directions begins, so that neighbours do not make the same error.
+/// Offset of a point's pattern of directions, which decorrelates the errors of neighbours.
 Vec2d shift(const Vec3f& place) {
   RandomKey key(0x6f70656e);
   for (int c = 0; c < 3; ++c) key = key.at(uint64_t{std::bit_cast<uint32_t>(place[c])});
@@ -49,7 +49,7 @@ std::vector<float> Openness::compute(const std::vector<Vec3f>& points,
   const size_t blocks = (points.size() + kBlock - 1) / kBlock;
   const auto lift = static_cast<float>(options.offset),
              reach = static_cast<float>(options.max_distance);
-  progress.begin("looking around", blocks);
+  progress.begin("computing openness", blocks);
   parallel_for(blocks, [&](size_t block) {
     progress.check();
     const size_t end = std::min(points.size(), (block + 1) * kBlock);
@@ -57,7 +57,7 @@ std::vector<float> Openness::compute(const std::vector<Vec3f>& points,
       const Frame frame(normals[i]);
       const Vec2d start = shift(points[i]);
       int open = 0;
-      // A golden section between turns spreads directions evenly over the disc below them.
+      // The golden ratio between azimuths distributes directions evenly over the projected disk.
       for (int ray = 0; ray < options.rays; ++ray) {
         const double out = (ray + start.x) / options.rays, turn = start.y + kGolden * ray;
         const Vec2f u(static_cast<float>(out), static_cast<float>(turn - std::floor(turn)));

@@ -6,11 +6,13 @@
 namespace vug::render {
 
 void require_static(const Object& object) {
-  const bool shines = !is_black(object.emission) || (object.material && object.material->is_emissive());
+  const bool shines =
+      !is_black(object.emission) || (object.material && object.material->is_emissive());
   if (shines && object.instance && object.instance->moves())
-    throw Error(ErrorCode::bad_input,
-                fmt::format("object '{}' shines and moves, which cannot be rendered", object.name),
-                {}, "keep it still, take its emission away, or close the camera's shutter");
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("object '{}' is emissive and moves, which is not supported", object.name), {},
+        "keep it static, remove its emission, or set the camera's shutter to 0");
 }
 
 }  // namespace vug::render

@@ -1,4 +1,4 @@
-// Unidirectional path tracing with next-event estimation, led by a guide to bright surfaces.
+// Unidirectional path tracing with next-event estimation and path guiding.
 #include <vug/render/kind.h>
 #include <vug/render/paths/trace_path.h>
 
@@ -21,49 +21,51 @@ struct Path {
   double regularize = 0;
 
   static void describe(Schema<Path>& s) {
-    s.doc("Path tracing from the camera with direct sampling of lights.")
+    s.doc("Path tracing from the camera with next-event estimation.")
         .cite("veach1997")
         .param("max_bounces", &Path::max_bounces,
-               {.doc = "A path scatters at most once more than this.", .min = 0, .max = 1000})
-        .choice("roulette", &Path::roulette,
-                {{"worth", Roulette::adjoint},
-                 {"throughput", Roulette::throughput},
-                 {"off", Roulette::off}},
-                "Which paths end at random, and count for more where they go on: worth ends those "
-                "that would add little to the picture, behind the first surface; throughput all "
-                "by the root of what they carry, from the first surface on, as most path tracers "
-                "do: more samples a second, more noise in each; off none: less noise, more time.")
+               {.doc = "Paths scatter at most max_bounces + 1 times.", .min = 0, .max = 1000})
+        .choice(
+            "roulette", &Path::roulette,
+            {{"worth", Roulette::adjoint},
+             {"throughput", Roulette::throughput},
+             {"off", Roulette::off}},
+            "Russian roulette: worth ends paths that would contribute little to the picture, "
+            "after the first surface (adjoint-driven); throughput ends paths by the square root "
+            "of their throughput, from the first surface on, as most path tracers do: more "
+            "samples per second, more noise in each; off ends none: less noise, more time.")
         .param("light_samples", &Path::light_samples,
-               {.doc = "Lights that the first surface a path meets looks at; others look at one.",
+               {.doc = "Lights sampled at the first surface of a path; later surfaces sample one.",
                 .min = 1,
                 .max = static_cast<double>(LightChoices::kMax)})
         .choice("light_sampler", &Path::light_sampler,
                 {{"tree", LightSampler::tree}, {"uniform", LightSampler::uniform}},
-                "How a surface chooses its lights: tree by what they may give it, thousands as "
-                "readily as ten; uniform any of them alike, which costs less and is noisy as soon "
-                "as lights are of different use.")
+                "How surfaces choose lights: tree by their estimated contribution, efficient even "
+                "for thousands of lights; uniform with equal probability, which is cheaper but "
+                "noisy if lights contribute differently.")
         .param("clamp", &Path::clamp,
-               {.doc = "Cuts light that comes over more than one surface to this radiance: fewer "
-                       "fireflies, and a darker, no longer exact picture. Not cut when not given.",
+               {.doc = "Maximum radiance of indirect light: fewer fireflies, but a darker, biased "
+                       "picture. No limit by default.",
                 .min = 0,
                 .above_min = true})
-        .param("regularize", &Path::regularize,
-               {.doc = "Roughness that faces have at least where light is followed to them over "
-                       "matte ones, 0.3 to 0.5: small lights over water and polish make soft light "
-                       "instead of bright dots, and the picture is no longer exact.",
-                .min = 0,
-                .max = 1})
+        .param(
+            "regularize", &Path::regularize,
+            {.doc = "Minimum roughness of specular lobes on paths that reach them from diffuse "
+                    "surfaces, 0.3 to 0.5 if used: caustics of small lights in water and polished "
+                    "surfaces are blurred instead of noisy, and the picture is biased.",
+             .min = 0,
+             .max = 1})
         .choice("guide", &Path::guide,
                 {{"auto", Guided::automatic}, {"on", Guided::on}, {"off", Guided::off}},
-                "Learns first which surfaces are bright, and from where these and the lights are "
-                "seen, and lets paths turn to them: less noise where light comes over walls and "
-                "where walls hide lights. auto leaves it out of tiny pictures.");
+                "Path guiding: a training pass learns where bright surfaces are, and from where "
+                "they and the lights are visible. Less noise in indirect light, and where walls "
+                "occlude lights. auto disables it for tiny pictures.");
   }
 };
 
-/// Pictures of fewer samples are done before a guide is learned.
+/// Pictures with fewer samples are not worth a training pass.
 constexpr uint64_t kMinSamples = 1u << 16;
-/// The guide learns from this part of the samples, and at most so many.
+/// Share of the samples that are used for training, and the limits of their number.
 constexpr double kTrainingFraction = 0.04;
 constexpr uint64_t kMinPaths = 1u << 12, kMaxPaths = 1u << 18;
 

@@ -1,4 +1,4 @@
-// Independent uniform numbers: the yardstick the others are measured with.
+// Independent uniform random numbers: the reference for other samplers.
 #include <vug/base/rng.h>
 #include <vug/render/kind.h>
 
@@ -7,7 +7,7 @@ namespace {
 
 struct Independent {
   static void describe(Schema<Independent>& s) {
-    s.doc("Independent uniform numbers; noise falls slowest, no pattern ever.")
+    s.doc("Independent uniform random numbers; slowest convergence, but no patterns.")
         .cite("salmon2011philox");
   }
 };

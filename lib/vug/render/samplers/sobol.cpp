@@ -1,11 +1,11 @@
-// Owen-scrambled Sobol points, one (0,2)-sequence laid over the whole picture along a Morton
-// curve, so that neighbouring pixels err in opposite directions (blue noise).
+// Owen-scrambled Sobol points: one (0,2)-sequence along a Morton curve over the whole picture, so
+// that neighbouring pixels have errors of opposite sign (blue noise).
 //
-// Sources: Ahmed and Wonka 2020, "Screen-space blue-noise diffusion of Monte Carlo sampling
-// error via hierarchical ordering of pixels" (ahmed2020blue); Burley 2020, "Practical hash-based
-// Owen scrambling" (burley2020owen); the hash is Vegdahl's 2021 variant of Laine and Karras'
-// (vegdahl2021hash). We differ from Ahmed and Wonka in shuffling the binary tree of the index
-// instead of its base-4 tree: 8 of 24 orders of each quad occur, at a fraction of the cost.
+// Sources: Ahmed and Wonka 2020, "Screen-space blue-noise diffusion of Monte Carlo sampling error
+// via hierarchical ordering of pixels" (ahmed2020blue); Burley 2020, "Practical hash-based Owen
+// scrambling" (burley2020owen); the hash is Vegdahl's 2021 variant of Laine and Karras'
+// (vegdahl2021hash). Unlike Ahmed and Wonka we shuffle the binary tree of the index instead of its
+// base-4 tree: 8 of 24 orders of each quad occur, at a fraction of the cost.
 #include <vug/render/kind.h>
 
 #include <immintrin.h>
@@ -15,16 +15,16 @@ namespace {
 
 struct Sobol {
   static void describe(Schema<Sobol>& s) {
-    s.doc("Owen-scrambled Sobol points whose error is blue noise over the picture.")
+    s.doc("Owen-scrambled Sobol points with blue-noise error over the picture.")
         .cite("ahmed2020blue");
   }
 };
 
-// Of four dimensions at once: the same steps for all lanes.
+// Vectors of four dimensions; all lanes take the same steps.
 using Lanes32 = uint32_t __attribute__((vector_size(16)));
 using Lanes64 = uint64_t __attribute__((vector_size(32)));
 
-// Of a number of 32 bits, or of each lane.
+// For a 32-bit number, or for each lane.
 template <class V>
 V reverse_bits(V v) {
   v = (v >> 16) | (v << 16);
@@ -46,8 +46,8 @@ V scramble_upwards(V v, V seed) {
   return v;
 }
 
-/// The second Sobol dimension of index v, bits reversed: v times the Pascal matrix modulo 2, which
-/// is a Kronecker power, so five steps do it (ahmed2024sobol).
+/// The second Sobol dimension of index v, with its bits reversed: v times the Pascal matrix modulo
+/// 2. This is a Kronecker power, so five steps suffice (ahmed2024sobol).
 template <class V>
 V times_pascal(V v) {
   v ^= (v >> 1) & 0x55555555u;
@@ -57,7 +57,7 @@ V times_pascal(V v) {
   return v ^ (v >> 16);
 }
 
-/// Bits of x and y in turn: the place on the Morton curve.
+/// Interleaves the bits of x and y: the index on the Morton curve.
 uint64_t interleaved(uint32_t x, uint32_t y) {
   return _pdep_u64(x, 0x5555555555555555ull) | _pdep_u64(y, 0xaaaaaaaaaaaaaaaaull);
 }
@@ -101,18 +101,18 @@ class SobolSampler final : public Sampler {
  private:
   static constexpr uint64_t kStep = 0x9e3779b97f4a7c15ull;
 
-  /// The sample's place in the sequence. A pixel owns an aligned block of 2^k >= spp indices, so
+  /// The sample's index in the sequence. A pixel owns an aligned block of 2^k >= spp indices, so
   /// its points are a (0,k,2)-net.
   static std::pair<uint32_t, uint32_t> locate(const SampleId& id) {
     const int bits = id.spp > 1 ? 32 - __builtin_clz(id.spp - 1) : 0;
     const uint64_t along = (interleaved(id.x, id.y) << bits) | id.index;
     return {static_cast<uint32_t>(along), static_cast<uint32_t>(along >> 32)};
   }
-  /// What exceeds 32 bits of index goes into the seed.
+  /// Index bits above 32 become part of the seed.
   static uint64_t key(const SampleId& id, uint32_t high) {
     return id.seed + high * 0xd1342543de82ef95ull;
   }
-  /// Each dimension pair visits the same points in an order of its own.
+  /// Each dimension pair visits the same points in a different order.
   template <class V>
   static V shuffled(V index, V seed) {
     return reverse_bits(scramble_upwards(reverse_bits(index), seed));
