@@ -1,4 +1,4 @@
-// Everything a shot shows, as plain data for other programs.
+// Converts a shot to an exchange::Assembly, the plain data for other programs.
 #pragma once
 
 #include <vug/building/builder.h>
@@ -9,20 +9,20 @@
 
 namespace vug::delivery {
 
-/// The shot with meshes for what it would trace directly, also in what it places: assemble wants
-/// it so. Must outlive the Builder that is made of it.
+/// The shot with meshes instead of directly traced level sets, also in placed scenes, as required
+/// by build_assembly. It must outlive the Builder that uses it.
 shot::Shot with_meshes(shot::Shot shot);
 
-/// What rebuilds all of the shot.
+/// The provenance from which the shot can be rebuilt.
 exchange::Provenance provenance_of(const shot::Shot& shot);
 
 struct AssemblyResult {
   exchange::Assembly assembly;           ///< In metres, y up; without volumes.
-  std::vector<std::string> unsupported;  ///< In sentences, what cannot be told.
+  std::vector<std::string> unsupported;  ///< Sentences about omitted features.
 };
 
-/// Objects with their looks at every vertex, what is placed as groups of one part, cameras with
-/// the shape of their render's picture, and lights. Builds all meshes.
+/// Converts objects with materials baked per vertex, instances as groups with one prototype each,
+/// cameras with the aspect ratio of their render, and lights. Builds all meshes.
 AssemblyResult build_assembly(building::Builder& builder);
 
 }  // namespace vug::delivery

@@ -1,4 +1,4 @@
-// Looks at the vertices of a mesh: what its material says of each place, as attributes.
+// Bakes the material of an object to vertex attributes of its mesh.
 #pragma once
 
 #include <vug/exchange/look.h>
@@ -7,15 +7,16 @@
 namespace vug::delivery {
 
 struct BakeResult {
-  /// With an attribute for each channel of the look that varies; of a flat object without normals.
+  /// The mesh with an attribute for each channel of the look that varies; without normals for a
+  /// flat object.
   mesh::MeshPtr mesh;
-  exchange::Look look;  ///< Elsewhere the mean.
+  exchange::Look look;  ///< Mean values of all channels.
 };
 
-/// The object's material, seen from outside in the mesh's own space, or where the object stands if
-/// its look depends on that; its "Cd" becomes the body's colour. Of a mesh with holes that part is
-/// left which is there (see cut_out.h). An attribute of the mesh that is
-/// called like a channel is kept under "raw_NAME".
+/// Bakes the object's material, viewed from outside, in the mesh's own space or, for world-space
+/// materials, at the position of the instance. "Cd" receives the base colour. Meshes with holes are
+/// cut (see cutout_mesh.h). An attribute of the mesh with the name of a channel is kept as
+/// "raw_NAME".
 BakeResult bake(const render::Object& object);
 
 }  // namespace vug::delivery

@@ -1,4 +1,4 @@
-// Cells to files: points, grids beside the level set, tables.
+// Writes cells to files: grids next to the level set, and tables.
 #pragma once
 
 #include <vug/building/builder.h>
@@ -11,13 +11,13 @@
 
 namespace vug::delivery {
 
-/// What the cells carry in the bands of the level sets that they stand on, smoothed as at vertices
-/// of a mesh: a vec3s grid NAME_Cd and float grids NAME_ATTRIBUTE for each, with the name of the
-/// level set behind NAME where these are several. Error(too_large).
+/// The attributes of the cells in the narrow bands of the level sets below them, interpolated as at
+/// the vertices of a mesh: a vec3s grid NAME_Cd and float grids NAME_ATTRIBUTE for each level set;
+/// for several level sets, NAME is followed by the name of the level set. Error(too_large).
 std::vector<volume::Grid> cell_grids(building::Builder& builder, const shot::CellsPtr& plan);
 
-/// A line for each cell with its number, place, normal, what it carries and its state, and before
-/// them a line of their names: x, y and z, so that a scene can place things there.
+/// Writes a table with a header line and one line per cell: its index, position, normal, attributes
+/// and state. The columns x, y and z allow a scene to use it as an instance source.
 void write_table(const std::filesystem::path& file, const building::CellLayer& layer);
 
 }  // namespace vug::delivery

@@ -1,4 +1,4 @@
-// Holes by opacity, as meshes have them.
+// Converts an opacity mask to holes in a mesh.
 #pragma once
 
 #include <vug/render/scene.h>
@@ -7,10 +7,10 @@
 
 namespace vug::delivery {
 
-/// The part of the object's mesh that its material's opacity leaves, where that is a matter of yes
-/// or no, such as the outline of a leaf on a card: whatever reads meshes has the holes then. A mesh
-/// of few triangles is made finer first, so that outlines are smooth and what is baked at vertices
-/// follows the look. Nothing where the opacity is 1 or in between: see Look::opacity.
+/// The opaque part of the object's mesh if its material's opacity is binary, such as the outline of
+/// a leaf on a card, so that every program that reads meshes gets the holes. A coarse mesh is
+/// refined first, so that outlines are smooth and baked attributes follow the material. Nothing if
+/// the opacity is 1 everywhere or continuous; see Look::opacity.
 std::optional<mesh::Mesh> cutout_mesh(const render::Object& object);
 
 }  // namespace vug::delivery

@@ -1,4 +1,4 @@
-// How even a scene's cells are and how they are linked, as data.
+// Statistics of the spacing and the links of cells, as data.
 #pragma once
 
 #include <vug/building/builder.h>
@@ -7,9 +7,9 @@
 
 namespace vug::delivery {
 
-/// The cells of that name: how many on which meshes, the pieces that links join them to, distances
-/// to the nearest cell before and after harmonising, how many cells have how many links, and the
-/// states that the run has left. Error(bad_input) where the shot has none of that name.
+/// Describes the cells of that name: their number on each mesh, connected components, distances to
+/// the nearest cell before and after relaxation, a histogram of the number of links, and the states
+/// after the run. Error(bad_input) if the shot has no cells of that name.
 nlohmann::ordered_json describe_cells(building::Builder& builder, const std::string& name);
 
 }  // namespace vug::delivery

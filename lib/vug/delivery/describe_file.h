@@ -1,4 +1,4 @@
-// What is in a product's file, as data.
+// Describes the contents of a product file, as data.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,10 +7,9 @@
 
 namespace vug::delivery {
 
-/// .vdb: grids with class, type, voxel size, active voxels, bounds, metadata, points; pictures:
-/// size, channels, header texts; meshes: vertices, triangles, attributes, bounds; tables: rows and
-/// columns.
-/// Error(bad_input) for other files and for broken ones.
+/// For .vdb files: grids with class, type, voxel size, active voxels, bounds, metadata, points. For
+/// pictures: size, channels, header texts. For meshes: vertices, triangles, attributes, bounds. For
+/// tables: rows and columns. Error(bad_input) for other files and for damaged files.
 nlohmann::ordered_json describe_file(const std::filesystem::path& file);
 
 }  // namespace vug::delivery

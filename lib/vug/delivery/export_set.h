@@ -1,4 +1,4 @@
-// All that another program is given, in files.
+// Exports a shot as a set of files for another program.
 #pragma once
 
 #include <vug/building/builder.h>
@@ -12,27 +12,28 @@
 namespace vug::delivery {
 
 struct ExportOptions {
-  const exchange::Program* program = nullptr;  ///< Whom it is for.
-  std::optional<exchange::UpAxis> up;          ///< Instead of the program's.
-  std::optional<double> metres_per_unit;       ///< Likewise.
-  int levels = 0;  ///< Of detail beside the whole: each a quarter as many triangles.
+  const exchange::Program* program = nullptr;  ///< The target program.
+  std::optional<exchange::UpAxis> up;          ///< Overrides the program's up axis.
+  std::optional<double> metres_per_unit;       ///< Overrides the program's unit.
+  int levels = 0;  ///< Additional levels of detail, each with a quarter of the triangles.
 };
 
-/// The files that export_set writes, with all levels of detail that are asked for.
+/// The files that export_set writes, with all requested levels of detail.
 std::vector<std::filesystem::path> export_paths(const shot::Shot& shot,
                                                 const std::filesystem::path& folder,
                                                 const ExportOptions& options);
 
-/// Writes into `folder`, each file whole or not at all, where NAME is the shot's: NAME.glb or what
-/// else the program reads; a file NAME_VOLUME.vdb for each volume, and NAME_MEDIUM_medium.vdb of a
-/// cloud that is in a file (see export_volume.h); of cells NAME_CELLS_points and, where the scene
-/// asks for them, the grids of what they carry in NAME_CELLS_grids.vdb; levels of detail in
-/// NAME_lod1.glb and so on, in variants (USD), as many as are of use. The builder's shot is one of
-/// with_meshes.
+/// The written files and messages about them.
 struct ExportResult : exchange::WriteReport {
   std::vector<std::string>
-      levels;  ///< In sentences, how far each level is off, and which is the last.
+      levels;  ///< Sentences about the error of each level and the last useful level.
 };
+/// Writes these files into `folder`, each file completely or not at all; NAME is the shot's name:
+/// NAME.glb or the program's other formats; NAME_VOLUME.vdb for each volume; NAME_MEDIUM_medium.vdb
+/// for a cloud from a file (see export_volume.h); NAME_CELLS_points for cells and, if requested by
+/// the scene, the grids of their attributes in NAME_CELLS_grids.vdb; levels of detail in
+/// NAME_lod1.glb and so on, or as variants (USD), as many as are useful. The builder's shot must
+/// come from with_meshes.
 ExportResult export_set(building::Builder& builder, const std::filesystem::path& folder,
                         const ExportOptions& options);
 

@@ -1,4 +1,4 @@
-// Volumes as other programs look for them.
+// Converts volumes to the grids that other programs expect.
 #pragma once
 
 #include <vug/building/builder.h>
@@ -12,19 +12,18 @@ namespace vug::delivery {
 
 /// The grids of one file.
 struct ExportVolume {
-  std::string name;                      ///< Of the volume or the medium.
-  std::vector<volume::Grid> grids;       ///< In metres, y up.
-  std::optional<exchange::Medium> medium;  ///< What they mean, where a medium says it.
+  std::string name;                        ///< Name of the volume or the medium.
+  std::vector<volume::Grid> grids;         ///< In metres, y up.
+  std::optional<exchange::Medium> medium;  ///< Interpretation of the grids, if there is a medium.
 };
 
-/// A level set as `surface` (`air` of one that the scene calls air), a fog as `density`; of the fog
-/// that a cloud of the scene stands on, `color`, `temperature` and `flame` as well, where these
-/// vary. Error(too_large).
+/// A level set as `surface` (as `air` if the scene calls it air), a fog as `density`. The fog of a
+/// cloud also gets `color`, `temperature` and `flame` if these vary. Error(too_large).
 ExportVolume export_volume(building::Builder& builder, const shot::VolumePtr& plan);
 
-/// Whether the scene's medium has grids of its own, of a file.
+/// Whether the scene's medium has its own grids, from a file.
 bool has_own_grids(const shot::Shot& shot);
-/// That medium: `density` and the others. Error(bad_input) where its file cannot be read.
+/// The grids of that medium: `density` and the others. Error(bad_input) if its file cannot be read.
 ExportVolume export_medium(building::Builder& builder);
 
 }  // namespace vug::delivery

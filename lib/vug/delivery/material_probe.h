@@ -1,4 +1,4 @@
-// What an object's material says of places on its mesh, seen from outside.
+// Evaluates an object's material at points of its mesh, viewed from outside.
 #pragma once
 
 #include <vug/exchange/look.h>
@@ -9,14 +9,15 @@
 
 namespace vug::delivery {
 
-/// Keeps the object, which it is made of, by reference.
+/// Stores a reference to the object, which must outlive it.
 class MaterialProbe {
  public:
   explicit MaterialProbe(const render::Object& object);
 
-  /// At a vertex; its opacity is 1 where the material has no holes.
+  /// The look at a vertex; the opacity is 1 if the material has no opacity mask.
   exchange::Look at(size_t vertex) const;
-  /// On a triangle: `u` and `v` are the shares of its second and third corner.
+  /// The opacity on a triangle; `u` and `v` are the barycentric coordinates of its second and third
+  /// corners.
   double opacity(size_t triangle, float u, float v) const;
 
  private:
@@ -28,10 +29,10 @@ class MaterialProbe {
 
   const render::Object& object_;
   const mesh::Mesh& mesh_;
-  std::vector<uint32_t> corners_;  ///< A triangle of each vertex, as triangle * 3 + corner.
-  std::vector<Vec3f> normals_;     ///< Where the mesh has none.
+  std::vector<uint32_t> corners_;  ///< A corner of each vertex, as triangle * 3 + corner.
+  std::vector<Vec3f> normals_;     ///< Vertex normals if the mesh has none.
   const mesh::Attribute* color_;
-  const render::InstanceTransform* instance_ = nullptr;  ///< That the look depends on.
+  const render::InstanceTransform* instance_ = nullptr;  ///< Set for world-space materials.
 };
 
 }  // namespace vug::delivery

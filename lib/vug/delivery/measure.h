@@ -1,4 +1,4 @@
-// The metrics of what a scene builds, or of a file.
+// Metrics of the meshes of a scene or of a file.
 #pragma once
 
 #include <vug/building/builder.h>
@@ -8,9 +8,9 @@
 
 namespace vug::delivery {
 
-/// Measures one mesh of the shot: the named one, else the first. Cells are counted on the
-/// volume's own lattice; productions are those of all of the shot's grammars.
-/// Error(bad_input) when the shot has no such mesh.
+/// Measures one mesh of the shot: the named one, else the first. Volume cells are counted on the
+/// volume's own lattice; productions are those of all grammars of the shot. Error(bad_input) if the
+/// shot has no such mesh.
 metrics::Report measure(building::Builder& builder, const std::string& mesh = {});
 
 /// Measures a mesh file, or the surface of a level set in a .vdb file.

@@ -1,4 +1,4 @@
-// What a file was made of, from the file itself.
+// Reads from a file the recipe with which it was made.
 #pragma once
 
 #include <filesystem>
@@ -7,18 +7,19 @@
 
 namespace vug::delivery {
 
+/// The scene text and arguments that reproduce a file.
 struct Recipe {
-  std::string scene;                   ///< A scene text that makes the same again ...
-  std::vector<std::string> arguments;  ///< ... with these, as "--frame 12", that no text can say.
-  std::string version;                 ///< Of the Vug that made the file; may be empty.
+  std::string scene;                   ///< Scene text that reproduces the file ...
+  std::vector<std::string> arguments;  ///< ... with arguments such as "--frame 12".
+  std::string version;                 ///< Version of Vug that made the file; may be empty.
 };
 
-/// Of a .vdb, mesh, scene of another program, picture, part of a picture or checkpoint. Overrides
-/// and seed, which files keep apart, stand in the text again. Error(bad_input) for a file that
-/// tells no recipe.
+/// The recipe of a .vdb file, mesh, exported scene, picture, partial render or checkpoint.
+/// Overrides and seed, which files store separately, are inserted into the text. Error(bad_input)
+/// for a file without a recipe.
 Recipe read_recipe(const std::filesystem::path& file);
 
-/// The same of the text that files keep.
+/// The recipe in the text that files store.
 Recipe parse_recipe(const std::string& kept);
 
 }  // namespace vug::delivery

@@ -1,4 +1,4 @@
-// Attributes that are asked for by a name that nobody brings.
+// Checks the names of attributes that masks, paints and AOVs read.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -7,9 +7,9 @@
 
 namespace vug::loading {
 
-/// Warns of each `attribute(name: "stian")` that no mesh of the scene carries, unless it says what
-/// holds `otherwise`. Texts that are included may be made for other scenes, too: of theirs only
-/// what is nearly the name of one that is there.
+/// Warns about each `attribute(name: "stian")` that no mesh of the scene provides, unless it has a
+/// default `otherwise`. Included texts may serve other scenes as well: there, only names similar to
+/// an existing attribute are reported.
 void check_attributes(const scene::Document& document, const shot::Shot& shot,
                       Diagnostics& diagnostics);
 

@@ -1,4 +1,4 @@
-// Everything a scene can say, as data: for `vug list`, the manual and tests.
+// The catalogue of all kinds and their parameters as data, for `vug list`, the manual and tests.
 #pragma once
 
 #include <vug/base/schema.h>
@@ -7,18 +7,18 @@
 
 namespace vug::loading {
 
-/// Kinds of all families and declarations, by category, in the order of their lists.
-/// With a word: the kinds of that name, of that category and of the family that the word declares:
-/// "material" finds the declaration and all that can stand there.
+/// The kinds of all registries and declarations, by category, in the order of their lists. With a
+/// word: the kinds of that name, of that category and of the registry of that type: "material"
+/// finds the declaration and all materials.
 std::vector<const KindInfo*> find_kinds(const std::string& word = {});
-/// Names, categories and families, for suggestions.
+/// Names, categories and product types, for suggestions.
 std::vector<std::string> kind_words();
 
-/// "number (angle), above 0, at most 170deg, default 60deg": type, range and default of a
-/// parameter.
+/// Type, range and default of a parameter, such as "number (angle), above 0, at most 170deg,
+/// default 60deg".
 std::string describe(const ParamInfo& param);
 
-/// Bounds are numbers in the parameter's `unit`; defaults are scene text.
+/// The kinds as JSON. Bounds are numbers in the parameter's `unit`; defaults are scene text.
 nlohmann::ordered_json catalogue_json(const std::vector<const KindInfo*>& kinds);
 
 }  // namespace vug::loading

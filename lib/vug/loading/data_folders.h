@@ -1,4 +1,4 @@
-// Where scenes find libraries that come with us.
+// Folders of the scene libraries that are installed with Vug.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace vug::loading {
 
-/// For LoadOptions::include_folders: that of $VUG_DATA, then those of the sources and of the
-/// installation, as far as they are there.
+/// Folders for LoadOptions::include_folders: $VUG_DATA, then the data folders of the source tree
+/// and of the installation, if they exist.
 std::vector<std::filesystem::path> data_folders();
 
 }  // namespace vug::loading

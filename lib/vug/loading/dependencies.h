@@ -1,4 +1,4 @@
-// The files that a scene reads.
+// The files on which a scene depends.
 #pragma once
 
 #include <vug/loading/load.h>
@@ -8,10 +8,10 @@
 
 namespace vug::loading {
 
-/// The scene's texts as far as they are files (what -D sets is none), and every file that a text in
-/// quotes names, beside the text it stands in: meshes, grids, pictures; each once. Read from the
-/// words, so it holds for scenes with faults, too, and for files that only another camera would
-/// need; a name that is no file does not count.
+/// The source files of the scene and every existing file named by a quoted string, relative to the
+/// file that contains the string: meshes, grids, pictures; each once. Overrides by -D are not
+/// files. The result comes from the tokens, so it is valid for scenes with faults and includes
+/// files that only another camera needs.
 std::vector<std::filesystem::path> file_dependencies(const Loaded& scene);
 
 }  // namespace vug::loading

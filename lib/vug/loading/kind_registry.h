@@ -1,5 +1,5 @@
-// The families of kinds a scene can call, with their product types erased: what the resolver and
-// `vug list` loop over.
+// The registries of all kinds that a scene can call, with type-erased products, for the resolver
+// and `vug list`.
 #pragma once
 
 #include <vug/base/kind.h>
@@ -11,12 +11,13 @@
 
 namespace vug::loading {
 
+/// A kind with a type-erased product.
 struct RegisteredKind {
   const KindInfo* info = nullptr;
   std::function<std::optional<Value>(const Arguments&, const SourceLocation&, Diagnostics&)> make;
 };
 
-/// The kind, of whatever product; it must outlive what is given.
+/// Erases the product type of a kind, which must outlive the result.
 template <class Product>
 RegisteredKind registered_kind(const Kind<Product>& kind) {
   return {&kind.info,
@@ -28,7 +29,7 @@ RegisteredKind registered_kind(const Kind<Product>& kind) {
           }};
 }
 
-/// All kinds whose product is of one type.
+/// All kinds whose product has one type.
 struct KindRegistry {
   std::string type;  ///< "field", "light", ...
   std::vector<RegisteredKind> kinds;
@@ -36,12 +37,12 @@ struct KindRegistry {
   const RegisteredKind* find(const std::string& name) const;
 };
 
-/// Whether the kind's parameter has the word among its choices.
+/// Whether `word` is one of the choices of the kind's parameter.
 bool has_choice(const KindInfo& kind, const std::string& parameter, const std::string& word);
 
-/// Every family there is, with the kinds of plugins that were loaded before it is first asked for.
+/// All registries, with the kinds of plugins that were loaded before the first call.
 const std::vector<KindRegistry>& kind_registries();
-/// The family of a product type; null when there is none.
+/// The registry of a product type; null if there is none.
 const KindRegistry* find_registry(const std::string& type);
 
 }  // namespace vug::loading

@@ -1,4 +1,4 @@
-// From a scene file to a shot.
+// Loads a scene file and evaluates it to a shot.
 #pragma once
 
 #include <vug/scene/document.h>
@@ -9,40 +9,41 @@
 
 namespace vug::loading {
 
-/// What a text declares that is the same in every frame, by kind and name.
+/// The declarations that do not depend on the frame, by kind and name.
 struct StaticCache {
   struct Entry {
     Value value;
-    shot::Shot shot;                    ///< What the declaration adds to it.
-    std::optional<Digest> text_digest;  ///< Shot::texts with those that it takes in.
+    shot::Shot shot;                    ///< The additions of the declaration.
+    std::optional<Digest> text_digest;  ///< Shot::text_digest after the declaration, if it changed.
   };
   std::map<std::pair<std::string, std::string>, Entry> declarations;
 };
 
 struct LoadOptions {
-  std::vector<scene::Override> overrides;               ///< -D NAME=VALUE, in order.
-  std::optional<uint64_t> seed;                         ///< Instead of the scene's.
-  std::vector<std::filesystem::path> include_folders;   ///< After the scene's own folder.
-  std::vector<std::filesystem::path> enclosing_scenes;  ///< Scenes that place this one.
-  double frame = 1;                                     ///< The moment to show.
-  /// Bytes of a word that an L-system grows while the scene is read; 0: what the machine can give.
+  std::vector<scene::Override> overrides;              ///< -D NAME=VALUE, in order.
+  std::optional<uint64_t> seed;                        ///< Overrides the scene's seed.
+  std::vector<std::filesystem::path> include_folders;  ///< Searched after the scene's own folder.
+  std::vector<std::filesystem::path>
+      enclosing_scenes;  ///< The chain of scenes that place this one.
+  double frame = 1;      ///< The frame to evaluate.
+  /// Memory limit in bytes for the word of an L-system; 0: the machine's free memory.
   uint64_t max_memory = 0;
-  /// Of the same text, overrides and seed: what stands still is taken from here, as the very same
-  /// objects, and what is found to do so goes there. May be null.
+  /// Cache of static declarations for the same text, overrides and seed. Cached values are reused
+  /// as the identical objects, and new static values are added. May be null.
   StaticCache* static_cache = nullptr;
 };
 
-/// A parameter of a scene, as data for whoever shows or changes it.
+/// A parameter of a scene, for programs that display or change it.
 struct Parameter {
   std::string name;
-  Value value;      ///< Of this run.
-  Value fallback;   ///< Without overrides.
-  Value low, high;  ///< Both ends of its range; empty without one.
+  Value value;      ///< Value in this run.
+  Value fallback;   ///< Default without overrides.
+  Value low, high;  ///< Limits of its range; empty without a range.
   std::string doc;
-  SourceLocation where;  ///< Its name in the text.
+  SourceLocation where;  ///< Location of the name in the text.
 };
 
-/// A loaded scene. When `diagnostics` has errors the shot is incomplete and must not be used.
+/// A loaded scene. If `diagnostics` has errors, the shot is incomplete and must not be used.
 struct Loaded {
   shot::Shot shot;
   Diagnostics diagnostics;
@@ -50,16 +51,16 @@ struct Loaded {
   std::vector<Parameter> parameters;  ///< In the order of the text.
 
   bool usable() const { return !diagnostics.has_errors(); }
-  /// The diagnostics with their lines and carets, as `vug check` prints them.
+  /// The diagnostics with source lines and carets, as printed by `vug check`.
   std::string report() const { return report(diagnostics); }
-  /// Others in the same way, as of what shows while the scene is built.
+  /// Formats other diagnostics in the same way, for instance warnings of the Builder.
   std::string report(const Diagnostics& others) const;
 };
 
-/// Reads, parses and evaluates the whole scene; derives its grammars. All faults of the text are
-/// collected. Error(bad_input) only when the file cannot be read at all.
+/// Reads, parses and evaluates the whole scene, and derives its grammars. All faults of the text
+/// are collected in `diagnostics`. Error(bad_input) only if the file cannot be read.
 Loaded load(const std::filesystem::path& file, const LoadOptions& options = {});
-/// The same from text; `file` names it in messages and is where relative paths start.
+/// Loads a scene from text. `file` is its name in messages and the base of relative paths.
 Loaded load_text(std::string text, const std::string& file, const LoadOptions& options = {});
 
 }  // namespace vug::loading

@@ -1,17 +1,16 @@
-// The ways out of an L-system's drawing into a scene: stems as a field, places of its things.
+// Kinds of fields that are made from the drawing of an L-system, such as stems.
 #pragma once
 
 #include <vug/field/kind.h>
 
 namespace vug::loading {
 
-/// Fields that are made of drawings; they join the family of field kinds. Made from the list in
-/// CMakeLists.txt.
+/// The kinds listed in CMakeLists.txt; they belong to the registry of fields.
 const Kinds<field::Field>& plant_kinds();
 
 using PlantKind = field::FieldKind;
 
-/// Opens the one function that the file of such a kind exports.
+/// Begins the definition of the function that the source of such a kind exports.
 #define VUG_PLANT_KIND(name) VUG_EXPORT_KIND(vug::loading, PlantKind, name##_plant)
 
 }  // namespace vug::loading

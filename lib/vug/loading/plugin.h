@@ -1,12 +1,12 @@
-// What a plugin is made with: a shared library whose kinds a scene can use like those that come
-// with us. It is written in C++ against the headers of the Vug it is for, and entered through two
-// functions of C, so that one that does not fit is refused before anything of it is used:
+// Interface of plugins: shared libraries whose kinds a scene can use like the built-in ones. A
+// plugin is compiled against the headers of one version of Vug and entered through two C functions,
+// so that an incompatible plugin is rejected before any of its code is used:
 //
 //   #include <vug/loading/plugin.h>
 //   VUG_FIELD_KIND(lens) { return primitive_kind<Lens>("lens"); }   // as in field/primitives/
 //   VUG_PLUGIN(kinds) { kinds.add(vug::field::lens_kind()); }
 //
-// docs/guides/plugins.md shows how one is built, and where it is looked for.
+// docs/guides/plugins.md describes how to build plugins and where Vug searches for them.
 #pragma once
 
 #include <vug/cells/rule.h>
@@ -16,46 +16,47 @@
 #include <string>
 #include <vector>
 
-/// Counts up whenever plugins have to be written differently.
+/// Incremented whenever the source of plugins has to change.
 #define VUG_PLUGIN_INTERFACE "1"
 
 namespace vug::loading {
 
-/// What a plugin has to be made for. The version counts, too: classes are shared.
+/// The interface that a plugin must have been compiled for. It includes the version, since classes
+/// are shared.
 inline constexpr const char* kPluginInterface = "interface " VUG_PLUGIN_INTERFACE " of vug "
 #include <vug/loading/version.inc>
     ;
 
-/// Takes the kinds that a plugin brings; they must live as long as the process.
+/// Receives the kinds of a plugin, which must live as long as the process.
 class PluginKinds {
  public:
   virtual ~PluginKinds() = default;
 
-  /// Any family's: a field, a mask, a material, a light, ...
+  /// Adds a kind of any registry: a field, a mask, a material, a light, ...
   template <class Product>
   void add(const Kind<Product>& kind) {
     add_kind(ValueTraits<Product>::type(), registered_kind(kind));
   }
-  /// A rule of cells.
+  /// Adds a cell rule.
   virtual void add(const cells::RuleKind& rule) = 0;
 
  protected:
   virtual void add_kind(const std::string& type, RegisteredKind kind) = 0;
 };
 
-/// Loads a plugin, for the rest of the process; a second time there is nothing to do.
-/// Error(bad_input): no plugin, one that is made for another interface, kinds that are there
-/// already; also after the first scene was read or the kinds were asked for.
+/// Loads a plugin for the rest of the process; further calls have no effect. Error(bad_input): the
+/// file is not a plugin or has another interface, its kinds already exist, or kinds are already in
+/// use (load plugins before the first scene).
 void load_plugin(const std::filesystem::path& file);
 
-/// The plugins in the folders of $VUG_PLUGIN_PATH, which stand between colons: all files that end
-/// in .so, folder by folder and in each by name.
+/// The plugins in the folders of $VUG_PLUGIN_PATH, which are separated by colons: all .so files,
+/// folder by folder, sorted by name in each.
 std::vector<std::filesystem::path> plugins_in_path();
 
 }  // namespace vug::loading
 
-/// Opens the one definition that a plugin exports beside its interface; `kinds` is a PluginKinds.
-// NOLINTBEGIN(bugprone-macro-parentheses): it names a parameter
+/// Begins the definition of the function that a plugin exports; `kinds` is a PluginKinds.
+// NOLINTBEGIN(bugprone-macro-parentheses): the macro argument names a parameter
 #define VUG_PLUGIN(kinds)                                                                \
   extern "C" __attribute__((visibility("default"))) const char* vug_plugin_interface() { \
     return vug::loading::kPluginInterface;                                               \

@@ -1,4 +1,4 @@
-// Inside session/ only: kinds that join their families later than those that come with us.
+// Inside loading only: adds the kinds of plugins to the registries.
 #pragma once
 
 #include <vug/loading/kind_registry.h>
@@ -9,9 +9,9 @@
 
 namespace vug::loading {
 
-/// Adds kinds to the families of these types, all or none. Error(bad_input) with what comes after
-/// "the plugin ...": there is no such family, a kind of that name is in one of its own already, or
-/// the families were asked for before.
+/// Adds kinds to the registries of the given product types, all or none. Error(bad_input), with a
+/// message that continues "the plugin ...": there is no such registry, it contains a kind of that
+/// name, or the registries are already in use.
 void add_kinds(const std::vector<std::pair<std::string, RegisteredKind>>& kinds);
 
 }  // namespace vug::loading

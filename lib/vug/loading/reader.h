@@ -1,4 +1,4 @@
-// What a kind of declaration is read with: one file a kind in declarations/.
+// Interface of the readers of declarations; each kind has one file in declarations/.
 #pragma once
 
 #include <vug/loading/load.h>
@@ -7,7 +7,7 @@
 
 namespace vug::loading {
 
-/// Everything a declaration's reader may use and add to.
+/// The data that the reader of a declaration uses and extends.
 struct ReadContext {
   const scene::Document& document;
   scene::Evaluator& evaluator;
@@ -15,38 +15,38 @@ struct ReadContext {
   Diagnostics& diagnostics;
   shot::Shot& shot;
   const LoadOptions& options;
-  const std::filesystem::path& file;  ///< Of the scene's text.
+  const std::filesystem::path& file;  ///< The scene file.
 };
 
-/// A word that opens a declaration. `read` makes its value, which other expressions see under the
-/// declaration's name, and adds what the shot needs. `info.params` are the keys of its block.
+/// A keyword that begins a declaration. `read` returns its value, which other expressions use under
+/// the declaration's name, and extends the shot. `info.params` are the keys of its block.
 struct DeclarationKind {
   KindInfo info;
   std::function<Value(const scene::Declaration&, ReadContext&)> read;
-  std::string stands_on = {};  ///< What follows `on`: "volume", "mesh"; empty: there is no `on`.
-  bool on_several = false;     ///< More of them may follow after commas.
+  std::string stands_on = {};  ///< Type after `on`: "volume", "mesh"; empty: no `on`.
+  bool on_several = false;     ///< Whether `on` takes several, separated by commas.
 };
 
 const std::vector<const DeclarationKind*>& declaration_kinds();
 
-/// Info of a declaration whose value is a kind of a family (see read_kind_declaration): its keys
-/// are `kind` and, where there is a kind without being asked for one, the parameters of that.
+/// The info of a declaration whose value is a kind of a registry (see read_kind_declaration). Its
+/// keys are `kind` and the parameters of the default kind, if there is one.
 KindInfo kind_declaration_info(const std::string& name, const std::string& doc,
                                const std::string& type, const std::string& fallback);
 
-/// Whether the entry of that key has the word among its choices.
+/// Whether `word` is one of the choices of the entry `key`.
 using IsChoice = std::function<bool(const std::string& key, const std::string& word)>;
 
-/// The entries of a block as arguments: one value stands for itself, several for a list. A choice
-/// stands for itself whatever the text declares under its name. Entries with faults have no value;
-/// one without name and value stands for those that are lost.
+/// The entries of a block as arguments; several values become a list. The word of a choice always
+/// means the choice, even if the text declares something of that name. Entries with faults have no
+/// value; an argument without name and value stands for entries that could not be parsed.
 Arguments block_arguments(const scene::Declaration& declaration, const IsChoice& is_choice,
                           ReadContext& context);
 
-/// Whether the declaration is written with a block and not, with a diagnostic, with '='.
+/// Whether the declaration has a block; reports an error if it is written with '='.
 bool has_block(const scene::Declaration& declaration, ReadContext& context);
 
-/// Arguments of a block bound to a schema; nothing, with diagnostics, when they do not fit.
+/// Binds the arguments of a block to a schema; nothing, with diagnostics, if they do not fit.
 template <class P>
 std::optional<P> bind_block(const Schema<P>& schema, const Arguments& arguments,
                             const scene::Declaration& declaration, ReadContext& context) {
@@ -58,8 +58,8 @@ std::optional<P> bind_block(const Schema<P>& schema, const Arguments& arguments,
   return valid.complete ? params : std::nullopt;
 }
 
-/// The block bound to a schema; nothing (with diagnostics) when it does not fit or when the
-/// declaration is written with '='.
+/// Binds the block to a schema; nothing, with diagnostics, if it does not fit or if the declaration
+/// is written with '='.
 template <class P>
 std::optional<P> read_block(const Schema<P>& schema, const scene::Declaration& declaration,
                             ReadContext& context) {
@@ -70,31 +70,31 @@ std::optional<P> read_block(const Schema<P>& schema, const scene::Declaration& d
   return bind_block(schema, block_arguments(declaration, is_choice, context), declaration, context);
 }
 
-/// A kind of the family as an expression names it, `voronoi` or `crack(color: ...)`, whatever the
-/// text declares under that name; else the expression's value. Empty, with a diagnostic, where a
-/// name is nothing.
+/// The kind that an expression such as `voronoi` or `crack(color: ...)` names, even if the text
+/// declares something of that name; else the value of the expression. Empty, with a diagnostic, for
+/// unknown names.
 Value kind_value(const KindRegistry& registry, const scene::Expr& expr, RandomKey key,
                  ReadContext& context);
 
-/// A declaration whose value is a kind of one family: `light key = rect(...)`, or in block form
-/// `camera main { kind orthographic  eye ... }` with `fallback` as the kind where none is given.
+/// Reads a declaration whose value is a kind of one registry: `light key = rect(...)`, or in block
+/// form `camera main { kind orthographic  eye ... }`, with `fallback` as the default kind.
 Value read_kind_declaration(const std::string& type, const std::string& fallback,
                             const scene::Declaration& declaration, ReadContext& context);
 
-/// What one of those after `on` is, the first of them number 0; a bare name means what `kind`
-/// declares under it, if that is something.
+/// The value of target `number` after `on`, counted from 0. A bare name refers to the declaration
+/// of `kind` with that name, if there is one.
 Value target_value(const std::string& kind, const scene::Declaration& declaration, size_t number,
                    ReadContext& context);
 
-/// A diagnostic where a block that stands on a `kind` says nothing of it.
+/// Reports that a declaration lacks its `on` with a `kind`.
 void report_no_target(const std::string& kind, const scene::Declaration& declaration,
                       ReadContext& context);
 
-/// All that stands after `on`, as Ts; empty with a diagnostic that names the expected type.
+/// All targets after `on`, converted to T; empty, with a diagnostic, for a value of another type.
 template <class T>
 std::vector<T> read_targets(const scene::Declaration& declaration, ReadContext& context,
                             const std::string& kind = ValueTraits<T>::type()) {
-  if (declaration.value) return {};  // read_block has told that a block is needed
+  if (declaration.value) return {};  // read_block reports the missing block
   if (!declaration.target) {
     report_no_target(kind, declaration, context);
     return {};
@@ -117,7 +117,7 @@ std::vector<T> read_targets(const scene::Declaration& declaration, ReadContext& 
   return all.size() == count ? all : std::vector<T>();
 }
 
-/// The one thing that stands after `on`; null with a diagnostic.
+/// The single target after `on`; null with a diagnostic.
 template <class T>
 T read_target(const scene::Declaration& declaration, ReadContext& context) {
   const std::vector<T> all = read_targets<T>(declaration, context);

@@ -1,4 +1,4 @@
-// The resolver that knows every kind and every declaration of a document.
+// The resolver of all kinds and all declarations of a document.
 #pragma once
 
 #include <vug/loading/kind_registry.h>
@@ -12,12 +12,13 @@
 
 namespace vug::loading {
 
-/// What a maker can be asked of arguments some of which have no value, because of faults that have
-/// been told: those with a value whose parameter is sure.
+/// The usable arguments of a call. Arguments without a value, due to faults that have been
+/// reported, are removed, as are positional ones whose parameter is therefore unknown.
 struct ValidArguments {
   explicit ValidArguments(const Arguments& given);
-  /// What a maker found of them. When they are not whole, what it says of its own place (that
-  /// something is missing or does not fit together) is not known.
+  /// Passes on the diagnostics of a factory. If arguments were removed, diagnostics at `where`
+  /// itself (something is missing or does not fit together) are dropped, as they may be
+  /// consequences.
   void report(const Diagnostics& found, const SourceLocation& where,
               Diagnostics& diagnostics) const;
 
@@ -27,23 +28,23 @@ struct ValidArguments {
 
 class Resolver final : public scene::Resolver {
  public:
-  /// Makes the value of a declared name, once, when it is first needed.
+  /// Computes the value of a declaration; called once, when the value is first needed.
   using Factory = std::function<Value()>;
 
-  /// Announces a declared object. Kinds have rooms of names of their own (the parser checks).
+  /// Registers a declaration. Each kind has its own namespace; the parser checks for duplicates.
   void declare(const std::string& kind, const std::string& name, Factory factory);
 
-  /// What that kind declares under the name; nothing when it declares none.
+  /// The declaration of that kind and name; nothing if there is none.
   std::optional<Value> declared(const std::string& kind, const std::string& name,
                                 const SourceLocation& where, Diagnostics& diagnostics);
 
-  /// A call of a kind of one family, where a declaration says which family it wants: names such
-  /// as `sphere` stand for a solid and for a light.
+  /// Calls a kind of one registry, for declarations that determine the registry: a name such as
+  /// `sphere` is both a solid and a light.
   std::optional<Value> make(const KindRegistry& registry, const std::string& name,
                             const Arguments& arguments, const SourceLocation& where,
                             Diagnostics& diagnostics);
 
-  /// Of several kinds that declare the name, the first; inside of its declaration, the next.
+  /// The value of the first declaration of that name; inside that declaration, of the next one.
   std::optional<Value> name(const std::string& name, const SourceLocation& where,
                             Diagnostics& diagnostics) override;
   std::optional<Value> call(const std::string& name, const Arguments& arguments,
@@ -61,7 +62,7 @@ class Resolver final : public scene::Resolver {
  private:
   struct Entry {
     std::string kind;
-    std::vector<Factory> factories;  ///< More than one is a fault, and then there is no value.
+    std::vector<Factory> factories;  ///< More than one is an error, without a value.
     Value value;
     bool evaluated = false;
     bool pending = false;
@@ -70,8 +71,8 @@ class Resolver final : public scene::Resolver {
   Value value(Entry& entry, const std::string& name, const SourceLocation& where,
               Diagnostics& diagnostics);
 
-  std::map<std::string, std::vector<Entry>> entries_;  ///< In the order of the text.
-  int pending_ = 0;  ///< Entries that are being made: each is made for the one before.
+  std::map<std::string, std::vector<Entry>> entries_;  ///< Per name in the order of the text.
+  int pending_ = 0;  ///< Nesting depth of the entries being evaluated.
 };
 
 }  // namespace vug::loading

@@ -1,4 +1,4 @@
-// Faults of a shot that a picture would meet, as far as they show before anything is built.
+// Validates a shot for rendering before anything is built.
 #pragma once
 
 #include <vug/base/diagnostics.h>
@@ -10,23 +10,24 @@
 
 namespace vug::loading {
 
-/// Whether a light can be linked to that name: it is an object that shows, or a place, or something
-/// in one ("PLACE/OBJECT"). How many a place has is not known yet; any number is taken to be there.
+/// Whether a light can be linked to that name: a shown object, a `place`, or an object in a placed
+/// scene ("PLACE/OBJECT"). The number of instances is not known yet; any index is accepted.
 bool is_linkable(const shot::Shot& shot, const std::string& name);
 
-/// No object, place or light: then there is no picture. A text for others to include may be so.
+/// Whether the shot has no object, `place` or light, as a text written for inclusion; it cannot be
+/// rendered.
 bool is_empty_scene(const shot::Shot& shot);
 
-/// The layers of a picture of the plan, with its lights' groups; any attribute of a mesh is taken
-/// to be there. Error(bad_input) at the plan's name.
+/// The AOVs of the plan, with those of all light groups; attributes of meshes are assumed to exist.
+/// Error(bad_input), located at the plan's name.
 render::AovPlan expected_aovs(const shot::Shot& shot, const shot::RenderPlan& plan);
 
-/// Error(bad_input) at the plan's name for a crop that lies outside, a deep picture down to a
-/// noise, layers that there are none of.
+/// Error(bad_input), located at the plan's name, for a crop outside the picture, a deep picture
+/// with a noise threshold, and unknown AOVs.
 void require_valid(const shot::Shot& shot, const shot::RenderPlan& plan);
 
-/// All such faults, at what declares them. Says nothing of what may be missing only because of a
-/// fault that was told already.
+/// Reports all such faults at their declarations. Names that may be missing only because of a fault
+/// that has already been reported are ignored.
 void validate(const shot::Shot& shot, const scene::Document& document, Diagnostics& diagnostics);
 
 }  // namespace vug::loading

@@ -1,4 +1,4 @@
-// Pictures of a scene that moves: which frames, and under which names.
+// Frame ranges and file names of image sequences.
 #pragma once
 
 #include <vug/picture/picture.h>
@@ -9,19 +9,19 @@
 
 namespace vug::picture {
 
-/// The frames of "7", "1..24" (24 included), "1..24x2" (every second) or several of these with
-/// commas, in this order, each once. Error(bad_input) for anything else and beyond 100,000 frames.
+/// Parses "7", "1..24" (24 included), "1..24x2" (every second frame), or several of these separated
+/// by commas, in this order. Error(bad_input) for other texts, repeated frames, and more than
+/// 100,000 frames.
 std::vector<int> parse_frames(const std::string& text);
 
-/// The path with the frame's number in place of a row of # (as many digits at least) or of %d or
-/// %04d, of which its file name has exactly one; Error(bad_input) otherwise.
+/// The path with the frame number in place of a run of # (the minimum number of digits), %d or
+/// %04d. Error(bad_input) unless the file name contains exactly one of these.
 std::filesystem::path frame_path(const std::filesystem::path& pattern, int frame);
-/// Whether the path says where the frame's number goes; else all frames share the file.
+/// Whether the path has a place for the frame number; else all frames share the file.
 bool has_frame_number(const std::filesystem::path& pattern);
 
-/// Whether `exr` and the PNG beside it are the picture that the shot and the options would give,
-/// as far as its header tells: made of the same texts with the same settings by this version. False
-/// for what is missing or no picture.
+/// Whether `exr` and the PNG next to it are, according to their header, the picture of the shot and
+/// the options: the same texts, settings and version. False for missing files and for other files.
 bool is_finished(const std::filesystem::path& exr, const shot::Shot& shot,
                  const PictureOptions& options);
 

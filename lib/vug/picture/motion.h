@@ -1,22 +1,22 @@
-// What moves while the shutter is open, and from frame to frame.
+// Motion while the shutter is open, and from frame to frame.
 #pragma once
 
 #include <vug/picture/picture.h>
 
 namespace vug::picture {
 
-/// The shot while the shutter of the plan's camera is open, by PictureOptions::moment; none where
-/// it is closed or nothing moves.
+/// The shot at times while the shutter of the plan's camera is open, from
+/// PictureOptions::shot_at_frame; empty if the shutter is closed or the scene is static.
 building::TimeSamples shutter_samples(const shot::Shot& shot, const PictureOptions& options,
                                       const shot::RenderPlan& plan);
 
-/// The plan's camera as it goes through the moments; as it is where it stands still.
+/// The plan's camera across the time samples; the camera itself if it is static.
 render::CameraPtr animated_camera(const building::TimeSamples& time_samples,
                                   const PictureOptions& options, const shot::RenderPlan& plan);
 
-/// The scene from its frame to the next, for the layer `motion`; null where nothing moves. The
-/// plan's camera is that of the frame, before `animated_camera`.
+/// The motion from the frame to the next one, for the AOV `motion`; null if the scene is static.
+/// The plan's camera must be that of the frame, before `animated_camera`.
 render::MotionStepPtr motion_step(building::Builder& builder, const PictureOptions& options,
-                                const shot::RenderPlan& plan);
+                                  const shot::RenderPlan& plan);
 
 }  // namespace vug::picture

@@ -1,4 +1,4 @@
-// Pictures that take long: checkpoints, previews, and parts for a farm.
+// Rendering with checkpoints, previews and partial renders for a farm.
 #pragma once
 
 #include <vug/picture/picture.h>
@@ -11,26 +11,28 @@ namespace vug::picture {
 
 struct RenderOptions {
   PictureOptions picture;
-  render::RenderSlice slice;                     ///< Which part; other than all of it only with `part`.
-  std::filesystem::path part;              ///< Where a part goes; empty: the picture is wanted.
-  std::filesystem::path checkpoint;        ///< Kept up to date while rendering; empty: none.
-  std::optional<double> checkpoint_every;  ///< Seconds; none: see render::RenderCallbacks::save_every.
-  bool resume = false;                     ///< Go on from the checkpoint if there is one.
-  std::filesystem::path preview;           ///< A PNG that shows the picture so far; empty: none.
-  /// Told before the rendering what it will take: seconds and bytes, about.
+  render::RenderSlice slice;         ///< The slice to render; a proper slice requires `part`.
+  std::filesystem::path part;        ///< File of the partial render; empty: render the picture.
+  std::filesystem::path checkpoint;  ///< Updated while rendering; empty: none.
+  std::optional<double>
+      checkpoint_every;  ///< Interval in seconds; default: see render::RenderCallbacks::save_every.
+  bool resume = false;   ///< Continue from the checkpoint if it exists.
+  std::filesystem::path preview;  ///< PNG of the picture so far; empty: none.
+  /// Called before the rendering with its approximate time in seconds and memory in bytes.
   std::function<void(double seconds, double bytes)> estimate = nullptr;
 };
 
+/// A rendered picture, or the header of a partial render.
 struct RenderResult {
-  std::optional<image::Image> image;     ///< None when a part was written.
-  std::optional<image::DeepImage> deep;  ///< Where the plan asks for it.
+  std::optional<image::Image> image;     ///< None if a partial render was written.
+  std::optional<image::DeepImage> deep;  ///< Only if the plan requests it.
   render::PartialRenderHeader header;
-  SourceLocation where;  ///< The plan's name in the text.
+  SourceLocation where;  ///< Location of the plan's name in the text.
 };
 
-/// Builds what is needed and renders. A finished render removes its checkpoint only once
-/// `remove_checkpoint` is called, when its files are safe. Error(bad_input): a slice without a
-/// part; a checkpoint that is there without `resume`, or of another picture or slice.
+/// Builds the scene and renders it. Call `remove_checkpoint` after the files of a finished render
+/// have been written. Error(bad_input): a slice without `part`; a checkpoint that exists without
+/// `resume`, or that belongs to another picture or slice.
 RenderResult render_picture(building::Builder& builder, const RenderOptions& options);
 void remove_checkpoint(const RenderOptions& options);
 

@@ -1,4 +1,4 @@
-// The views that a picture is of: one, or those of both eyes.
+// Renders the views of a picture: one view, or both views of a stereo camera.
 #pragma once
 
 #include <vug/picture/render_job.h>
@@ -7,15 +7,15 @@
 
 namespace vug::picture {
 
-/// The picture, or both views of a camera for stereo, left and right. Error(bad_input) for two
-/// views with a checkpoint or in parts.
+/// Renders the picture, or the left and right views of a stereo camera. Error(bad_input) for two
+/// views with a checkpoint or as a partial render.
 std::vector<RenderResult> render_views(building::Builder& builder, const RenderOptions& options);
 
-/// Of those that are no parts: what writes them. They must outlive it.
+/// The views of all finished pictures, for write_picture; `rendered` must outlive them.
 std::vector<PictureView> picture_views(const std::vector<RenderResult>& rendered);
 
-/// Warns of a picture that is all but black or white at its exposure: a first picture of a scene
-/// often is, and its light not to be guessed.
+/// Warns about a picture that is nearly black or white at its exposure, as the first picture of a
+/// scene often is.
 void warn_of_exposure(const building::Builder& builder, const RenderResult& picture);
 
 }  // namespace vug::picture

@@ -1,4 +1,4 @@
-// Facades out of pictures: a photograph, or what a scanner saw, becomes a tree, and a scene.
+// Fits a facade grammar to a picture or a laser scan; the result is a tree and a scene.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -12,49 +12,49 @@
 
 namespace vug::session {
 
-/// Of a facade of which nothing tells it, metres.
+/// Width in metres of a facade of unknown size.
 constexpr double kDefaultWidth = 12;
 
 struct FacadeFitOptions {
-  std::filesystem::path grammar;  ///< Rules with free sizes.
-  std::string likelihood = "kt";  ///< Of fit::likelihood_kinds.
+  std::filesystem::path grammar;  ///< File of the rules, with free sizes.
+  std::string likelihood = "kt";  ///< One of fit::likelihood_kinds.
   fit::ClusterImageOptions clusters = {.depth_clusters = 5};
-  /// Trained looks: pictures of their limits are read by them, with the likelihood `supervised`.
+  /// Trained pixel classifier; if set, its class maps are used with the likelihood `supervised`.
   std::shared_ptr<const fit::PixelClassifier> looks;
   double trust = 0;  ///< See fit::ReadOptions; 0: 0.03 with depth, else its own.
-  /// Of the facade, metres. Of one that is 0 the picture's shape tells; of both the picture, else
-  /// kDefaultWidth.
+  /// Size of the facade in metres. If one is 0, it follows from the aspect ratio of the picture; if
+  /// both are 0, from the pixel size of the picture, else from kDefaultWidth.
   double width = 0, height = 0;
   fit::SamplerOptions sampler;
   uint64_t seed = 0;
 };
 
 struct FacadeFit {
-  facade::Tree tree;       ///< Metres. Windows are as deep as they were seen.
-  fit::FitResult reading;  ///< Pixels, and what the chains tell.
-  double reveal = 0;       ///< How deep windows lie behind the wall, metres; 0: no depth tells.
-  /// The class of each of the picture's pixels by looks and tree; none without looks.
+  facade::Tree tree;       ///< In metres; windows have the observed reveal.
+  fit::FitResult reading;  ///< In pixels, with the statistics of the chains.
+  double reveal = 0;       ///< Depth of windows behind the wall in metres; 0: unknown.
+  /// Class of each pixel from the classifier and the tree; empty without a classifier.
   std::vector<uint8_t> labels;
 };
 
-/// Width and height of the facade that the picture shows, metres. Error(bad_input) where nothing
-/// tells them and the shape of the picture is none that facades have.
+/// Width and height of the facade in the picture, in metres. Error(bad_input) if they are unknown
+/// and the aspect ratio of the picture is implausible for a facade.
 Vec2d facade_size(const FacadePicture& picture, const FacadeFitOptions& options);
 
-/// The tree that costs least of those that chains have seen. When the progress is cancelled it is
-/// the best so far. Error(bad_input) for grammars that cannot be fitted.
+/// The tree with the lowest cost among all states of the Markov chains, or the best so far if the
+/// progress is cancelled. Error(bad_input) for grammars that cannot be fitted.
 FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& options,
                      Progress& progress = Progress::none());
 
-/// How finely it is carved, metres.
+/// Voxel size in metres for carving the facade.
 double facade_voxel(const FacadeFit& fit);
 
 /// The text of a grammar of that name that derives to the facade.
 std::string facade_grammar(const FacadeFit& fit, const std::string& name);
 
-/// A scene that includes the file of that grammar, or has its text where `file` is empty, carves it
-/// out of a wall and looks at it. Its own names but `main`, `even` and `voxel` begin with the
-/// grammar's.
+/// A scene that includes the grammar's file, or contains its text if `file` is empty, carves the
+/// facade into a wall and renders it. All its names except `main`, `even` and `voxel` begin with
+/// the grammar's name.
 std::string facade_scene(const FacadeFit& fit, const std::string& name, const std::string& file);
 
 }  // namespace vug::session

@@ -1,4 +1,5 @@
-// Facades modelled by hand, where files come in: grammars that sessions name, and carved walls.
+// Files of facades modelled by hand: the grammars of modelling sessions, and scenes of carved
+// walls.
 #pragma once
 
 #include <vug/modeller/session.h>
@@ -7,29 +8,28 @@
 
 namespace vug::session {
 
-/// Finds a session's grammar: a relative name in the session's folder, else among the data that
-/// comes with us, in facades/ too. Lets of the grammar's text may hold whatever scenes know.
+/// A loader of session grammars. Relative names are searched in the session's folder, then in the
+/// installed data and its facades/ folder. The `let`s of the grammar may use all kinds of scenes.
 modeller::StyleLoader facade_style_loader(const std::filesystem::path& folder);
 
-/// As facade_style_loader finds it; without a folder only among the data. Error(bad_input) where
-/// there is none.
+/// The file that facade_style_loader finds; with an empty folder, only in the installed data.
+/// Error(bad_input) if there is none.
 std::filesystem::path find_grammar_file(const std::filesystem::path& folder,
                                         const std::string& file);
 
 struct CarvingOptions {
-  double voxel = 0.04;     ///< Metres.
-  double thickness = 0.6;  ///< Of the wall, metres.
-  std::string name = {};   ///< Of the grammar; empty: the tree's.
+  double voxel = 0.04;     ///< Voxel edge in metres.
+  double thickness = 0.6;  ///< Thickness of the wall in metres.
+  std::string name = {};   ///< Name of the grammar; empty: the tree's.
 };
 
-/// A scene of the volumes `stone`, a wall with the facade carved into it, and `panes`, what fills
-/// its openings (only where the wall's voxels are fine enough for their frames). What is carved is
-/// built from this text, so that its recipe tells the very sizes. Nodes that are open are plain
-/// wall.
+/// A scene with the volumes `stone`, a wall with the facade carved into it, and `panes`, the infill
+/// of its openings (only if the voxels of the wall are fine enough for frames). The carving is
+/// built from this text, so its recipe contains the exact sizes. Open nodes become plain wall.
 std::string carving_scene(const facade::Tree& tree, const CarvingOptions& options);
 
-/// The voxels of what fills openings, as an expression of the wall's: finer, as panes are sheets of
-/// 6 cm, but not so fine that they take longer than the wall.
+/// The voxel size of the infill as an expression of the wall's voxel size: finer, since panes are
+/// sheets of 6 cm, but not so fine that they take longer than the wall.
 std::string pane_voxel(const std::string& voxel);
 
 }  // namespace vug::session

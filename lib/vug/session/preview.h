@@ -1,4 +1,4 @@
-// A page that shows a scene to whoever has a browser.
+// A self-contained HTML page that displays a scene in a browser.
 #pragma once
 
 #include <vug/building/builder.h>
@@ -11,24 +11,25 @@
 namespace vug::session {
 
 struct PreviewOptions {
-  /// A page with the marks @VUG_TITLE@, @VUG_DATA@ and @VUG_MODEL@, once and in that order: see
-  /// plugins/preview.
+  /// HTML template with the marks @VUG_TITLE@, @VUG_DATA@ and @VUG_MODEL@, once each and in that
+  /// order; see plugins/preview.
   std::string page;
-  std::filesystem::path picture;  ///< A PNG or JPEG to show; empty: none, or one that is rendered.
-  bool render = false;            ///< Renders a small picture where there is none.
-  size_t max_triangles = 300000;  ///< Of the model; see exchange::coarser.
-  std::string mesh;               ///< Whose metrics are told; empty: the largest that is shown.
+  std::filesystem::path picture;  ///< PNG or JPEG to show; empty: none, or a rendered one.
+  bool render = false;            ///< Render a small picture if none is given.
+  size_t max_triangles = 300000;  ///< Limit for the model; see exchange::coarser.
+  std::string mesh;               ///< Mesh to measure; empty: the largest shown mesh.
 };
 
 struct Preview {
-  std::string page;                      ///< Whole, and needs no other file.
-  size_t triangles = 0, whole = 0;       ///< In the page, and before they were thinned out.
-  std::vector<std::string> unsupported;  ///< In sentences, what the model cannot hold.
+  std::string page;                      ///< Complete HTML, independent of other files.
+  size_t triangles = 0, whole = 0;       ///< In the page, and before decimation.
+  std::vector<std::string> unsupported;  ///< Sentences about omitted features.
 };
 
-/// The model as glTF in the page, with the picture, the derivation trees, the metrics, the
-/// parameters and the recipe as JSON. The builder's shot is that of `loaded` by with_meshes. The
-/// same scene, the same bytes. Error(bad_input) where the page lacks a mark or the picture is none.
+/// Fills the template with the model as glTF, and the picture, the derivation trees, the metrics,
+/// the parameters and the recipe as JSON. The builder's shot must be that of `loaded` after
+/// with_meshes. The output is deterministic. Error(bad_input) if the template lacks a mark or the
+/// picture cannot be read.
 Preview make_preview(building::Builder& builder, const loading::Loaded& loaded,
                      const PreviewOptions& options);
 

@@ -1,4 +1,5 @@
-// Umbrella header of the public interface: loading a scene, building it, rendering pictures, delivering files.
+// Umbrella header of the public interface: loading a scene, building it, rendering pictures,
+// delivering files.
 #pragma once
 
 #include <vug/building/builder.h>
