@@ -1,4 +1,4 @@
-// A piece of a plant: what lies between two cuts across its culms.
+// Sections of plants between two cuts across their culms.
 #pragma once
 
 #include <vug/lsystem/drawing.h>
@@ -8,11 +8,11 @@ namespace vug::flora {
 struct CutOptions {
   double from = -kInfinity;  ///< Metres along stems of order 0.
   double to = kInfinity;
-  int orders = 1000;  ///< Only stems of a lower order.
+  int orders = 1000;  ///< Keeps stems of a lower order only.
 };
 
-/// The axes of the piece, with their lengths along as they were; branches stay that leave a stem
-/// that stays, where it stays. Without polygons and instances.
+/// The axes of the section; positions along them are unchanged. A branch is kept if its parent is
+/// kept where the branch leaves it. Polygons and instances are dropped.
 lsystem::Drawing cut(const lsystem::Drawing& drawing, const CutOptions& options);
 
 }  // namespace vug::flora

@@ -1,4 +1,4 @@
-// How plants stand in a plot: point processes in the plane.
+// Spatial distributions of plants in a plot: point processes in the plane.
 #pragma once
 
 #include <vug/base/kind.h>
@@ -10,39 +10,39 @@
 
 namespace vug::flora {
 
-/// One hectare in square metres: foresters count stems by it.
+/// One hectare in square metres, the unit of stem densities in forestry.
 inline constexpr double kHectare = 10000;
 
-/// Points that any process makes at most; Error(too_large) beyond.
+/// Maximum number of points of a process; Error(too_large) beyond it.
 inline constexpr double kMaxPoints = 1 << 24;
 
-/// A random set of points in a plot. Shared and immutable; the same key gives the same points on
-/// any machine.
+/// A random point set in a plot. Shared and immutable; the same key gives the same points on any
+/// machine.
 class Distribution {
  public:
   virtual ~Distribution() = default;
-  /// `density`: points for each square metre that are to be expected, above 0; only a process that
-  /// fills() takes 0 (else Error(bad_input)). Points of processes without
-  /// interaction stay where they are when others come in with a higher density.
+  /// `density` is the expected number of points per square metre, above 0; 0 is only valid for a
+  /// process with fills() (else Error(bad_input)). In processes without interaction points keep
+  /// their positions when a higher density adds others.
   virtual std::vector<Vec2d> points(const Plot& plot, double density, RandomKey key,
                                     Progress& progress) const = 0;
-  /// Whether density 0 is as many as fit.
+  /// Whether density 0 means as many points as fit.
   virtual bool fills() const { return false; }
 };
 using DistributionPtr = std::shared_ptr<const Distribution>;
 
 using DistributionKind = Kind<DistributionPtr>;
-/// Made from the list in CMakeLists.txt.
+/// Generated from the list in CMakeLists.txt.
 const Kinds<DistributionPtr>& distributions();
 
-/// A number of events that come independently, `mean` of them on average: a Poisson deviate.
+/// A Poisson deviate: the number of independent events with the given mean.
 uint64_t poisson(double mean, RandomStream& random);
 
-/// Throws unless the density is above 0 and the points are not too many.
+/// Throws unless the density is above 0 and the number of points is within the limit.
 void require_density(double density, double area);
 
-/// A kind for a class that is constructed from its parameter struct P, which has
-/// `static void describe(Schema<P>&)`.
+/// A kind for a class constructed from its parameter struct P, which has `static void
+/// describe(Schema<P>&)`.
 template <class P, class Process>
 DistributionKind distribution_kind(std::string name) {
   return make_kind<DistributionPtr, P>(
@@ -58,7 +58,7 @@ DistributionKind distribution_kind(std::string name) {
 
 namespace vug {
 
-/// The name alone stands for a distribution with its defaults.
+/// A bare name denotes a distribution with default parameters.
 template <>
 struct ValueTraits<flora::DistributionPtr> : ObjectTraits<flora::DistributionPtr> {
   static constexpr const char* kWord = "distribution";

@@ -1,4 +1,4 @@
-// What a plant stands on: the ground below a point of the plan, of a field or of a mesh.
+// Ground queries for planting: the surface of a field or mesh below a point of the plan.
 #pragma once
 
 #include <vug/field/field.h>
@@ -10,31 +10,31 @@
 
 namespace vug::flora {
 
-/// Where a stem meets the ground.
+/// A point on the ground where a stem can be placed.
 struct GroundPoint {
   Vec3d position{0, 0, 0};
-  Vec3d normal;  ///< Unit, out of the ground.
+  Vec3d normal;  ///< Unit normal, pointing out of the ground.
   double clearance =
-      kInfinity;  ///< Metres straight up to the next surface, as far as was asked for.
+      kInfinity;  ///< Metres straight up to the next surface, within GroundOptions::headroom.
 };
 
-/// Looks straight down at (x, z); nothing where no ground is met. For several threads.
+/// Looks straight down at (x, z); empty if there is no ground. Thread-safe.
 using Ground = std::function<std::optional<GroundPoint>(const Vec2d& at)>;
 
 struct GroundOptions {
-  double from = kInfinity;  ///< Height that is looked down from; infinite: above all of it.
-  double headroom = 0;      ///< Metres above a foot that are looked through for `room`.
+  double from = kInfinity;  ///< Height from which it looks down; infinite: above everything.
+  double headroom = 0;      ///< Metres above the ground that are searched for `clearance`.
 };
 
-/// The first surface below `from` of a solid; nothing where that height lies inside of it. Steps go
-/// by the field's Lipschitz bound, so that none is jumped over that is thicker than a millimetre.
-/// Error(bad_input): a solid without an end above, and no `from`.
+/// The first surface of a solid below `from`; empty if that height is inside the solid. Marches
+/// with the field's Lipschitz bound, so surfaces thicker than a millimetre are not missed.
+/// Error(bad_input) for a solid without an upper bound if `from` is infinite.
 Ground ground_of(const field::Field& solid, const GroundOptions& options = {});
 
-/// The highest triangle below `from` that faces up or down; the mesh must outlive it.
+/// The highest triangle below `from` that is not vertical; the mesh must outlive the result.
 Ground ground_of(const mesh::MeshPtr& mesh, const GroundOptions& options = {});
 
-/// Level ground at a height.
+/// Horizontal ground at a height.
 Ground level_ground(double height = 0);
 
 }  // namespace vug::flora

@@ -1,4 +1,4 @@
-// Inside flora/ only: what the kinds of leaves have in common.
+// Inside flora/ only: parameters shared by the kinds of leaves.
 #pragma once
 
 #include <vug/flora/leaf.h>

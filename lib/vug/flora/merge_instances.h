@@ -1,4 +1,5 @@
-// Many copies of a few meshes as one mesh: a crown of leaves that a grove can place at once.
+// Merges many instances of a few meshes into one mesh, such as a crown of leaves that a grove
+// instances as a whole.
 #pragma once
 
 #include <vug/base/rng.h>
@@ -15,12 +16,13 @@ struct MeshInstance {
   RandomKey key{0};
 };
 
-/// The attribute that tells copies apart: one random number from 0 to 1 for each.
+/// Attribute that distinguishes instances: a random number from 0 to 1 per instance.
 inline constexpr const char* kCopyAttribute = "copy";
 
-/// All copies in their order, with the attributes that all meshes carry alike (others are left
-/// out), and kCopy, which of a mesh that carries it already is that mesh's own. With normals where
-/// all have them. The same for any number of threads. Error(too_large) beyond 2^31 vertices.
+/// All instances in order. The result has the attributes common to all meshes (others are dropped)
+/// and kCopyAttribute; a mesh that already has it keeps its own values. It has normals if all
+/// meshes have them. The result does not depend on the number of threads. Error(too_large) beyond
+/// 2^31 vertices.
 mesh::Mesh merge_instances(const std::vector<mesh::Mesh>& meshes,
                            const std::vector<MeshInstance>& copies);
 

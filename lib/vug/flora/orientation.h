@@ -1,12 +1,12 @@
-// Which way three points turn, told exactly.
+// Exact orientation predicate for three points.
 #pragma once
 
 #include <vug/base/vec.h>
 
 namespace vug::flora {
 
-/// 1 where the way from a over b to c turns to the left (from x towards y), -1 to the right, 0
-/// where they lie in one line.
+/// 1 if the path from a over b to c turns left (from x towards y), -1 if it turns right, 0 if the
+/// points are collinear.
 int orientation(const Vec2d& a, const Vec2d& b, const Vec2d& c);
 
 }  // namespace vug::flora

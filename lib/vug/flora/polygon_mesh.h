@@ -1,4 +1,4 @@
-// The polygons that a turtle draws, as sheets of triangles.
+// Triangle meshes of the polygons that a turtle draws.
 #pragma once
 
 #include <vug/lsystem/drawing.h>
@@ -6,9 +6,9 @@
 
 namespace vug::flora {
 
-/// Each polygon cut into triangles (also where its outline is not convex), with the attributes
-/// "order" and "colour". Sheets are smooth where corners of several lie in one place. Nearly flat
-/// polygons without crossings are meant; of others some triangles may lie outside.
+/// Triangulates each polygon, including non-convex ones, and adds the attributes "order" and
+/// "colour". The shading is smooth where polygons share corners. Expects nearly flat polygons
+/// without self-intersections; for others some triangles may lie outside.
 mesh::Mesh polygon_mesh(const lsystem::Drawing& drawing);
 
 }  // namespace vug::flora

@@ -1,4 +1,4 @@
-// Meshes that are made from a few numbers: leaves and sprays of them.
+// Parametric meshes: leaves and sprays.
 #pragma once
 
 #include <vug/base/kind.h>
@@ -6,13 +6,13 @@
 
 namespace vug::flora {
 
-/// Distinguishes them from meshes of other origin in a scene's expressions.
+/// Distinguishes parametric meshes from other meshes in the expressions of a scene.
 struct Shape {
   mesh::MeshPtr mesh;
 };
 
 using ShapeKind = Kind<Shape>;
-/// Made from the list in CMakeLists.txt.
+/// Generated from the list in CMakeLists.txt.
 const Kinds<Shape>& shapes();
 
 /// A kind whose parameter struct P has `static void describe(Schema<P>&)`; `make` is

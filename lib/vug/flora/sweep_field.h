@@ -6,14 +6,14 @@
 
 namespace vug::flora {
 
-/// The solid of all tubes together: a 1-Lipschitz lower bound of the distance, zero on the very
-/// surface that sweep_mesh.h covers with triangles. Far from a stem it is the exact distance to the
-/// cones around it, near it what is left to the displaced surface over the most that this changes
-/// for a metre. Boxes of stems, and of their parts, are skipped where they cannot be nearest.
-/// Without tubes: the empty field.
+/// The union of all tubes: a 1-Lipschitz lower bound of the distance whose zero set is exactly the
+/// surface that sweep_mesh.h triangulates. Far from a stem it is the exact distance to the
+/// enclosing cones; near it, it is the distance to the displaced surface divided by the Lipschitz
+/// constant of the displacement. Boxes around stems, and around their segments, cull whatever
+/// cannot be nearest. Without tubes it is the empty field.
 field::Field swept(std::vector<Tube> tubes);
 
-/// The tubes that a field of `swept` is of; none of any other field.
+/// The tubes of a field created by `swept`; empty for any other field.
 std::vector<Tube> tubes_of(const field::Field& field);
 
 }  // namespace vug::flora

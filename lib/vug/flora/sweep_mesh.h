@@ -1,7 +1,7 @@
-// Swept stems as meshes: closed, 2-manifold, outward, one piece for each stem and for each closed
-// chamber, whose vertices lie on the surface of sweep_field.h. Stems pass into their parents.
-//
-// Every vertex carries what a material needs to know of where it is on the plant: see kAttributes.
+// Swept stems as meshes: closed, 2-manifold, oriented outwards, one component for each stem and
+// each closed chamber, with vertices on the surface of sweep_field.h. Stems intersect their
+// parents. Every vertex carries attributes about its position on the plant for materials; see
+// stem_attributes().
 #pragma once
 
 #include <vug/flora/tube.h>
@@ -10,7 +10,8 @@
 namespace vug::flora {
 
 struct MeshOptions {
-  double tolerance = 0.2e-3;  ///< Metres that a straight edge around a stem may cut into it.
+  /// Maximum distance in metres by which a straight edge around a stem cuts into it.
+  double tolerance = 0.2e-3;
   int min_sides = 5;
   int max_sides = 128;
 };
@@ -19,11 +20,11 @@ struct AttributeInfo {
   const char* name;
   const char* doc;
 };
-/// "along", "height", ...: the numbers at each vertex, with what they are.
+/// Vertex attributes ("along", "height", ...) and their descriptions.
 const std::vector<AttributeInfo>& stem_attributes();
 
-/// The tubes' surfaces with unit normals; the same bytes for any number of threads.
-/// Error(too_large) where there would be more than 2^32 - 1 vertices.
+/// The surfaces of the tubes with unit normals; the same bytes for any number of threads.
+/// Error(too_large) beyond 2^32 - 1 vertices.
 mesh::Mesh swept_mesh(const std::vector<Tube>& tubes, const MeshOptions& options = {});
 
 }  // namespace vug::flora

@@ -7,9 +7,9 @@
 
 namespace vug::flora {
 
-/// Eq. 2-4: the corners averaged by weights that are divided by their sum. Inside the corners'
-/// convex hull, since each weight must be above 0 (the paper allows any real number, which would
-/// put most points outside). Error(bad_input): another number of weights than of corners, one that
+/// Eq. 2-4: the weighted mean of the corners. It is inside their convex hull because weights must
+/// be above 0; the paper allows any real number, which would put most points outside.
+/// Error(bad_input) if the number of weights differs from that of the corners, or for a weight that
 /// is 0, negative or not finite.
 Vec2d weighted_point(const Corners& corners, const std::vector<double>& weights);
 

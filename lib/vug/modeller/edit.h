@@ -1,4 +1,5 @@
-// Edits as data: what a session stores, a window sends and a command line says.
+// Edits as data: the form in which sessions store them, a GUI sends them and command lines spell
+// them.
 #pragma once
 
 #include <vug/modeller/facade_state.h>
@@ -8,20 +9,20 @@
 
 namespace vug::modeller {
 
-/// What is done to one node.
+/// One operation on one node.
 struct Edit {
-  std::string kind;  ///< "apply"; see edit_kinds.
-  std::string node;  ///< A path, as of the state that is edited.
-  std::string rule;  ///< By name, as Style::find_rule takes it; empty where none is needed.
-  facade::NumberValues
-      numbers;  ///< Metres from the lower left corner of the node, counts, columns.
+  std::string kind;  ///< Name of an edit kind such as "apply"; see edit_kinds.
+  std::string node;  ///< Path of the node in the state before the edit.
+  std::string rule;  ///< Rule name as accepted by Style::find_rule; empty if the kind takes none.
+  facade::NumberValues numbers;  ///< Metres from the node's lower left corner, counts, or indices.
   bool operator==(const Edit&) const = default;
 };
 
-/// An edit that cannot be done.
+/// An edit that cannot be performed.
 class RejectedEdit : public Error {
  public:
-  /// `key` is what of the edit is wrong: "node", "rule", "numbers/rows", or empty: all of it.
+  /// `key` names the invalid part of the edit: "node", "rule", "numbers/rows", or empty for the
+  /// whole edit.
   RejectedEdit(std::string key, const Error& error)
       : Error(error.code(), error.what(), error.where(), error.hint()), key_(std::move(key)) {}
   const std::string& key() const { return key_; }
@@ -33,26 +34,27 @@ class RejectedEdit : public Error {
 struct EditKind {
   std::string name;
   std::string doc;
-  /// What it takes beside the node.
+  /// Arguments in addition to the node.
   bool rule = false;
-  bool free_numbers = false;         ///< Those of the node's split.
-  std::vector<std::string> numbers;  ///< Its own; each is needed and is one number.
-  /// InfeasiblePlan and Error(bad_input) where it cannot be done.
+  bool free_numbers = false;         ///< Whether it takes the free numbers of the node's split.
+  std::vector<std::string> numbers;  ///< Its own numbers; each is required and a single number.
+  /// Throws InfeasiblePlan or Error(bad_input) if the edit cannot be performed.
   FacadeState (*run)(const FacadeState& state, int node, const Edit& edit);
 };
-/// Made from the list in CMakeLists.txt.
+/// Generated from the list in CMakeLists.txt.
 const std::vector<const EditKind*>& edit_kinds();
-/// Refused, with the nearest, for a name that is none.
+/// Throws RejectedEdit with the nearest name for an unknown kind.
 const EditKind& edit_kind(const std::string& name);
 
-/// The state after the edit. Refused where it cannot be done; `state` is what it was in any case.
+/// The state after the edit; `state` is never modified. Throws RejectedEdit if the edit cannot be
+/// performed.
 FacadeState perform_edit(const FacadeState& state, const Edit& edit);
 
-/// "apply 0.1 RegularGrid columns=4 dx=2.1,2.4": the kind where `kind` is empty, the node, the rule
-/// where the kind takes one, numbers. Lengths are metres or have a unit: 90cm, and 120px where a
-/// pixel has a size. Error(bad_input) for what is none.
+/// Parses "apply 0.1 RegularGrid columns=4 dx=2.1,2.4": the kind if `kind` is empty, the node, the
+/// rule if the kind takes one, and numbers. Lengths are in metres or have a unit: 90cm, or 120px if
+/// the pixel size is known. Error(bad_input) for anything else.
 Edit parse_edit(const std::string& text, const std::string& kind = "", double metres_per_pixel = 0);
-/// The same back.
+/// The inverse of parse_edit.
 std::string to_string(const Edit& edit);
 
 }  // namespace vug::modeller

@@ -1,5 +1,5 @@
-// States one after the other: undo, redo, checkpoints. All of them are kept, since they share what
-// they have in common.
+// A history of states with undo, redo and checkpoints. All states are kept, since they share
+// unchanged data.
 #pragma once
 
 #include <vug/modeller/edit.h>
@@ -15,22 +15,23 @@ class History {
   explicit History(FacadeState start) : states_{std::move(start)} {}
 
   const FacadeState& now() const { return states_[done_]; }
-  /// Edits that are done, then those that have been undone and can be done again.
+  /// The edits that are in effect, followed by undone edits that can be redone.
   const std::vector<Edit>& edits() const { return edits_; }
   size_t done() const { return done_; }
-  /// How many edits were done when it was set, by name.
+  /// Number of edits in effect when each checkpoint was set, by name.
   const std::map<std::string, size_t>& checkpoints() const { return checkpoints_; }
 
-  /// Does one edit; what was undone before is forgotten, and so are checkpoints within that.
-  /// Refused where it cannot be done, and then nothing has changed.
+  /// Performs an edit and discards undone edits and the checkpoints among them. Throws RejectedEdit
+  /// if the edit cannot be performed; the history is then unchanged.
   void apply(const Edit& edit);
-  /// Up to that many steps; how many there were.
+  /// Undoes or redoes up to `steps` edits; returns how many.
   size_t undo(size_t steps = 1);
   size_t redo(size_t steps = 1);
-  /// Gives the state of now a name; an earlier one of that name moves here. Error(bad_input)
-  /// without a name.
+  /// Names the current state; an existing checkpoint of that name moves here. Error(bad_input) for
+  /// an empty name.
   void set_checkpoint(const std::string& name);
-  /// Undoes or does again until there. Error(bad_input) with the nearest where there is none.
+  /// Undoes or redoes edits until the checkpoint. Error(bad_input) with the nearest name if it does
+  /// not exist.
   void restore(const std::string& checkpoint);
 
  private:

@@ -1,4 +1,4 @@
-// Lines of a node that can be dragged.
+// Draggable lines of a node.
 #pragma once
 
 #include <vug/modeller/facade_state.h>
@@ -7,18 +7,18 @@ namespace vug::modeller {
 
 struct Line {
   bool upright = true;
-  double at = 0;       ///< Metres from the node's left edge, or from its lower one.
-  std::string number;  ///< The free number that it is drawn from: "heights", "dx", ...
-  size_t index = 0;    ///< Which line of that number, from 0.
+  double at = 0;       ///< Metres from the node's left or lower edge.
+  std::string number;  ///< The free number that the line represents: "heights", "dx", ...
+  size_t index = 0;    ///< Index among the lines of that number, from 0.
 };
 
-/// Between rows and columns whose sizes are free, on both sides of a free middle, and where the
-/// columns and rows of a grid begin. In the node's own frame: what is mirrored runs from the right
-/// to the left.
+/// Lines between rows and columns with free sizes, on both sides of a free middle, and at the start
+/// of each column and row of a grid. Positions are in the node's own frame, which runs from right
+/// to left in a mirrored node.
 std::vector<Line> lines(const FacadeState& state, int node);
 
-/// The numbers with the line at another place. Other lines stay, but for those of a regular grid:
-/// its first one takes all along, any other changes the distance of all.
+/// The numbers after moving the line to `to`. Other lines keep their positions, except in a regular
+/// grid: moving the first line shifts all of them, moving another one changes the spacing.
 facade::NumberValues move_line(const FacadeState& state, int node, const Line& line, double to);
 
 }  // namespace vug::modeller

@@ -1,4 +1,4 @@
-// Sessions: everything that has been done to a facade, as a file tells it.
+// Modelling sessions: the complete history of a facade, stored as a file.
 #pragma once
 
 #include <vug/modeller/history.h>
@@ -9,17 +9,18 @@
 
 namespace vug::modeller {
 
-/// What is modelled after. The library never opens it.
+/// The photo that is modelled after. The library never opens the file.
 struct Photo {
   std::string file;
-  int width = 0, height = 0;  ///< Pixels; 0: not known.
-  double scale = 0;           ///< Metres that a pixel is wide and high; 0: not known.
+  int width = 0, height = 0;  ///< Pixels; 0: unknown.
+  double scale = 0;           ///< Pixel size in metres; 0: unknown.
 };
 
 struct SessionHeader {
-  std::string grammar;      ///< A file, as the session names it.
-  std::string facade = {};  ///< Which grammar of it; empty: it has only one of kind facade.
-  /// Metres; without them those of the photo, else those that the grammar asks for.
+  std::string grammar;  ///< File name as written in the session.
+  /// Name of the grammar in the file; empty if the file has only one of kind facade.
+  std::string facade = {};
+  /// Metres; by default the size of the photo, else the size that the grammar asks for.
   std::optional<double> width = {}, height = {};
   std::optional<Photo> photo = {};
   double min_size = Canvas().min_size;
@@ -31,22 +32,22 @@ struct Session {
   History history;
 
   const FacadeState& now() const { return history.now(); }
-  /// 0 where nothing tells.
+  /// 0 if unknown.
   double metres_per_pixel() const;
 };
 
-/// The grammar of a file that a session names. Error(bad_input) where there is none.
+/// Loads the grammar of a file named in a session. Error(bad_input) if there is none.
 using StyleLoader = std::function<StylePtr(const std::string& file, const std::string& facade)>;
 
-/// A session without edits. Error(bad_input) where nothing tells how large the facade is.
+/// A session without edits. Error(bad_input) if the size of the facade is unknown.
 Session new_session(SessionHeader header, const StyleLoader& load);
 
-/// Reads a session and does its edits. Error(bad_input) with line and column, the value's pointer
-/// and a hint for whatever is wrong, an edit that cannot be done among it. `file` names the text in
-/// messages.
+/// Reads a session and performs its edits. Error(bad_input) with line and column, the value's JSON
+/// pointer and a hint for any fault, including an edit that cannot be performed. `file` names the
+/// text in messages.
 Session read_session(const std::string& text, const std::string& file, const StyleLoader& load);
 
-/// The file: reading it gives the same state and the same bytes.
+/// The session as a file. Reading it and writing it again reproduces the same bytes.
 std::string session_text(const Session& session);
 
 }  // namespace vug::modeller

@@ -1,4 +1,4 @@
-// Trees that something else has made, such as fits of pictures, as edits that lead there.
+// Conversion of existing trees, such as fitted ones, into edits that reproduce them.
 #pragma once
 
 #include <vug/modeller/edit.h>
@@ -6,22 +6,24 @@
 namespace vug::modeller {
 
 struct TreeEdits {
-  std::vector<Edit> edits;  ///< To be done one after the other.
-  size_t elements = 0;      ///< That stand in the tree,
-  size_t displaced = 0;  ///< and of these such as stand elsewhere after the edits, by a centimetre
-  double max_distance = 0;  ///< or more: this far at most, metres.
-  size_t missing = 0;       ///< And such as have nothing of their kind left.
+  std::vector<Edit> edits;  ///< In the order of execution.
+  size_t elements = 0;      ///< Elements in the tree.
+  /// Elements that are a centimetre or more away from their position in the tree.
+  size_t displaced = 0;
+  double max_distance = 0;  ///< Largest such distance, metres.
+  size_t missing = 0;       ///< Elements without a counterpart of their kind.
 };
 
-/// The rules of the tree's nodes applied again, with the sizes and counts that its rectangles tell
-/// and cells of grids taken away. Where a rule of the style leaves less free than the tree's maker
-/// took (one size for all windows of a grid, elements that fill their part) it comes as near as the
-/// rules do, and says how near; places of a grid's cells go before their size. The grammar that
-/// facade::grammar_text writes of the tree will do too. Error(bad_input) for a tree of another one.
+/// Applies the rules of the tree's nodes again, with the sizes and counts of its rectangles and
+/// with empty cells of grids removed. If a rule of the style has fewer free numbers than the tree
+/// requires (one size for all windows of a grid, elements that fill their part), the result is the
+/// closest that the rules allow, and the deviation is reported; positions of cells take precedence
+/// over their sizes. Also accepts the grammar that facade::grammar_text writes for the tree.
+/// Error(bad_input) for a tree of another grammar.
 TreeEdits tree_to_edits(const FacadeState& start, const facade::Tree& tree);
 
-/// A tree from the JSON that facade::tree_json writes. Error(bad_input) with line, column, the
-/// value's pointer and a hint. `file` names the text in messages.
+/// Reads a tree from the JSON written by facade::tree_json. Error(bad_input) with line, column, the
+/// value's JSON pointer and a hint. `file` names the text in messages.
 facade::Tree read_tree(const std::string& text, const std::string& file);
 
 }  // namespace vug::modeller

@@ -1,4 +1,4 @@
-// Square cells of a plane that hold points, however far apart these are.
+// Sparse square bins for points in a plane.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -15,20 +15,20 @@ namespace vug::scan {
 using BinKey = std::pair<int64_t, int64_t>;
 
 inline BinKey bin_of(const Vec2d& p, double side) {
-  // Far beyond any facade, and far within what an integer holds.
+  // Limits far beyond any facade and well within the range of the integer type.
   const auto index = [&](double v) {
     return static_cast<int64_t>(std::floor(std::clamp(v / side, -1e15, 1e15)));
   };
   return {index(p.y), index(p.x)};
 }
 
-/// The cells that hold points, in the order of their keys.
+/// The occupied bins, sorted by key.
 struct Bins {
   std::vector<BinKey> keys;
   std::vector<uint32_t> counts;
-  std::vector<uint32_t> bin_of_point;  ///< One for each point.
+  std::vector<uint32_t> bin_of_point;  ///< One entry per point.
 
-  /// The index of a cell, or -1.
+  /// The index of a bin, or -1.
   int64_t find(const BinKey& key) const {
     const auto found = std::lower_bound(keys.begin(), keys.end(), key);
     return found != keys.end() && *found == key ? found - keys.begin() : -1;

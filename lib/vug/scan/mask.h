@@ -1,4 +1,4 @@
-// Pixels that are on or off, and the morphology of squares [@serra1982].
+// Binary masks and their morphology with square structuring elements [@serra1982].
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace vug::scan {
 
-/// Row by row from the top; 1 is on, 0 off.
+/// Row by row from the top; 1 is on, 0 is off.
 struct Mask {
   int width = 0;
   int height = 0;
@@ -24,7 +24,7 @@ struct Mask {
   bool at(int x, int y) const { return on[index(x, y)] != 0; }
 };
 
-/// Pixels from x0 to x1 and y0 to y1, without x1 and y1; y downwards.
+/// Pixels x0 <= x < x1, y0 <= y < y1; y points down.
 struct PixelBox {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
@@ -36,28 +36,27 @@ struct PixelBox {
 int pixels_of(double metres, double pixel, int most);
 
 Mask inverted(Mask mask);
-/// On where a pixel within the square of 2 radius + 1 pixels is on; what lies beyond the border
-/// counts for neither.
+/// Dilation and erosion by the square of 2 radius + 1 pixels; pixels beyond the border are ignored.
 Mask dilated(const Mask& mask, int radius);
 Mask eroded(const Mask& mask, int radius);
-/// Dilated, then eroded: what is off and nowhere wider than the square comes on.
+/// Dilation, then erosion: turns on gaps that are nowhere wider than the square.
 Mask closed(const Mask& mask, int radius);
-/// Eroded, then dilated: what is on and narrower than the square goes off.
+/// Erosion, then dilation: turns off structures narrower than the square.
 Mask opened(const Mask& mask, int radius);
 
-/// What is off and touches the left, right or upper border through pixels that are off.
+/// Off pixels that are connected to the left, right or upper border through off pixels.
 Mask outside_of(const Mask& solid);
 
-/// Pixels that are on and touch along their sides, by rows: one mask a group, cut out of the box
-/// it lies in.
+/// A connected component of on pixels (4-connectivity) with a mask cropped to its bounding box.
 struct Component {
   PixelBox box;
-  Mask mask;  ///< Of the box's size.
+  Mask mask;  ///< Of the size of `box`.
   int64_t pixels = 0;
 };
-/// In the order of their first pixels. One group at a time is made, as boxes may overlap a lot.
+/// Visits the components in the order of their first pixels. One component is created at a time,
+/// because bounding boxes may overlap heavily.
 void each_component(const Mask& mask, const std::function<void(const Component&)>& visit);
-/// All at once.
+/// All components at once.
 std::vector<Component> components_of(const Mask& mask);
 
 }  // namespace vug::scan

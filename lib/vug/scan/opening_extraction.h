@@ -1,4 +1,4 @@
-// What both ways of finding openings share.
+// Steps shared by both methods of opening detection.
 #pragma once
 
 #include <vug/scan/mask.h>
@@ -9,10 +9,10 @@ namespace vug::scan {
 /// Error(bad_input) for options out of range.
 void require_valid(const OpeningOptions& options);
 
-/// Half a width in pixels: the radius of a square that just closes it.
+/// Half a width in pixels: the radius of the smallest square that closes it.
 int closing_radius(double metres, const RangeImage& range);
 
-/// The groups of open pixels as boxes, those of a likely size.
+/// Bounding boxes of the connected components of open pixels whose size is plausible.
 std::vector<Opening> extract_openings(const Mask& open, const RangeImage& range,
                                       const SurfaceMap& map, const OpeningOptions& options);
 

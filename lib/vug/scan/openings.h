@@ -1,5 +1,5 @@
-// Windows and doors in a scanned facade without a grammar: what no return came from and what is
-// set back behind the wall, as rectangles (section 3 of [@ripperda2009]).
+// Detection of windows and doors in a scanned facade without a grammar: rectangles without returns
+// or set back behind the wall (section 3 of [@ripperda2009]).
 #pragma once
 
 #include <vug/scan/surfaces.h>
@@ -16,36 +16,39 @@ std::string to_string(OpeningKind kind);
 using Box = Imath::Box2d;
 
 struct Opening {
-  OpeningKind kind = OpeningKind::window;  ///< A door stands on the ground.
+  OpeningKind kind = OpeningKind::window;  ///< Openings that reach the ground are doors.
   Box box;
-  double empty = 0;     ///< Part of its pixels from which nothing came back.
-  double set_back = 0;  ///< Metres behind the wall, the median of the others; may be NaN.
+  double empty = 0;  ///< Share of its pixels without a return.
+  /// Median distance of the other pixels behind the wall, metres; may be NaN.
+  double set_back = 0;
 };
 
 struct OpeningOptions {
-  double closing = 0.12;       ///< Metres; gaps in the wall up to this wide are none.
-  double min_size = 0.5;       ///< Metres that an opening is wide and high, at least
-  double max_size = 6;         ///< and at most.
-  double door_sill = 0.5;      ///< Metres above the ground up to which doors begin.
-  double min_perimeter = 2.5;  ///< Perimeter from which a triangle spans an opening, in those of
-                               ///< the triangles between neighbouring points.
-  /// False: as in the paper. True: openings are tidied up. Bars of the raster are passed over,
-  /// groups taken apart where that is sparing (split.h), at necks if they are too large else, and
-  /// where one part shows things behind the wall and the other nothing at all.
+  double closing = 0.12;  ///< Metres; gaps in the wall up to this width are closed.
+  double min_size = 0.5;  ///< Minimum width and height of an opening, metres.
+  double max_size = 6;    ///< Maximum width and height, metres.
+  /// Openings that start at most this far above the ground are doors, metres.
+  double door_sill = 0.5;
+  /// Minimum perimeter of triangles over openings, relative to the median perimeter of all
+  /// triangles.
+  double min_perimeter = 2.5;
+  /// False: as in the paper. True: bars are ignored, and components are split if that saves area
+  /// (split.h), at necks if they are too large, and between parts of which one shows surfaces
+  /// behind the wall and the other shows nothing.
   bool tidy = true;
-  double max_bar_width = 0.2;   ///< Metres; wall within openings that is no wider is none.
-  double max_neck_width = 0.3;  ///< Metres; openings that hang together by no more are several.
-  uint64_t memory = available_memory();  ///< Bytes that the search may take.
+  double max_bar_width = 0.2;  ///< Metres; wall inside an opening up to this width is ignored.
+  /// Metres; openings connected by necks up to this width are separated.
+  double max_neck_width = 0.3;
+  uint64_t memory = available_memory();  ///< Memory limit of the search in bytes.
 };
 
-/// By raster, from the ground up: pixels without a point of the wall, gaps closed, connected, and
-/// sifted by size. Error(bad_input) for options out of range.
+/// Detection on the raster, sorted from the ground up: pixels without points of the wall, closed,
+/// grouped into components and filtered by size. Error(bad_input) for options out of range.
 std::vector<Opening> openings_by_raster(const RangeImage& range, const SurfaceMap& map,
                                         const OpeningOptions& options = {});
 
-/// By triangles, in the same order: those of the Delaunay triangulation of the wall's points whose
-/// perimeter is long
-/// [@pu2007], connected, and sifted by size.
+/// Detection with triangles, in the same order: triangles of the Delaunay triangulation of the
+/// wall's points with a long perimeter [@pu2007], grouped into components and filtered by size.
 std::vector<Opening> openings_by_triangles(const PointCloud& cloud, const RangeImage& range,
                                            const SurfaceMap& map,
                                            const OpeningOptions& options = {});

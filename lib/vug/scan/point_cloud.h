@@ -1,4 +1,4 @@
-// Points as a scanner gives them.
+// Point clouds from laser scanners.
 #pragma once
 
 #include <vug/base/vec.h>
@@ -7,20 +7,20 @@
 
 namespace vug::scan {
 
-/// Positions are in metres, in the file's own axes, and finite: double keeps millimetres of
-/// coordinates that count from the equator. The other lists are empty or have one item a point, and
-/// may hold NaN.
+/// Positions are finite, in metres in the axes of the file; double precision keeps millimetres in
+/// geodetic coordinates. The other lists are empty or have one entry per point, and may contain
+/// NaN.
 struct PointCloud {
   std::vector<Vec3d> positions;
   std::vector<Vec3f> colours;      ///< As stored, mostly sRGB, 0..1.
   std::vector<float> intensities;  ///< In the scanner's own units.
   std::vector<Vec3f> normals;      ///< Of any length.
-  size_t dropped = 0;              ///< Points of the files whose position was not finite.
+  size_t dropped = 0;              ///< Number of points dropped for a non-finite position.
 
   size_t size() const { return positions.size(); }
 };
 
-/// Both clouds one after the other; of what only one of them has nothing is left.
+/// Appends `b` to `a`; attributes that only one of them has are dropped.
 PointCloud concatenated(PointCloud a, const PointCloud& b);
 
 }  // namespace vug::scan

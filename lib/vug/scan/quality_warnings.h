@@ -1,4 +1,4 @@
-// Whether what was found in a cloud is a facade at all.
+// Plausibility checks of a fitted plane: is it a facade?
 #pragma once
 
 #include <vug/scan/range_image.h>
@@ -6,11 +6,12 @@
 namespace vug::scan {
 
 struct QualityWarning {
-  std::string message, hint;  ///< What speaks against it; what to do.
+  std::string message, hint;  ///< The finding, and a remedy.
 };
 
-/// Of a strip that is too low for a facade, as a floor leaves it when an upright plane is looked
-/// for; and of a plane that has hardly more points than any would have among as many strewn evenly.
+/// Warns about a strip too low for a facade, as a floor produces when an upright plane is fitted,
+/// and about a plane with hardly more points than a uniform distribution of as many points would
+/// give.
 std::vector<QualityWarning> quality_warnings(const PointCloud& cloud, const PlaneFit& plane,
                                              const RangeImage& range);
 

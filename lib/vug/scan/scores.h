@@ -1,4 +1,4 @@
-// How well found rectangles agree with the true ones.
+// Agreement of detected rectangles with the ground truth.
 #pragma once
 
 #include <vug/scan/mask.h>
@@ -8,32 +8,32 @@
 
 namespace vug::scan {
 
-/// Area of the common part by that of both together; 0 for boxes without area.
+/// Intersection over union; 0 for boxes without area.
 double iou(const Box& a, const Box& b);
 
-/// Area that boxes cover together.
+/// Area of the union of the boxes.
 double union_area(const std::vector<Box>& boxes);
 
 struct Match {
-  double best = 0;                             ///< IoU with the found object that fits best.
-  std::optional<size_t> found = std::nullopt;  ///< Which counts for this one, if any does.
+  double best = 0;                             ///< Largest IoU with any detection.
+  std::optional<size_t> found = std::nullopt;  ///< The matched detection, if any.
 };
 
 struct Scores {
-  std::vector<Match> truth;  ///< One for each true object.
+  std::vector<Match> truth;  ///< One per true object.
   size_t found = 0;
   size_t matched = 0;
-  double precision = 0;  ///< Of what was found the matched part; 0 when nothing was.
-  double recall = 0;     ///< Of the true objects the matched part; 0 when there are none.
-  double area_iou = 0;   ///< Of all found together with all true ones together.
+  double precision = 0;  ///< Share of detections that are matched; 0 without detections.
+  double recall = 0;     ///< Share of true objects that are matched; 0 without objects.
+  double area_iou = 0;   ///< IoU of the union of all detections and the union of all true objects.
 };
 
-/// Pairs count from an IoU above `least`, best first, each object once [@everingham2010].
+/// Matches pairs with an IoU above `least`, best first, each object once [@everingham2010].
 Scores score(const std::vector<Box>& found, const std::vector<Box>& truth, double least = 0.5);
 
-/// The same with the true objects as masks: pixels of `label` above 0 are those of object
-/// label - 1; row 0 is the top row and `pixel` metres high, the lower left corner is (0, 0).
-/// Error(bad_input) where sizes do not fit.
+/// Ground truth as masks: pixels with `label` above 0 belong to object label - 1. Row 0 is the top
+/// row and `pixel` metres high; the lower left corner is (0, 0). Error(bad_input) if the sizes do
+/// not match.
 struct ObjectMap {
   int width = 0, height = 0;
   double pixel = 0.01;

@@ -1,4 +1,4 @@
-// Boxes of groups of pixels, those taken apart that hang together by mistake.
+// Decomposition of connected components into boxes.
 #pragma once
 
 #include <vug/scan/mask.h>
@@ -7,12 +7,13 @@ namespace vug::scan {
 
 struct FilledBox {
   PixelBox box;
-  int64_t pixels = 0;  ///< Of its box that are on.
+  int64_t pixels = 0;  ///< Number of its pixels that are on.
 };
 
-/// A group as few boxes that it fills well: it is cut straight through where that spares the boxes
-/// of the parts at least `gain` of the area that the whole's box has, as long as the parts fill
-/// `fill` of theirs. Two windows under one sign come apart so, and a gable's triangle stays whole.
+/// Decomposes a component into a few boxes that it fills well. A straight cut is made if the boxes
+/// of the parts are smaller than the box of the whole by at least the share `gain` of its area and
+/// the parts fill the share `fill` of theirs. This separates two windows under one sign, but keeps
+/// the triangle of a gable whole.
 std::vector<FilledBox> split(const Component& group, double gain = 0.15, double fill = 0.8);
 
 }  // namespace vug::scan

@@ -1,4 +1,5 @@
-// What each pixel of a scanned facade shows: wall, something set back behind it, or nothing.
+// Classification of the pixels of a scanned facade: wall, set back behind the wall, or without a
+// return.
 #pragma once
 
 #include <vug/scan/wall.h>
@@ -8,29 +9,29 @@
 namespace vug::scan {
 
 enum class Surface : uint8_t {
-  outside,  ///< Not the facade.
-  wall,     ///< Or something before it.
-  behind,   ///< Farther back than the wall: a pane, a leaf, a reveal.
-  nothing,  ///< No return: glass, a deep room, or something that stood before the wall.
+  outside,  ///< Not part of the facade.
+  wall,     ///< Wall, or an object in front of it.
+  behind,   ///< Further back than the wall: a pane, a door leaf, a reveal.
+  nothing,  ///< No return: glass, a deep room, or the shadow of an object in front of the wall.
 };
 
 struct SurfaceOptions {
-  bool bent = true;  ///< The wall has a surface of its own; false: it is the plane.
-  /// Metres behind the wall from which points are behind it; below 0: three times the rms of the
-  /// wall about its surface, 3 cm at least, and 5 cm behind a plane.
+  bool bent = true;  ///< The wall is a fitted curved surface; false: the plane.
+  /// Distance behind the wall, in metres, beyond which points count as behind it; below 0: three
+  /// times the rms of the wall about its surface, at least 3 cm, and 5 cm behind a plane.
   double set_back = -1;
-  double hull = 0.5;  ///< Metres; through wider gaps at its rim the facade is open to outside.
+  double hull = 0.5;  ///< Metres; gaps in the rim wider than this connect to the outside.
   WallOptions wall = {};
 };
 
 struct SurfaceMap {
   Wall wall;
-  double set_back = 0;           ///< Metres, as used.
-  std::vector<Surface> surface;  ///< One a pixel, row 0 the top row.
+  double set_back = 0;           ///< The distance that was used, metres.
+  std::vector<Surface> surface;  ///< One per pixel; row 0 is the top row.
 };
 
-/// Outside is what can be reached from the left, the right and the upper border of the image
-/// without passing depths or gaps narrower than `hull`; doors that are open below so stay inside.
+/// The outside is the region reachable from the left, right and upper border of the image without
+/// crossing depths or gaps narrower than `hull`, so doors that are open at the bottom stay inside.
 /// Error(bad_input) for options out of range or an image without depths.
 SurfaceMap surface_map(const RangeImage& range, const SurfaceOptions& options = {});
 

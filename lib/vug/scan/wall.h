@@ -1,4 +1,4 @@
-// The wall behind which windows are set back: facades bulge and lean, and scans drift.
+// The surface of a wall as a reference for set-backs: facades bulge and lean, and scans drift.
 #pragma once
 
 #include <vug/scan/range_image.h>
@@ -6,30 +6,31 @@
 namespace vug::scan {
 
 struct WallOptions {
-  double step = 2;       ///< Metres between the nodes of the surface.
-  double cell = 0.1;     ///< Metres on a side; each cell has one say, its median depth.
-  double noise = 0.03;   ///< Metres from the wall within which cells count in full, about.
-  double stiffness = 1;  ///< Weight of a bend against that of the cells around a node.
+  double step = 2;    ///< Distance between the nodes of the surface, metres.
+  double cell = 0.1;  ///< Side length of the cells in metres; each contributes its median depth.
+  /// Distance from the wall, in metres, within which cells have roughly full weight.
+  double noise = 0.03;
+  double stiffness = 1;  ///< Weight of bending relative to the cells around a node.
 };
 
-/// Depths before the plane at the nodes of a grid, bilinear between them.
+/// Depths in front of the plane at the nodes of a grid, interpolated bilinearly.
 struct Wall {
-  int across = 1, up = 1;  ///< Nodes.
-  double step = 1;         ///< Metres.
+  int across = 1, up = 1;  ///< Number of nodes along x and y.
+  double step = 1;         ///< Node distance in metres.
   std::vector<double> depths = {0};
-  double rms = 0;  ///< Metres between the wall and the cells that count.
+  double rms = 0;  ///< Residual of the cells near the wall, metres.
 
-  /// At a place in metres from the range image's lower left corner.
+  /// Depth at a point in metres from the range image's lower left corner.
   double at(const Vec2d& place) const;
 };
 
 /// The plane itself.
 inline Wall flat_wall() { return {}; }
 
-/// By least squares that are weighted anew in turns: first all cells alike, then what lies before
-/// the surface pulls harder than what lies behind it [@newey1987], since openings are set back, and
-/// cells count the less the farther they are from it [@geman1985robust]. Bends between nodes are
-/// held down, so the surface goes on under openings and holes.
+/// Iteratively reweighted least squares. At first all cells count equally; then cells in front of
+/// the surface get more weight than cells behind it [@newey1987], since openings are set back, and
+/// the weight falls with the distance [@geman1985robust]. A bending penalty between nodes continues
+/// the surface under openings and holes.
 Wall fit_wall(const RangeImage& range, const WallOptions& options = {});
 
 }  // namespace vug::scan
