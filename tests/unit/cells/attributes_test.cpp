@@ -5,7 +5,7 @@
 namespace vug::cells {
 namespace {
 
-TEST(Attributes, AreMadeWhenFirstAskedForAndKeepTheirPlace) {
+TEST(Attributes, AreCreatedOnFirstUseAndStayInPlace) {
   Attributes a(5);
   Column<float>& wet = a.column<float>("wet", 0.5f);
   for (int i = 0; i < 50; ++i) a.column<int32_t>(std::to_string(i) + "th", i);
@@ -32,7 +32,7 @@ TEST(Attributes, UnknownNamesAndWrongTypesAreRefused) {
   EXPECT_THROW(a.column<int32_t>("Cd"), Error);
 }
 
-TEST(States, SayWhoReadsAndWhoIsRead) {
+TEST(States, DetermineReadersAndVisibleCells) {
   EXPECT_TRUE(receives(CellState::active) && distributes(CellState::active));
   EXPECT_TRUE(receives(CellState::receiving) && !distributes(CellState::receiving));
   EXPECT_TRUE(!receives(CellState::distributing) && distributes(CellState::distributing));

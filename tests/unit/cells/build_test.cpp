@@ -13,7 +13,7 @@
 namespace vug::cells {
 namespace {
 
-TEST(Build, EveryGridIsSoundAndAsDenseAsItSays) {
+TEST(Build, EveryGridIsValidAndHasItsDensity) {
   const Surface box({shared(mesh::box_mesh({Vec3d(0), Vec3d(1, 2, 1.5)}))});
   const Surface ball({shared(mesh::sphere_mesh(Vec3d(0), 1, 4))});
   for (const GridKind* kind : grids())
@@ -21,8 +21,8 @@ TEST(Build, EveryGridIsSoundAndAsDenseAsItSays) {
       const BuildOptions o = options(kind->info.name, 0.04);
       const Network n = build(*surface, o).network;
       validate(n);
-      // On curved facets patches of the pattern meet at seams, which cost cells, most where the
-      // pattern is loose.
+      // On curved facets, patches of the pattern meet at seams, which reduces the density, most for
+      // sparse patterns.
       const double share = static_cast<double>(n.size()) / estimate(*surface, o.grid, o.spacing);
       EXPECT_NEAR(share, 1, surface == &box ? 0.03 : 0.2) << kind->info.name;
       double area = 0;
@@ -31,7 +31,7 @@ TEST(Build, EveryGridIsSoundAndAsDenseAsItSays) {
     }
 }
 
-TEST(Build, InsideAPolygonPatternsArePerfect) {
+TEST(Build, PatternsAreRegularInsideAPolygon) {
   const Surface floor({shared(floor_mesh())});
   struct Case {
     const char* grid;
@@ -45,7 +45,7 @@ TEST(Build, InsideAPolygonPatternsArePerfect) {
     const Network n = build(floor, options(c.grid, 0.02, c.parameters)).network;
     for (uint32_t i = 0; i < n.size(); ++i) {
       const Vec3f& p = n.position[i];
-      if (std::min({p.x, p.z, 1 - p.x, 1 - p.z}) < 0.08f) continue;  // darts at the border
+      if (std::min({p.x, p.z, 1 - p.x, 1 - p.z}) < 0.08f) continue;  // Darts at the border.
       ASSERT_EQ(n.links.degree(i), c.full) << c.grid;
       for (const uint32_t to : n.links.of(i)) {
         const float d = (n.position[to] - p).length();
@@ -77,7 +77,7 @@ TEST(Build, RandomCellsHaveFiveToSevenNeighbours) {
   }
 }
 
-TEST(Build, DentsAndHolesAreAsDenseAsAnyOtherPolygon) {
+TEST(Build, ConcavePolygonsAndHolesHaveTheSameDensity) {
   // An L of 3 square metres with a hole of 1/4, as one polygon and as five rectangles.
   mesh::Mesh whole;
   for (const Vec2f& p :
@@ -111,7 +111,7 @@ TEST(Build, DentsAndHolesAreAsDenseAsAnyOtherPolygon) {
 TEST(Build, CellsStayOnTheSurface) {
   const Surface ball({shared(mesh::sphere_mesh(Vec3d(0), 1, 5))});
   for (const Vec3f& p : build(ball, options("random", 0.08)).network.position)
-    ASSERT_NEAR(p.length(), 1, 0.002);  // the sag of the facets
+    ASSERT_NEAR(p.length(), 1, 0.002);  // The sagitta of the facets.
   const Surface floor({shared(floor_mesh())});
   for (const Vec3f& p : build(floor, options("random", 0.05)).network.position) {
     ASSERT_EQ(p.y, 0);
@@ -126,7 +126,7 @@ TEST(Build, SidesOfAThinWallAreNotLinked) {
     const double two_sides =
         2 * estimate(Surface({shared(floor_mesh())}), options(grid, 0.05).grid, 0.05) * 4;
     EXPECT_NEAR(static_cast<double>(n.size()) / two_sides, 1, 0.05)
-        << grid;  // nor in each other's way
+        << grid;  // And not too close to each other.
     for (uint32_t i = 0; i < n.size(); ++i)
       for (const uint32_t to : n.links.of(i)) ASSERT_GT(n.normal[i].dot(n.normal[to]), -0.5f);
   }
@@ -147,18 +147,18 @@ TEST(Build, TouchingObjectsAreOneNetwork) {
   };
   EXPECT_EQ(pieces(0), 1u);
   EXPECT_EQ(pieces(0.2), 2u);
-  // A box that stands on a floor.
+  // A box standing on a floor.
   const Surface standing({shared(mesh::box_mesh({Vec3d(-2, -1, -2), Vec3d(2, 0, 2)})), left});
   const std::vector<uint32_t> piece =
       components(build(standing, options("random", 0.08)).network.links);
   EXPECT_EQ(*std::max_element(piece.begin(), piece.end()), 0u);
 }
 
-TEST(Build, AcrossAnEdgeTheWayIsOverBothSides) {
+TEST(Build, AcrossAnEdgeTheDistanceIsOverBothSides) {
   // One cell on top and one on the side of a box, 2 and 3 cm from the edge and 1 cm along it.
   const Vec3f top(0.02f, 0, 0), side(0, -0.03f, 0.01f);
   EXPECT_NEAR(surface_distance2(top, {0, 1, 0}, side, {-1, 0, 0}), 0.0025 + 0.0001, 1e-7);
-  // The same in a corner, seen from inside of it, and two sides of a wall.
+  // The same in a corner, seen from inside, and on two sides of a wall.
   EXPECT_NEAR(surface_distance2(top, {0, -1, 0}, side, {1, 0, 0}), 0.0025 + 0.0001, 1e-7);
   EXPECT_TRUE(std::isinf(surface_distance2({0, 0, 0}, {0, 1, 0}, {0, -0.001f, 0}, {0, -1, 0})));
 }

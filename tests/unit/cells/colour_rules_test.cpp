@@ -1,4 +1,4 @@
-// The rows of table 1 that spread and draw: colours, Voronoi patches, cracks, melting, water.
+// The rules of table 1 for spreading and drawing: colours, Voronoi patches, cracks, melting, water.
 #include "run.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace vug::cells {
 namespace {
 
-TEST(RandomColor, DrawsForItsShareOfTheCells) {
+TEST(RandomColor, ColoursItsFractionOfTheCells) {
   const NetworkPtr n = torus(100, 100, 6);
   const Simulation s = ran(n, {stage("random_color", {{"share", 0.2}})}, 1);
   const auto& color = s.attributes().values<Vec3f>("Cd");
@@ -23,12 +23,12 @@ TEST(RandomColor, DrawsForItsShareOfTheCells) {
     ASSERT_EQ(seed[i], static_cast<int32_t>(i) + 1);
     ++colored, red += static_cast<double>(color[i].x);
   }
-  EXPECT_NEAR(colored, 2000, 4 * 40);  // four standard deviations
+  EXPECT_NEAR(colored, 2000, 4 * 40);  // Four standard deviations.
   EXPECT_NEAR(red / colored, 0.5, 4 * 0.289 / std::sqrt(colored));
 }
 
 // One for each square of 5 m, whatever the spacing.
-TEST(RandomColor, IsAsFarApartAsAsked) {
+TEST(RandomColor, HasTheRequestedDistance) {
   for (const double spacing : {0.5, 1.0}) {
     const auto side = static_cast<uint32_t>(100 / spacing);
     const auto n = std::make_shared<const Network>(flat_torus(side, side, 4, spacing));
@@ -39,7 +39,7 @@ TEST(RandomColor, IsAsFarApartAsAsked) {
   }
 }
 
-TEST(RandomColor, LiesOnTheLineBetweenItsColoursWhereAsked) {
+TEST(RandomColor, LiesOnTheLineBetweenItsColoursOnRequest) {
   const Vec3d from(0.5, 0.1, 0.25), to(0.7, 0.9, 0);
   const Simulation s =
       ran(torus(20, 20, 6),
@@ -54,7 +54,7 @@ TEST(RandomColor, LiesOnTheLineBetweenItsColoursWhereAsked) {
   EXPECT_GT(ways.size(), 390u);
 }
 
-TEST(SpreadingColor, IsTheMeanOfTheColouredAndConservesWhatItMust) {
+TEST(SpreadingColor, IsTheMeanOfColouredCellsAndConservesColour) {
   // One coloured cell: its neighbours get half of it, as (0 + c) / (1 + 1).
   Simulation one(torus(8, 8, 4), RandomKey(1));
   one.attributes().column<Vec3f>("Cd").now[27] = Vec3f(1, 0.5f, 0.25f);
@@ -73,7 +73,7 @@ TEST(SpreadingColor, IsTheMeanOfTheColouredAndConservesWhatItMust) {
   EXPECT_LT((after - before).length(), 1e-5 * before.length());
 }
 
-/// The smallest of the seeds that are the fewest links away, by a search from every seed.
+/// The smallest of the seeds with the fewest links in between, by a search from every seed.
 std::vector<int32_t> nearest_seeds(const Network& n, const std::vector<int32_t>& seeds) {
   std::vector<uint32_t> distance(n.size(), ~0u);
   std::vector<int32_t> nearest(n.size(), 0);
@@ -92,7 +92,7 @@ std::vector<int32_t> nearest_seeds(const Network& n, const std::vector<int32_t>&
   return nearest;
 }
 
-TEST(Voronoi, AndCracksAreThoseOfBruteForce) {
+TEST(Voronoi, AndCracksEqualBruteForce) {
   for (const NetworkPtr& n : {uneven(), torus(60, 40, 4), torus(60, 40, 6)}) {
     Simulation s(n, RandomKey(3));
     s.run({stage("random_color", {{"share", 0.01}})}, 1);
@@ -100,7 +100,7 @@ TEST(Voronoi, AndCracksAreThoseOfBruteForce) {
     s.run({stage("voronoi")}, 100);
     EXPECT_EQ(s.attributes().values<int32_t>("seed"), expected);
     const std::vector<Vec3f> color = s.attributes().values<Vec3f>("Cd");
-    s.run({stage("crack")}, 5);  // more steps crack no more
+    s.run({stage("crack")}, 5);  // Further steps produce no more cracks.
     size_t cracks = 0;
     for (uint32_t i = 0; i < n->size(); ++i) {
       bool border = false;
@@ -117,8 +117,8 @@ TEST(Voronoi, AndCracksAreThoseOfBruteForce) {
 
 TEST(Melting, LowersTheEnergyOfTheSurfaceInEveryStep) {
   const NetworkPtr n = uneven();
-  // Of springs along the links. By the eigenvectors of the mean over a cell and its neighbours each
-  // step takes parts of it away, and all of them are positive.
+  // The energy of springs along the links. In terms of the eigenvectors of the mean over a cell and
+  // its neighbours, each step reduces every component, and all are positive.
   const auto energy = [&](const std::vector<Vec3f>& p) {
     double sum = 0;
     for (uint32_t i = 0; i < n->size(); ++i)
@@ -141,7 +141,7 @@ TEST(Melting, LowersTheEnergyOfTheSurfaceInEveryStep) {
     ASSERT_NEAR(normal.length(), 1, 1e-5);
 }
 
-TEST(Watercolor, KeepsWaterThatDoesNotDryAndPigmentThatIsDry) {
+TEST(Watercolor, ConservesWaterWithoutDryingAndDryPigment) {
   const NetworkPtr n = uneven();
   const std::vector<Stage> begin = {
       stage("random_color"),
@@ -151,7 +151,8 @@ TEST(Watercolor, KeepsWaterThatDoesNotDryAndPigmentThatIsDry) {
   wet.run({stage("watercolor", {{"loss", 0}})}, 60);
   EXPECT_NEAR(weighted_sum(*n, wet.attributes().values<float>("wetness")) / water, 1, 1e-5);
 
-  // Every cell of a torus is wet: each step takes the loss from each, then all is dry and still.
+  // Every cell of a torus is wet: each step removes the loss from each, then all is dry and
+  // constant.
   const NetworkPtr flat = torus(30, 30, 6);
   Simulation dry(flat, RandomKey(5));
   dry.attributes().column<float>("wetness", 0.5f);
@@ -163,7 +164,7 @@ TEST(Watercolor, KeepsWaterThatDoesNotDryAndPigmentThatIsDry) {
   dry.run({stage("watercolor", {{"loss", 0.125}})}, 5);
   for (const float w : dry.attributes().values<float>("wetness")) ASSERT_EQ(w, 0);
   EXPECT_EQ(dry.attributes().values<Vec3f>("Cd"), pigment);
-  // It has mixed before: half wet, a cell went half the way to its neighbours' mean.
+  // It mixed before: at half wetness, a cell moves half the way to its neighbours' mean.
   EXPECT_NE(pigment, ran(flat, {stage("random_color")}, 1, 5).attributes().values<Vec3f>("Cd"));
 }
 

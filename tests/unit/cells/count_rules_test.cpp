@@ -1,4 +1,4 @@
-// The rows of table 1 that count: corrosion, life, maze, regrouping; and Gray-Scott.
+// The counting rules of table 1: corrosion, life, maze, regrouping; and Gray-Scott.
 #include "run.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace vug::cells {
 namespace {
 
-/// The game on rows of text, with the neighbours found by remainders.
+/// The game on rows of text, with neighbours found by modular arithmetic.
 std::vector<int32_t> next_generation(const std::vector<int32_t>& now, int width, int height) {
   std::vector<int32_t> next(now.size());
   for (int y = 0; y < height; ++y)
@@ -42,7 +42,7 @@ TEST(Life, IsTheGameForAThousandGenerations) {
 }
 
 TEST(Life, ScaledCountsAsEight) {
-  // On six neighbours, 2 count as round(8 * 2 / 6) = 3: a pair gives birth beside it.
+  // With six neighbours, 2 count as round(8 * 2 / 6) = 3: a pair causes a birth next to it.
   Simulation s(torus(12, 12, 6), RandomKey(1));
   auto& alive = s.attributes().column<int32_t>("alive").now;
   alive[5 * 12 + 5] = alive[5 * 12 + 6] = 1;
@@ -65,7 +65,7 @@ TEST(Maze, FillsHalfOfTheFloor) {
   EXPECT_NEAR(std::accumulate(alive.begin(), alive.end(), 0.0) / 65536, 0.505, 0.02);
 }
 
-TEST(Corrosion, IsThatOfAPlainLoop) {
+TEST(Corrosion, EqualsAPlainLoop) {
   const NetworkPtr n = uneven();
   Simulation s(n, RandomKey(6));
   const float loss = 0.25f;
@@ -76,7 +76,7 @@ TEST(Corrosion, IsThatOfAPlainLoop) {
   EXPECT_NEAR(static_cast<double>(struck), 0.4 * static_cast<double>(n->size()),
               4 * std::sqrt(0.24 * static_cast<double>(n->size())));
   std::vector<bool> gone(n->size(), false);
-  // A new stage would strike again: go on with the old one.
+  // A new stage would attack again, so the old one continues.
   Simulation all = ran(n, {stage("corrosion", parameters)}, 12, 6);
   for (int step = 1; step < 12; ++step) {
     const std::vector<float> now = p;
@@ -100,7 +100,7 @@ TEST(Corrosion, IsThatOfAPlainLoop) {
   EXPECT_GT(std::count(gone.begin(), gone.end(), true), struck);
 }
 
-TEST(Corrosion, TakesWholePatchesWhereThereAreSome) {
+TEST(Corrosion, AttacksWholePatchesIfThereAreAny) {
   const NetworkPtr n = uneven();
   Simulation s(n, RandomKey(8));
   s.run({stage("random_color", {{"share", 0.02}})}, 1);
@@ -117,9 +117,10 @@ TEST(Corrosion, TakesWholePatchesWhereThereAreSome) {
   }
 }
 
-TEST(Regrouping, ComesToRestOrBlinks) {
+TEST(Regrouping, BecomesConstantOrPeriodic) {
   // With symmetric weights the sum of J_ij s_i(t) s_j(t-1), and of h (s_i(t) + s_i(t-1)), never
-  // falls when all step at once (Goles and Olivos 1981): in the end groups repeat after two steps.
+  // decreases under synchronous updates (Goles and Olivos 1981): finally groups repeat after two
+  // steps.
   const NetworkPtr n = uneven(0.09);
   const double h = 0.2511, near = 1.8, far = 3.5;
   const std::vector<Stage> stages = {
@@ -153,7 +154,7 @@ TEST(Regrouping, ComesToRestOrBlinks) {
   }
 }
 
-TEST(GrayScott, ConservesWhatItMustAndIsThatOfAPlainLoop) {
+TEST(GrayScott, ConservesMassAndEqualsAPlainLoop) {
   const std::vector<Stage> drops = {
       stage("sprinkle", {{"attribute", "v"}, {"share", 0.002}, {"radius", 0.2}})};
   const NetworkPtr n = uneven();
@@ -197,11 +198,11 @@ TEST(GrayScott, ConservesWhatItMustAndIsThatOfAPlainLoop) {
     ASSERT_NEAR(open.attributes().values<float>("u")[i], u[i], 1e-4);
     ASSERT_NEAR(open.attributes().values<float>("v")[i], v[i], 1e-4);
   }
-  EXPECT_GT(std::accumulate(v.begin(), v.end(), 0.0), 1);  // it lives
+  EXPECT_GT(std::accumulate(v.begin(), v.end(), 0.0), 1);  // It is active.
 }
 
 TEST(GrayScott, IsTheSameForEachCellAloneAndForBlocks) {
-  // Blocks with all they are linked to nearby, blocks that reach around, and links of many numbers.
+  // Blocks with all linked cells nearby, blocks with distant links, and links of many degrees.
   for (const NetworkPtr& network : {torus(40, 1000, 8), torus(200, 200, 6), uneven(0.01)}) {
     ASSERT_GT(network->size(), 4 * kBlock);
     const std::vector<Stage> drops = {stage("sprinkle", {{"attribute", "v"}, {"share", 0.1}})};
@@ -216,7 +217,7 @@ TEST(GrayScott, IsTheSameForEachCellAloneAndForBlocks) {
 }
 
 TEST(GrayScott, IsTheSameWhereSomeBlocksSleep) {
-  // Two sheets in one network of more than a block each: where one sleeps the other does the same.
+  // Two sheets in one network of more than a block each: if one sleeps, the other is unaffected.
   Network both = flat_torus(132, 64, 8);
   const auto count = static_cast<uint32_t>(both.size());
   const NetworkPtr one = std::make_shared<const Network>(both);

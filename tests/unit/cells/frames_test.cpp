@@ -14,7 +14,7 @@ Network made(const mesh::Mesh& mesh, const std::string& grid, double spacing) {
   return build(Surface({shared(mesh)}), options(grid, spacing)).network;
 }
 
-/// Share of the links whose two frames differ by more than the angle when carried along.
+/// Fraction of the links whose two frames differ by more than the angle after transport.
 double torn(const Network& n, double cosine) {
   double bad = 0, all = 0;
   for (uint32_t i = 0; i < n.size(); ++i)
@@ -25,14 +25,15 @@ double torn(const Network& n, double cosine) {
   return bad / all;
 }
 
-TEST(Carried, TurnsWithTheNormal) {
+TEST(ParallelTransport, RotatesWithTheNormal) {
   const Vec3f x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-  EXPECT_LT((parallel_transport(x, z, y) - x).length(), 1e-6f);  // along the fold: as it is
-  EXPECT_LT((parallel_transport(y, z, y) + z).length(), 1e-6f);  // over the fold: down the other side
+  EXPECT_LT((parallel_transport(x, z, y) - x).length(), 1e-6f);  // Along the fold: unchanged.
+  EXPECT_LT((parallel_transport(y, z, y) + z).length(),
+            1e-6f);  // Across the fold: down the other side.
   EXPECT_LT((parallel_transport(x, y, y) - x).length(), 1e-6f);
 }
 
-TEST(Frames, AreLevelOnSlopesAndOneOnAFloor) {
+TEST(Frames, AreLevelOnSlopesAndConstantOnAFloor) {
   const Network ball = made(mesh::sphere_mesh(Vec3d(0), 1, 4), "random", 0.05);
   for (uint32_t i = 0; i < ball.size(); ++i) {
     const float sine = std::sqrt(1 - ball.normal[i].y * ball.normal[i].y);
@@ -46,13 +47,13 @@ TEST(Frames, AreLevelOnSlopesAndOneOnAFloor) {
   for (const Vec3f& right : floor.right) ASSERT_LT((right - Vec3f(1, 0, 0)).length(), 1e-5f);
 }
 
-TEST(Frames, AreTornNowhereButAtFewPoles) {
-  // A ball has poles; a torus that lies flat has none, but a ring of level ground on top and below
-  // that takes its frames from both slopes, which run opposite ways round.
+TEST(Frames, AreContinuousExceptAtFewPoles) {
+  // A ball has poles. A flat torus has none, but rings of horizontal ground on top and below that
+  // inherit their frames from both slopes, which run in opposite directions.
   const Network ball = made(mesh::sphere_mesh(Vec3d(0), 1, 5), "random", 0.03);
   EXPECT_LT(torn(ball, 0.7), 0.02);
   EXPECT_LT(torn(made(mesh::torus_mesh(1, 0.4, 80, 40), "random", 0.04), 0.7), 0.1);
-  // An upright box: its walls are one, its floor and ceiling follow the first wall that reaches.
+  // An upright box: its walls agree, its floor and ceiling follow the first wall that reaches them.
   EXPECT_LT(torn(made(mesh::box_mesh({Vec3d(0), Vec3d(1)}), "square", 0.03), 0.7), 0.05);
 }
 
@@ -61,7 +62,7 @@ TEST(Neighbours, AreFoundBySide) {
   const uint32_t cell = 3 * 8 + 3;
   EXPECT_EQ(neighbour_at(n, cell, Side::right), cell + 1);
   EXPECT_EQ(neighbour_at(n, cell, Side::left), cell - 1);
-  EXPECT_EQ(neighbour_at(n, cell, Side::up), cell - 8);  // y up, x right: z towards the viewer
+  EXPECT_EQ(neighbour_at(n, cell, Side::up), cell - 8);  // y up, x right: z towards the viewer.
   EXPECT_EQ(neighbour_at(n, cell, Side::down), cell + 8);
   EXPECT_EQ(neighbour_toward(n, cell, {0, 1, 0}), std::nullopt);
   EXPECT_EQ(neighbour_toward(n, cell, {2, 5, 1}), cell + 1);

@@ -1,4 +1,4 @@
-// What grows on rock and what wears it: moss, lichens, crusts, erosion; and cells that freeze.
+// Growth on rock and its erosion: moss, lichens, crusts, erosion; and cells that freeze.
 #include "run.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ double total(const Simulation& s, const std::string& name) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Links from the nearest of the cells that are meant; -1 where no way leads.
+/// Number of links to the nearest of the given cells; -1 if unreachable.
 std::vector<int> links_from(const Network& n, const std::vector<uint32_t>& cells) {
   std::vector<int> away(n.size(), -1);
   std::queue<uint32_t> queue;
@@ -33,7 +33,7 @@ NetworkPtr sheet(double spacing) {
   return std::make_shared<const Network>(build(surface, options("triangle", spacing)).network);
 }
 
-TEST(Moss, GrowsFromItsSeedsWhereItCan) {
+TEST(Moss, GrowsFromItsSeedsWherePossible) {
   const NetworkPtr n = sheet(0.01);
   Simulation s(n, RandomKey(1));
   auto& moist = s.attributes().column<float>("moisture", 1).now;
@@ -70,7 +70,7 @@ TEST(Moss, GrowsFromItsSeedsWhereItCan) {
   EXPECT_GT(grown(s).size(), 4 * first.size());
 }
 
-TEST(Moss, CoversAsMuchWithSmallerCells) {
+TEST(Moss, CoverageDoesNotDependOnTheSpacing) {
   const auto share = [](double spacing) {
     const NetworkPtr n = sheet(spacing);
     const Simulation s = ran(n, {stage("moss", {{"seeds", 60}, {"speed", 0.004}})}, 15, 3);
@@ -81,7 +81,7 @@ TEST(Moss, CoversAsMuchWithSmallerCells) {
   };
   const double coarse = share(0.012), fine = share(0.006);
   EXPECT_GT(coarse, 0.1);
-  EXPECT_NEAR(fine / coarse, 1, 0.35);  // of 60 clumps, whose number alone varies by 13 %
+  EXPECT_NEAR(fine / coarse, 1, 0.35);  // Of 60 clumps, whose number alone varies by 13 %.
 }
 
 TEST(Lichen, RosettesAreRoundAndKeepTheirColours) {
@@ -119,7 +119,8 @@ TEST(Lichen, RosettesAreRoundAndKeepTheirColours) {
       const bool green = color[i].y > 0.3f && color[i].x == 0;
       ASSERT_TRUE(red || green) << color[i].x << " " << color[i].y;
     }
-    // Round: who is nearer to the middle than the rim's unevenness belongs to it, or to another.
+    // Roundness: a cell nearer to the centre, within the irregularity of the rim, belongs to this
+    // or another rosette.
     for (const uint32_t to : n->links.of(i)) {
       if (colony[to] != 0) continue;
       const float here = (n->position[i] - n->position[seed]).length();
@@ -133,7 +134,7 @@ TEST(Lichen, RosettesAreRoundAndKeepTheirColours) {
   EXPECT_NEAR(total(s, "height"), 0.002 * total(s, "lichen"), 1e-4 * total(s, "lichen"));
 }
 
-TEST(Crust, ThickensTowardsItsLimitAndKeepsWhatItSpreads) {
+TEST(Crust, ThickensTowardsItsLimitAndSmoothingConserves) {
   const NetworkPtr n = uneven();
   Simulation even =
       ran(n, {stage("crust", {{"lumps", 0}, {"growth", 0.001}, {"limit", 0.01}})}, 20);
@@ -151,7 +152,7 @@ TEST(Crust, ThickensTowardsItsLimitAndKeepsWhatItSpreads) {
                 0.5 + static_cast<double>(s.attributes().values<float>("crust")[i]), 1e-5);
 }
 
-TEST(Erosion, CarvesWhatItCarriesAway) {
+TEST(Erosion, CarvedVolumeEqualsTransportedVolume) {
   const NetworkPtr n = uneven();
   Simulation s(n, RandomKey(3));
   auto& hard = s.attributes().column<float>("hardness").now;
@@ -169,18 +170,19 @@ TEST(Erosion, CarvesWhatItCarriesAway) {
     ASSERT_LE(depth, 0.03f * 1.00001f);
     ASSERT_GE(depth, -0.03f * 1.00001f);
     if (n->normal[i].y < 0) {
-      ASSERT_GE(depth, 0);  // on overhangs nothing is left
+      ASSERT_GE(depth, 0);  // Nothing is deposited on overhangs.
     }
     if (hard[i] > 0) {
-      ASSERT_LE(depth, 0);  // it may be buried
+      ASSERT_LE(depth, 0);  // It may be buried.
     }
     deepest = std::max(deepest, depth);
   }
   EXPECT_GT(deepest, 0.005f);
 }
 
-TEST(Freeze, LetsOthersGoOn) {
-  // Figure 12 of a cascade: what has become wet enough stays, and what is seen of it spreads on.
+TEST(Freeze, LeavesOtherCellsRunning) {
+  // Figure 12, a cascade: sufficiently wet cells are frozen, and the visible state continues to
+  // spread.
   const NetworkPtr n = torus(20, 20, 4);
   for (const auto& [as, expected] : std::vector<std::pair<std::string, CellState>>{
            {"sleeping", CellState::sleeping}, {"distributing", CellState::distributing}}) {

@@ -1,4 +1,4 @@
-// Networks and surfaces that several tests look at.
+// Networks and surfaces shared by several tests.
 #pragma once
 
 #include <vug/cells/build.h>
@@ -19,7 +19,7 @@ inline BuildOptions options(const std::string& grid, double spacing,
   return o;
 }
 
-/// A level square of two triangles, its side 1 m long.
+/// A horizontal square of two triangles with a side of 1 m.
 inline mesh::Mesh floor_mesh() {
   mesh::Mesh mesh;
   mesh.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}};

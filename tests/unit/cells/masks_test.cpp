@@ -1,4 +1,4 @@
-// Masks at cells: by place once, by what the cells carry in every step.
+// Masks on cells: by position once, by attributes in every step.
 #include "run.h"
 
 #include <vug/paint/kind.h>
@@ -39,9 +39,9 @@ struct Growing : Rule {
   }
 };
 
-TEST(Masks, ThatLookAtAttributesAreAskedInEveryStep) {
+TEST(Masks, ThatUseAttributesAreEvaluatedInEveryStep) {
   const NetworkPtr n = uneven();
-  // Each grows while it is smaller than 3, and than 3 only: the chance is 1 or 0.
+  // Each grows while it is below 3, and only then: the probability is 1 or 0.
   Stage growing{std::make_shared<Growing>(), "grow"};
   growing.mask = as_mask(mask("attribute", {{"name", "size"}, {"from", 2.5}, {"to", 2.25}}));
   ASSERT_EQ(growing.mask->uses().size(), 1u);
@@ -66,7 +66,7 @@ TEST(Masks, ChooseTheSameCellsInEveryStep) {
   }
   const auto cells = static_cast<double>(n->size());
   EXPECT_NEAR(grown / cells, 0.25, 4 * std::sqrt(0.1875 / cells));
-  // One by place alone chooses those whose draws say so for the same chance.
+  // A mask by position alone selects the cells whose random numbers are below the same probability.
   Stage still{std::make_shared<Growing>(), "grow"};
   still.mask = as_mask(Value(0.25));
   still.draws = RandomKey(5);
@@ -74,7 +74,7 @@ TEST(Masks, ChooseTheSameCellsInEveryStep) {
             s.attributes().values<float>("size"));
 }
 
-TEST(Masks, SeeWhichCellsAreGone) {
+TEST(Masks, SeeWhichCellsAreTransparent) {
   const NetworkPtr n = torus(10, 10, 4);
   Simulation s(n, RandomKey(1));
   std::vector<CellState> states(n->size(), CellState::active);

@@ -12,7 +12,7 @@ namespace {
 TEST(FlatTorus, LinksReachTheNearestCellsOnly) {
   struct Case {
     uint32_t full;
-    double least, most;  // lengths of links, in spacings
+    double least, most;  // Lengths of links, in spacings.
   };
   const double root2 = std::sqrt(2.0);
   for (const Case& c : {Case{3, 1, 1}, Case{4, 1, 1}, Case{6, 1, 1}, Case{8, 1, root2}}) {
@@ -47,7 +47,7 @@ TEST(Network, ValidateFindsBrokenPromises) {
   const Network good = flat_torus(6, 6, 4);
   validate(good);
   Network n = good;
-  n.links.to[0] = 9;  // whose row does not have it
+  n.links.to[0] = 9;  // Missing in the other row.
   EXPECT_THROW(validate(n), Error);
   n = good;
   n.normal[3] = Vec3f(0, 2, 0);
@@ -63,7 +63,7 @@ TEST(Network, ValidateFindsBrokenPromises) {
   EXPECT_THROW(validate(n), Error);
 }
 
-TEST(Network, PiecesAreCountedAndContentsTold) {
+TEST(Network, ComponentsAreCountedAndDigestsDiffer) {
   Network n = flat_torus(6, 6, 4);
   const Network before = n;
   n.links = make_links(36, [](uint32_t i, const auto& add) {

@@ -1,4 +1,4 @@
-// Cells as points of a file, and points of a file as cells that go on.
+// Conversion of cells to points of a file and back.
 #include "run.h"
 
 #include <vug/base/error.h>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What all cells carry, in an order of its own.
+/// Digests of all cell data, independent of order.
 std::map<std::string, Digest> carried(const Simulation& s) {
   std::map<std::string, Digest> out;
   for (const Attribute& a : s.attributes().all())
@@ -35,16 +35,17 @@ std::vector<Stage> some_of_all(const std::string& last) {
   return {stage("random_color", {{"share", 0.1}}, 1),
           stage("sprinkle", {{"attribute", "v"}, {"share", 0.01}, {"radius", 0.1}}, 1),
           stage("sprinkle", {{"attribute", "alive"}, {"whole", true}}, 1),
-          stage("corrosion", {{"share", 0.2}, {"loss", 0.3}}, -1, 8),  // so that some cells go
+          stage("corrosion", {{"share", 0.2}, {"loss", 0.3}}, -1,
+                8),  // So that some cells are removed.
           stage(last, parameters)};
 }
 
-/// Through a grid, which puts them into another order.
+/// Through a grid, which changes their order.
 volume::Points through_grid(const Simulation& s, PointFormat keep) {
   return volume::points(volume::point_grid(to_points(s, keep), voxel_of_points(s.network())));
 }
 
-TEST(CellPoints, GoOnToTheSameBytesWithEveryRule) {
+TEST(CellPoints, ContinueToTheSameBytesWithEveryRule) {
   const NetworkPtr n = uneven(0.05);
   for (const RuleKind* kind : rules()) {
     const std::vector<Stage> stages = some_of_all(kind->info.name);
@@ -60,7 +61,7 @@ TEST(CellPoints, GoOnToTheSameBytesWithEveryRule) {
   }
 }
 
-TEST(CellPoints, HaveWhatOtherProgramsAskFor) {
+TEST(CellPoints, HaveTheAttributesThatOtherProgramsExpect) {
   const NetworkPtr n = uneven();
   Simulation s = ran(n, some_of_all("melting"), 20);
   const fs::path file = fs::temp_directory_path() / fmt::format("vug-cells-{}.vdb", getpid());
@@ -87,7 +88,7 @@ TEST(CellPoints, HaveWhatOtherProgramsAskFor) {
   fs::remove(file);
 }
 
-TEST(CellPoints, ShownAreRestoredAboutWhereTheyWere) {
+TEST(CellPoints, InterchangePointsAreRestoredApproximately) {
   const NetworkPtr n = uneven();
   const Simulation s = ran(n, some_of_all("melting"), 20);
   const double off = voxel_of_points(*n) / 65535 + 1e-6;
@@ -98,7 +99,7 @@ TEST(CellPoints, ShownAreRestoredAboutWhereTheyWere) {
   EXPECT_EQ(again.states(), s.states());
   EXPECT_EQ(again.attributes().values<float>("v"), s.attributes().values<float>("v"));
   EXPECT_EQ(again.attributes().find("pscale"), nullptr);
-  // Cells that have not moved are not told that they have.
+  // Cells that have not moved are not marked as moved.
   Simulation still(n, RandomKey(1));
   restore(still, through_grid(ran(n, some_of_all("voronoi"), 20), PointFormat::interchange), 20,
           PointFormat::interchange, off);
@@ -131,7 +132,8 @@ TEST(CellPoints, OfOtherCellsAreRefused) {
   EXPECT_EQ(fault([&] { restore(s, points, 0, PointFormat::exact); }),
             "the points have no group 'sleeping'");
   s.attributes().column<float>("id");
-  EXPECT_EQ(fault([&] { to_points(s); }), "cells have an attribute 'id', which is reserved for the numbers of points");
+  EXPECT_EQ(fault([&] { to_points(s); }),
+            "cells have an attribute 'id', which is reserved for the numbers of points");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Runs of rules that several tests look at.
+// Runs of rules shared by several tests.
 #pragma once
 
 #include "made.h"
@@ -12,7 +12,7 @@ inline NetworkPtr torus(uint32_t across, uint32_t along, uint32_t full) {
   return std::make_shared<const Network>(flat_torus(across, along, full));
 }
 
-/// Links of many degrees: strewn cells that nobody has harmonised.
+/// A network with links of many degrees: scattered cells without relaxation.
 inline NetworkPtr uneven(double spacing = 0.06) {
   BuildOptions o = options("random", spacing);
   o.relax = 0;
@@ -32,8 +32,8 @@ inline Simulation ran(NetworkPtr network, const std::vector<Stage>& stages, int 
   return simulation;
 }
 
-/// Sum of (links + 1) * value: what a mean over a cell and its neighbours conserves, because the
-/// links are mutual.
+/// Sum of (links + 1) * value, which a mean over a cell and its neighbours conserves because links
+/// are mutual.
 template <class T>
 auto weighted_sum(const Network& n, const std::vector<T>& values) {
   if constexpr (std::is_same_v<T, Vec3f>) {

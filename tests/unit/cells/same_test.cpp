@@ -1,4 +1,4 @@
-// What must not matter to a network, and what cannot be made into one.
+// Changes that must not affect a network, and input that is rejected.
 #include "made.h"
 
 #include <vug/base/error.h>
@@ -36,14 +36,14 @@ TEST(SameBytes, ForAnyNumberOfThreadsAndOrderOfPolygons) {
   }
 }
 
-TEST(SameCells, HoweverAPolygonIsCut) {
-  // The floor as two triangles, and as a fan around a point that is in the middle of nothing.
+TEST(SameCells, ForAnyTriangulationOfAPolygon) {
+  // The floor as two triangles, and as a fan around an arbitrary point.
   const mesh::Mesh plain = floor_mesh();
   mesh::Mesh fan = plain;
   fan.positions.push_back({0.3f, 0, 0.55f});
   fan.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
   BuildOptions o = options("triangle", 0.02);
-  o.grid.gap = 100;  // no darts: those know the triangles
+  o.grid.gap = 100;  // No darts, because those depend on the triangles.
   const Network a = build(Surface({shared(plain)}), o).network;
   const Network b = build(Surface({shared(fan)}), o).network;
   ASSERT_EQ(a.size(), b.size());
@@ -51,11 +51,11 @@ TEST(SameCells, HoweverAPolygonIsCut) {
     ASSERT_LT((a.position[i] - b.position[i]).length(), 1e-5f) << i;
 }
 
-TEST(SameCells, WhatIsAddedFarAwayChangesNothingHere) {
+TEST(SameCells, DistantAdditionsChangeNothing) {
   const mesh::MeshPtr ball = shared(mesh::sphere_mesh(Vec3d(0), 1, 3));
   const mesh::MeshPtr far = shared(mesh::sphere_mesh(Vec3d(9, 1, 1), 1, 2));
   BuildOptions o = options("random", 0.1);
-  o.relax = 0;  // pushes are summed in another order, which their last bits show
+  o.relax = 0;  // Pushes are summed in another order, which affects their last bits.
   std::vector<Vec3f> alone = build(Surface({ball}), o).network.position;
   std::vector<Vec3f> here;
   for (const Vec3f& p : build(Surface({far, ball}), o).network.position)
@@ -109,7 +109,7 @@ TEST(BadInput, IsRefusedInASentence) {
 
 TEST(OpenMeshes, AndSliversAreFine) {
   mesh::Mesh mesh = mesh::sphere_mesh(Vec3d(0), 1, 3);
-  mesh.triangles.erase(mesh.triangles.begin() + 17);  // the rabbit of figure 10
+  mesh.triangles.erase(mesh.triangles.begin() + 17);  // The rabbit of figure 10.
   mesh.triangles.push_back({4, 4, 9});
   const Network n = build(Surface({shared(mesh)}), options("random", 0.05)).network;
   validate(n);

@@ -1,4 +1,4 @@
-// The clock itself: who is rewritten, who is seen, and in which order rules work.
+// The step counter: which cells are updated, which are visible, and the order of rules.
 #include "run.h"
 
 #include <vug/base/error.h>
@@ -11,7 +11,7 @@
 namespace vug::cells {
 namespace {
 
-TEST(Rules, AllSayWhatTheyAreAndGiveTheSameBytesForAnyNumberOfThreads) {
+TEST(Rules, AreDocumentedAndGiveTheSameBytesForAnyNumberOfThreads) {
   const NetworkPtr n = uneven(0.05);
   for (const RuleKind* kind : rules()) {
     EXPECT_FALSE(kind->info.doc.empty()) << kind->info.name;
@@ -23,7 +23,7 @@ TEST(Rules, AllSayWhatTheyAreAndGiveTheSameBytesForAnyNumberOfThreads) {
         stage("random_color", {{"share", 0.1}}, 1),
         stage("sprinkle", {{"attribute", "v"}, {"share", 0.01}, {"radius", 0.1}}, 1),
         stage("sprinkle", {{"attribute", "alive"}, {"whole", true}}, 1),
-        stage("corrosion", {{"share", 0.2}}),  // so that some cells sleep
+        stage("corrosion", {{"share", 0.2}}),  // So that some cells sleep.
         stage(kind->info.name, parameters)};
     std::vector<std::pair<std::string, Digest>> expected;
     for (const int threads : {1, 2, 7}) {
@@ -43,7 +43,7 @@ TEST(Rules, AllSayWhatTheyAreAndGiveTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
-TEST(States, DecideWhoIsRewrittenAndWhoIsSeen) {
+TEST(States, DetermineUpdatedAndVisibleCells) {
   const NetworkPtr n = uneven();
   Simulation s(n, RandomKey(1));
   std::vector<CellState> states;
@@ -80,7 +80,7 @@ struct Counting : Rule {
   }
 };
 
-TEST(Sleep, CostsNothingAndKeepsWhatIsThere) {
+TEST(Sleep, CostsNothingAndKeepsValues) {
   const NetworkPtr n = torus(200, 100, 4);
   Simulation s(n, RandomKey(1));
   const auto counting = std::make_shared<Counting>();
@@ -101,7 +101,7 @@ TEST(Sleep, CostsNothingAndKeepsWhatIsThere) {
     ASSERT_EQ(s.attributes().values<int32_t>("count")[i], i < 15000 ? 4 : 8);
 }
 
-TEST(Stages, WorkWhenAndWhereTheyAreMeantTo) {
+TEST(Stages, RunAtTheirTimeAndPlace) {
   const NetworkPtr n = torus(100, 50, 4);
   Simulation s(n, RandomKey(1));
   Stage late{std::make_shared<Counting>(), "late", 2, 3, {}};
@@ -116,7 +116,7 @@ TEST(Stages, WorkWhenAndWhereTheyAreMeantTo) {
 }
 
 TEST(Stages, ComposeOnTheSameCells) {
-  // Figure 10 (f): cracks stay while the rest of the colour goes on to spread.
+  // Figure 10 (f): cracks remain while the rest of the colour continues to spread.
   const NetworkPtr n = uneven();
   Simulation s(n, RandomKey(3));
   const std::vector<Stage> stages = {
@@ -128,13 +128,13 @@ TEST(Stages, ComposeOnTheSameCells) {
   s.run(stages, 20);
   const auto& color = s.attributes().values<Vec3f>("Cd");
   for (uint32_t i = 0; i < n->size(); ++i) {
-    // Within a patch there is one colour, of which the mean is that colour, up to rounding.
+    // A patch has one colour, whose mean is that colour, up to rounding.
     const Vec3f expected = states[i] == CellState::sleeping ? Vec3f(0.25f, 0, 0) : cracked[i];
     ASSERT_LT((color[i] - expected).length(), states[i] == CellState::sleeping ? 1e-30f : 1e-5f);
   }
 }
 
-TEST(Stages, CanBeStoppedAndRefuseWrongTypes) {
+TEST(Stages, CanBeCancelledAndRefuseWrongTypes) {
   Simulation s(torus(20, 20, 4), RandomKey(1));
   s.attributes().column<float>("alive");
   EXPECT_THROW(s.run({stage("life")}, 1), Error);

@@ -1,4 +1,4 @@
-// What cells carry, at the vertices of meshes: constants stay, linear functions nearly do, the
+// Transfer of attributes to vertices: constants are reproduced, linear functions nearly so, and the
 // sides of walls do not mix.
 #include "run.h"
 
@@ -21,7 +21,7 @@ NetworkPtr network(const mesh::Mesh& mesh, const std::string& grid, double spaci
       build(Surface({shared(mesh)}), options(grid, spacing)).network);
 }
 
-/// The mesh with "x", a function of the cells' places.
+/// The mesh with "x", a function of the cells' positions.
 template <class F>
 mesh::Mesh carried(mesh::Mesh mesh, const NetworkPtr& cells, const F& f) {
   Simulation simulation(cells, RandomKey(1));
@@ -35,9 +35,9 @@ const std::vector<float>& values(const mesh::Mesh& mesh, const std::string& name
   return mesh::find_attribute(mesh, name)->values;
 }
 
-TEST(OntoMesh, ConstantsStayExactly) {
+TEST(TransferToMesh, ConstantsStayExactly) {
   const mesh::Mesh ball = mesh::sphere_mesh(Vec3d(0), 1, 4);
-  for (const double spacing : {0.02, 0.07, 0.5}) {  // cells finer and coarser than the mesh
+  for (const double spacing : {0.02, 0.07, 0.5}) {  // Cells finer and coarser than the mesh.
     const mesh::Mesh mesh =
         carried(ball, network(ball, "random", spacing), [](const Vec3f&) { return 0.1f; });
     for (const float v : values(mesh, "x")) ASSERT_EQ(v, 0.1f) << spacing;
@@ -45,10 +45,10 @@ TEST(OntoMesh, ConstantsStayExactly) {
   }
 }
 
-// A mean over cells around the vertex is off by the slope times how far their middle is from it:
-// less than the reach always. On a surface without edges it is a third of a spacing where cells are
-// even, and twice that at the seams of squares, which cannot close.
-TEST(OntoMesh, LinearFunctionsAreMet) {
+// The error of a mean over the cells around a vertex is the slope times the offset of their
+// centroid: always less than the reach. On a surface without edges it is a third of a spacing for
+// uniform cells, and twice that at the seams of squares, which do not match.
+TEST(TransferToMesh, LinearFunctionsAreReproduced) {
   const mesh::Mesh ball = mesh::sphere_mesh(Vec3d(0), 1, 5);
   const std::vector<std::pair<const char*, double>> bounds = {
       {"random", 1.0 / 3}, {"triangle", 1.0 / 3}, {"square", 2.0 / 3}};
@@ -63,17 +63,17 @@ TEST(OntoMesh, LinearFunctionsAreMet) {
   }
 }
 
-TEST(OntoMesh, LinearFunctionsAreMetWithinTheReachUpToARim) {
+TEST(TransferToMesh, LinearFunctionsAreReproducedWithinTheReachAtABoundary) {
   mesh::Mesh floor = floor_mesh();
   const NetworkPtr cells = network(floor, "triangle", 0.05);
   const mesh::Mesh mesh = carried(floor, cells, linear);
-  // Four corners 1 m apart: coarser than the cells, so the mean edge is what they look around.
+  // Four corners 1 m apart: coarser than the cells, so the mean edge length is the reach.
   const double edge = (4 + 2 * std::sqrt(2.0)) / 6;
   for (size_t v = 0; v < 4; ++v)
     EXPECT_LT(std::fabs(values(mesh, "x")[v] - linear(mesh.positions[v])), kSlope.length() * edge);
 }
 
-/// Two sheets 4 mm apart, which face away from each other.
+/// Two sheets 4 mm apart that face away from each other.
 mesh::Mesh thin_wall() {
   constexpr uint32_t kSide = 41;
   mesh::Mesh wall;
@@ -96,7 +96,7 @@ mesh::Mesh thin_wall() {
   return wall;
 }
 
-TEST(OntoMesh, BothSidesOfAWallKeepTheirOwn) {
+TEST(TransferToMesh, BothSidesOfAWallKeepTheirValues) {
   const mesh::Mesh wall = thin_wall();
   const NetworkPtr cells = network(wall, "random", 0.1);
   const mesh::Mesh mesh =
@@ -105,7 +105,7 @@ TEST(OntoMesh, BothSidesOfAWallKeepTheirOwn) {
     ASSERT_EQ(values(mesh, "x")[v], mesh.positions[v].z > 0.002f ? 1 : 0);
 }
 
-TEST(OntoMesh, CellsWithoutColourShowThePaintBelow) {
+TEST(TransferToMesh, CellsWithoutColourShowThePaintBelow) {
   mesh::Mesh ball = mesh::sphere_mesh(Vec3d(0), 1, 3);
   const NetworkPtr cells = network(ball, "random", 0.2);
   Simulation simulation(cells, RandomKey(1));
@@ -126,10 +126,10 @@ TEST(OntoMesh, CellsWithoutColourShowThePaintBelow) {
       ASSERT_EQ(made->values[3 * v + 1], 0.125f);
     }
   }
-  EXPECT_EQ(ball.attributes.size(), 2u);  // Cd once, and transparent
+  EXPECT_EQ(ball.attributes.size(), 2u);  // Cd once, and transparent.
 }
 
-TEST(OntoMesh, CellsThatAreGoneAreTransparent) {
+TEST(TransferToMesh, RemovedCellsAreTransparent) {
   mesh::Mesh ball = mesh::sphere_mesh(Vec3d(0), 1, 3);
   const NetworkPtr cells = network(ball, "random", 0.2);
   Simulation simulation(cells, RandomKey(1));
@@ -138,8 +138,8 @@ TEST(OntoMesh, CellsThatAreGoneAreTransparent) {
   for (const float v : values(ball, "transparent")) ASSERT_EQ(v, 1);
 }
 
-// Normals that point astray leave vertices without a cell near that faces alike.
-TEST(OntoMesh, VerticesFarFromCellsTakeTheNearestThatFaceAlike) {
+// With wrong normals, vertices have no cells nearby with a similar normal.
+TEST(TransferToMesh, VerticesFarFromCellsUseTheNearestWithASimilarNormal) {
   const mesh::Mesh ball = mesh::sphere_mesh(Vec3d(0), 1, 4);
   const NetworkPtr cells = network(ball, "random", 0.1);
   mesh::Mesh inverted = ball;
@@ -165,7 +165,7 @@ TransferOptions moving() {
   return options;
 }
 
-TEST(OntoMesh, HeightMovesASurfaceAlongItsNormal) {
+TEST(TransferToMesh, HeightMovesASurfaceAlongItsNormal) {
   const mesh::Mesh ball = with_normals(mesh::sphere_mesh(Vec3d(0), 1, 4));
   Simulation simulation(network(ball, "random", 0.1), RandomKey(1));
   for (float& h : simulation.attributes().column<float>("height").now) h = -0.05F;
@@ -178,19 +178,19 @@ TEST(OntoMesh, HeightMovesASurfaceAlongItsNormal) {
     ASSERT_NEAR((moved.normals[v] - ball.normals[v]).length(), 0, 1e-5);
     ASSERT_EQ(values(moved, "height")[v], -0.05F);
   }
-  // A tilt by which one side rises and the other falls turns the normals.
+  // A tilt that raises one side and lowers the other rotates the normals.
   auto& height = simulation.attributes().column<float>("height").now;
   for (size_t i = 0; i < height.size(); ++i) height[i] = 0.2F * simulation.network().position[i].x;
   moved = ball;
   transfer_to_mesh(simulation, moved, moving());
-  // The surface r = 1 + 0.2 x has at (0, 1, 0) the slope dr/dx = 0.2.
+  // The surface r = 1 + 0.2 x has the slope dr/dx = 0.2 at (0, 1, 0).
   for (size_t v = 0; v < ball.positions.size(); ++v)
     if (ball.positions[v].y > 0.999F) {
       EXPECT_NEAR(moved.normals[v].x / moved.normals[v].y - ball.positions[v].x, -0.2F, 0.03F);
     }
 }
 
-TEST(OntoMesh, VerticesGoWhereCellsGo) {
+TEST(TransferToMesh, VerticesFollowTheirCells) {
   const mesh::Mesh ball = with_normals(mesh::sphere_mesh(Vec3d(0), 1, 3));
   Simulation simulation(network(ball, "random", 0.2), RandomKey(1));
   auto& place = simulation.attributes().column<Vec3f>("P").now;

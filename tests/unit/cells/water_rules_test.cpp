@@ -1,4 +1,5 @@
-// What water does to rock: it runs, seeps in, dries and leaves salt; and dust, which runs alike.
+// Effects of water on rock: it runs, seeps in, dries and leaves salt; and dust, which moves
+// similarly.
 #include "run.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ NetworkPtr on(mesh::Mesh mesh, const std::string& grid, double spacing) {
   return std::make_shared<const Network>(build(surface, options(grid, spacing)).network);
 }
 
-/// Upright, 1 m wide and 2 m high.
+/// Vertical, 1 m wide and 2 m high.
 mesh::Mesh wall_mesh() {
   mesh::Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {0, 2, 0}};
@@ -27,11 +28,11 @@ mesh::Mesh wall_mesh() {
   return mesh;
 }
 
-TEST(RunOff, KeepsAllWaterOnTheRockOrCountsItAsLost) {
+TEST(RunOff, ConservesWaterOrCountsItAsLost) {
   const NetworkPtr n = uneven();
   const double speed = 0.1;
   const Simulation s = ran(n, {stage("run_off", {{"speed", speed}, {"dry", 0.5}})}, 40);
-  // A move of the water brings a spacing's worth of rain to every cell; there are 40 * speed / c.
+  // A move of the water adds the rain of one spacing to every cell; there are 40 * speed / c moves.
   const double moved = std::floor(40 * speed / n->spacing + 1e-9);
   const double rain = moved * n->spacing * static_cast<double>(n->size());
   EXPECT_NEAR((total(s, "water") + total(s, "lost")) / rain, 1, 1e-5);
@@ -39,7 +40,7 @@ TEST(RunOff, KeepsAllWaterOnTheRockOrCountsItAsLost) {
   EXPECT_GT(total(s, "water"), 0.01 * rain);
 }
 
-TEST(RunOff, IsTheWallAboveOnceWaterHasArrived) {
+TEST(RunOff, EqualsTheWallAboveInASteadyFlow) {
   const double c = 0.05;
   const uint32_t across = 6, high = 40;
   Network wall;
@@ -61,7 +62,7 @@ TEST(RunOff, IsTheWallAboveOnceWaterHasArrived) {
   Simulation s = ran(n, {stage("run_off", parameters)}, 60);
   const double kept = std::exp(-c / dry), carried = std::exp(-c / settle);
   const std::vector<float> stain = s.attributes().values<float>("stain");
-  s.run({stage("run_off", parameters)}, 1);  // which moves the water twice
+  s.run({stage("run_off", parameters)}, 1);  // Moves the water twice.
   for (uint32_t i = 0; i < n->size(); ++i) {
     const double rows = 1 + i / across;
     const auto sum = [&](double left) { return c * (1 - std::pow(left, rows)) / (1 - left); };
@@ -72,7 +73,7 @@ TEST(RunOff, IsTheWallAboveOnceWaterHasArrived) {
   }
 }
 
-TEST(RunOff, EntersWhereItsSourceSays) {
+TEST(RunOff, EntersAtItsSource) {
   const NetworkPtr n = on(wall_mesh(), "triangle", 0.05);
   Simulation s(n, RandomKey(1));
   auto& source = s.attributes().column<float>("source").now;
@@ -100,11 +101,11 @@ TEST(RunOff, GathersInStreaks) {
     return most;
   };
   const double spread = largest(0), gathered = largest(1);
-  EXPECT_LT(spread, 6);  // of 1.7 on the mean
+  EXPECT_LT(spread, 6);  // With a mean of 1.7.
   EXPECT_GT(gathered, 2 * spread);
 }
 
-TEST(Moisture, KeepsWhatDoesNotDry) {
+TEST(Moisture, ConservesMoistureWithoutDrying) {
   const NetworkPtr n = uneven();
   Simulation s = ran(n, {stage("sprinkle", {{"attribute", "moisture"}, {"share", 0.1}})}, 1);
   const double before = total(s, "moisture");
@@ -116,22 +117,22 @@ TEST(Moisture, KeepsWhatDoesNotDry) {
   }
 }
 
-/// Cells beside a line that is always wet, in a row that is closed.
+/// Cells next to a line that is always wet, in a closed row.
 struct WetLine {
   static constexpr uint32_t kAcross = 64;
   Simulation simulation;
-  double fall;  ///< Moisture's logarithm falls by so much from cell to cell.
+  double fall;  ///< Decrease of the logarithm of moisture from cell to cell.
 
   explicit WetLine(int steps)
       : simulation(torus(kAcross, 4, 4), RandomKey(1)), fall(std::acosh(1 + 0.5 / 9)) {
     auto& water = simulation.attributes().column<float>("water").now;
     for (uint32_t i = 0; i < water.size(); i += kAcross) water[i] = 1;
-    // m(x - 1) + m(x + 1) = (2 + (c / reach)^2) m(x) where nothing changes any more.
+    // In equilibrium m(x - 1) + m(x + 1) = (2 + (c / reach)^2) m(x).
     simulation.run({stage("moisture", {{"reach", 3}, {"creep", 2}})}, steps);
   }
 };
 
-TEST(Moisture, FallsExponentiallyBesideTheWet) {
+TEST(Moisture, FallsExponentiallyNextToWater) {
   const WetLine line(300);
   for (uint32_t x = 0; x < WetLine::kAcross; ++x)
     ASSERT_NEAR(line.simulation.attributes().values<float>("moisture")[x],
@@ -139,7 +140,7 @@ TEST(Moisture, FallsExponentiallyBesideTheWet) {
         << x;
 }
 
-TEST(Efflorescence, KeepsItsSalt) {
+TEST(Efflorescence, ConservesSalt) {
   const NetworkPtr n = uneven();
   Simulation s =
       ran(n, {stage("sprinkle", {{"attribute", "moisture"}, {"share", 0.02}, {"radius", 0.3}})}, 1);
@@ -153,22 +154,22 @@ TEST(Efflorescence, KeepsItsSalt) {
          stage("efflorescence", {{"creep", 0.1}})},
         200);
   EXPECT_NEAR((total(s, "brine") + total(s, "salt")) / brine, 1, 1e-4);
-  EXPECT_GT(total(s, "salt"), 0.9 * brine);  // nearly all is dry
+  EXPECT_GT(total(s, "salt"), 0.9 * brine);  // Nearly all is dry.
 }
 
-TEST(Efflorescence, BeginsWhereBrineIsAsStrongAsItCanBe) {
+TEST(Efflorescence, BeginsWhereBrineIsSaturated) {
   WetLine line(300);
   line.simulation.run({stage("efflorescence", {{"solubility", 3}, {"creep", 2}})}, 300);
   const auto& salt = line.simulation.attributes().values<float>("salt");
-  // What flows past each cell is the same, so brine is 1 / m times as strong as at the line.
+  // The flow past each cell is the same, so brine is 1 / m times as strong as at the line.
   const auto first = static_cast<uint32_t>(std::ceil(std::log(3.0) / line.fall));
   for (uint32_t x = 0; x < first; ++x) ASSERT_EQ(salt[x], 0) << x;
   EXPECT_GT(salt[first], 0.1);
   for (uint32_t x = first + 1; x < 20; ++x) ASSERT_LT(salt[x + 1], salt[x]) << x;
 }
 
-TEST(Dust, IsKeptAndLiesAtMostAtItsSlopeOfRepose) {
-  mesh::Mesh mesh;  // a floor, and beside it a slope of 45 degrees
+TEST(Dust, IsConservedAndRestsBelowItsSlopeOfRepose) {
+  mesh::Mesh mesh;  // A floor, and next to it a slope of 45 degrees.
   mesh.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}, {2, 1, 1}, {2, 1, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}};
   const NetworkPtr n = on(mesh, "triangle", 0.05);
@@ -200,10 +201,10 @@ TEST(Dust, IsKeptAndLiesAtMostAtItsSlopeOfRepose) {
     }
     foot = std::max(foot, x < 1.05f ? static_cast<double>(dust[i]) : 0);
   }
-  EXPECT_GT(foot, 4 * 50 * fall);  // what slid lies there
+  EXPECT_GT(foot, 4 * 50 * fall);  // Dust that slid down rests there.
 }
 
-TEST(Dust, FallsFromOverhangsAndKeepsOffOpenPlaces) {
+TEST(Dust, FallsFromOverhangsAndAvoidsOpenPlaces) {
   const NetworkPtr n = on(mesh::sphere_mesh(Vec3d(0), 0.5, 4), "random", 0.05);
   Simulation s(n, RandomKey(1));
   auto& open = s.attributes().column<float>("exposure").now;

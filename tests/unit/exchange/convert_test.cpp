@@ -33,7 +33,7 @@ TEST(Convert, AMetreStaysAMetreAndUpStaysUp) {
   }
 }
 
-TEST(Convert, LampsKeepTheirRadianceAndTheirWatts) {
+TEST(Convert, LightsKeepTheirRadianceAndPower) {
   const Assembly before = sample();
   for (const Space& space : kSpaces) {
     const Assembly all = converted(before, space);
@@ -45,7 +45,7 @@ TEST(Convert, LampsKeepTheirRadianceAndTheirWatts) {
   }
 }
 
-TEST(Convert, ColoursStayAndVectorsTurn) {
+TEST(Convert, ColoursAreUnchangedAndVectorsRotate) {
   const Assembly before = sample();
   const Assembly all = converted(before, {UpAxis::z, 0.01});
   const mesh::Mesh &here = *before.prototypes[0].mesh, &there = *all.prototypes[0].mesh;
@@ -57,7 +57,7 @@ TEST(Convert, ColoursStayAndVectorsTurn) {
     EXPECT_EQ(there.normals[v], Vec3f(here.normals[v].x, -here.normals[v].z, here.normals[v].y));
 }
 
-TEST(Convert, ThereAndBackIsWhereItBegan) {
+TEST(Convert, RoundTripIsTheIdentity) {
   const Assembly before = sample();
   const Assembly again = converted(converted(before, {UpAxis::z, 0.01}), before.space);
   for (size_t g = 0; g < before.groups.size(); ++g)
@@ -69,7 +69,7 @@ TEST(Convert, ThereAndBackIsWhereItBegan) {
   EXPECT_LT((bounds(before).max - bounds(again).max).length(), 1e-6);
 }
 
-TEST(Convert, InstancesStandWhereTheyStood) {
+TEST(Convert, InstancesKeepTheirPlace) {
   const Box3d before = bounds(sample());
   for (const Space& space : kSpaces) {
     const Box3d here = space_transform({}, space).inverse().box(bounds(converted(sample(), space)));
@@ -77,7 +77,7 @@ TEST(Convert, InstancesStandWhereTheyStood) {
   }
 }
 
-TEST(Lamps, PowerIsRadianceOverAreaAndDirections) {
+TEST(Lights, PowerIsRadianceOverAreaAndDirections) {
   const Assembly all = sample();
   // The closed forms for each shape, for a radiance of 1.
   const double expected[] = {4 * kPi * kPi / 16, kPi / 8, kPi * kPi / 16};

@@ -32,7 +32,7 @@ TEST(FlatMesh, ACubeOfAMetreIsOneMetreInEveryFormatAndSpace) {
     }
 }
 
-TEST(FlatMesh, InstancesStandWhereTheyStandAndMirroredOnesPointOut) {
+TEST(FlatMesh, InstancesAreInPlaceAndMirroredOnesFaceOutwards) {
   Assembly all = sample();
   all.groups[1].places.push_back(Transform::translation({9, 0, 0}) *
                                  Transform::scaling({-1, 1, 1}));

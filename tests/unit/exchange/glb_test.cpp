@@ -44,7 +44,7 @@ const tinygltf::Node& node(const tinygltf::Model& model, const std::string& name
   return model.nodes.front();
 }
 
-TEST_F(Glb, ACubeOfAMetreIsOneMetreWhateverSpaceIsAskedFor) {
+TEST_F(Glb, ACubeOfAMetreIsOneMetreInEverySpace) {
   for (const Space& space : {Space{UpAxis::y, 1}, Space{UpAxis::z, 0.01}}) {
     const tinygltf::Model model = round_trip(sample(), space);
     const auto& position = model.accessors.at(
@@ -56,7 +56,7 @@ TEST_F(Glb, ACubeOfAMetreIsOneMetreWhateverSpaceIsAskedFor) {
   }
 }
 
-TEST_F(Glb, WhatIsThereInPart) {
+TEST_F(Glb, PartialOpacityIsExported) {
   Assembly all = sample();
   all.prototypes[0].look.opacity = 0.25;
   tinygltf::Model model = round_trip(all);
@@ -127,7 +127,7 @@ TEST_F(Glb, WattsAreCandelaOver683) {
   EXPECT_EQ(model.lights.at(4).type, "directional");
 }
 
-TEST_F(Glb, WhatItCannotHoldIsTold) {
+TEST_F(Glb, UnsupportedDataIsReported) {
   Assembly all = sample();
   all.volumes.push_back({"fog", "sample_fog.vdb", {{"density", "fog volume"}}, Box3d()});
   all.lights[3].profile = "lamp.ies";
@@ -140,7 +140,7 @@ TEST_F(Glb, WhatItCannotHoldIsTold) {
     EXPECT_NE(told.find(what), std::string::npos) << what << " in\n" << told;
 }
 
-TEST_F(Glb, SkiesAndCloudsStandInTheExtras) {
+TEST_F(Glb, SkiesAndMediaAreStoredInTheExtras) {
   Assembly all = sample();
   image::Image picture(4, 2, {"R", "G", "B"});
   picture.pixels.assign(picture.pixels.size(), 0.5F);
@@ -172,7 +172,7 @@ TEST_F(Glb, SkiesAndCloudsStandInTheExtras) {
   EXPECT_EQ(cloud.Get("grids").Get(1).Get<std::string>(), "flame");
 }
 
-TEST_F(Glb, ShearedAndMirroredPlacesStandWhereTheyShould) {
+TEST_F(Glb, ShearedAndMirroredInstancesAreInPlace) {
   Assembly all = sample();
   const Transform shear = Transform::scaling({1, 2, 1}) * Transform::rotation({0, 0, 1}, 0.5);
   all.groups = {{"sheared", 0, {shear}}, {"mirrored", 0, {Transform::scaling({-1, 1, 1})}}};

@@ -17,7 +17,7 @@ mesh::Mesh ball(int levels) {
   return mesh;
 }
 
-TEST(Levels, AQuarterOfTheTrianglesCarryWhatTheyCarried) {
+TEST(Levels, SimplifiedMeshesKeepTheirAttributes) {
   const mesh::Mesh fine = ball(5);
   const mesh::Mesh coarse = coarser(fine);
   EXPECT_NO_THROW(mesh::validate(coarse, "t"));
@@ -31,7 +31,7 @@ TEST(Levels, AQuarterOfTheTrianglesCarryWhatTheyCarried) {
   EXPECT_EQ(coarse.normals.size(), coarse.positions.size());
 }
 
-TEST(Levels, DistancesOfSurfacesThatAreKnown) {
+TEST(Levels, DistancesOfKnownSurfaces) {
   const mesh::Mesh small = mesh::box_mesh(Box3d(Vec3d(0.0), Vec3d(1.0)));
   const mesh::Mesh moved = mesh::box_mesh(Box3d(Vec3d(0.25, 0, 0), Vec3d(1.25, 1, 1)));
   const mesh::Mesh large = mesh::box_mesh(Box3d(Vec3d(-1.0), Vec3d(2.0)));
@@ -46,7 +46,7 @@ TEST(Levels, DistancesOfSurfacesThatAreKnown) {
   EXPECT_LT(off, 1e-2);
 }
 
-TEST(Levels, GoDownAndTellHowFarTheyAreOff) {
+TEST(Levels, HaveFewerTrianglesAndTheirDistance) {
   Assembly all = sample();
   all.prototypes[0].mesh = std::make_shared<const mesh::Mesh>(ball(5));
   add_levels(all, 3);
@@ -65,7 +65,7 @@ TEST(Levels, GoDownAndTellHowFarTheyAreOff) {
   EXPECT_EQ(at_level(sample(), 1).parts[0].mesh->triangles.size(), 12u);
 }
 
-TEST(Levels, StopWhereNothingIsLeft) {
+TEST(Levels, StopAtTheSmallestSolid) {
   Assembly all = sample();
   all.prototypes[0].mesh = std::make_shared<const mesh::Mesh>(ball(3));
   add_levels(all, 8);
@@ -80,7 +80,7 @@ TEST(Levels, StopWhereNothingIsLeft) {
   }
 }
 
-TEST(Levels, WhatWillNotGoDownStays) {
+TEST(Levels, MeshesThatCannotBeSimplifiedStay) {
   Assembly all = sample();
   all.prototypes[0].mesh = std::make_shared<const mesh::Mesh>();
   add_levels(all, 2);

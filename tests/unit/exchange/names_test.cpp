@@ -13,7 +13,7 @@ TEST(UniqueNames, AreLettersDigitsAndUnderscores) {
   EXPECT_EQ(identifier("h\xc3\xb6hle"), "h__hle");
 }
 
-TEST(UniqueNames, AreGivenOnce) {
+TEST(UniqueNames, AreUnique) {
   UniqueNames names;
   EXPECT_EQ(names.unique("a b"), "a_b");
   EXPECT_EQ(names.unique("a/b"), "a_b_2");

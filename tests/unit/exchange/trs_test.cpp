@@ -16,7 +16,7 @@ Transform made_of(const TrsTransform& p) {
           p.translation};
 }
 
-TEST(TrsTransform, PutsTogetherWhatItTookApart) {
+TEST(TrsTransform, RecomposesDecomposedTransforms) {
   const Vec3d axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 2, -3}, {-1, 1, 1}};
   for (const Vec3d& axis : axes)
     for (const double angle : {0.0, 0.3, 0.5 * kPi, 3.0, kPi, 4.5})
@@ -33,7 +33,7 @@ TEST(TrsTransform, PutsTogetherWhatItTookApart) {
       }
 }
 
-TEST(TrsTransform, HasNoPartsForAShear) {
+TEST(TrsTransform, IsNotDefinedForAShear) {
   const Transform map = Transform::scaling({1, 2, 1}) * Transform::rotation({0, 0, 1}, 0.5);
   EXPECT_FALSE(decompose_trs(map));
 }

@@ -104,7 +104,7 @@ TEST_F(Usda, EverythingIsThereOnce) {
   EXPECT_EQ(count(text, "{"), count(text, "}"));
 }
 
-TEST_F(Usda, WhatIsThereInPart) {
+TEST_F(Usda, PartialOpacityIsExported) {
   Assembly all = sample();
   all.prototypes[0].look.opacity = 0.25;
   EXPECT_EQ(numbers(text_of(all), "inputs:opacity"), std::vector<double>{0.25});
@@ -117,7 +117,7 @@ TEST_F(Usda, WhatIsThereInPart) {
   EXPECT_EQ(count(text, "string inputs:varname = \"opacity\""), 1u);
 }
 
-TEST_F(Usda, LampsHaveTheirRadianceAndTheSunItsIrradiance) {
+TEST_F(Usda, LightsHaveTheirRadianceAndTheSunItsIrradiance) {
   const std::string text = text_of(sample());
   EXPECT_EQ(numbers(text, "inputs:intensity", "SphereLight"), std::vector<double>{4});
   EXPECT_EQ(numbers(text, "inputs:color", "SphereLight"), (std::vector<double>{1, 0.5, 0.25}));
@@ -131,7 +131,7 @@ TEST_F(Usda, TheRecipeIsOneString) {
   EXPECT_EQ(count(text, R"("seed 7\n# a \"recipe\"\n")"), 1u);
 }
 
-TEST_F(Usda, AFileThatIsCutOffIsRefused) {
+TEST_F(Usda, ATruncatedFileIsRefused) {
   const std::string text = text_of(sample());
   const Format& usda = format("usda");
   EXPECT_FALSE(usda.read_metadata(text, "a.usda").empty());
@@ -149,7 +149,7 @@ TEST_F(Usda, LevelsOfDetailAreVariants) {
   EXPECT_EQ(numbers(text, "vug:distance"), std::vector<double>{25});
 }
 
-TEST_F(Usda, APictureOfTheSkyIsAFileBeside) {
+TEST_F(Usda, AnEnvironmentMapIsASeparateFile) {
   Assembly all = sample();
   image::Image sky(4, 2, {"R", "G", "B"});
   all.lights.back().picture = std::make_shared<const image::Image>(sky);
@@ -159,7 +159,7 @@ TEST_F(Usda, APictureOfTheSkyIsAFileBeside) {
   EXPECT_EQ(count(text, "@./a_lamp5.exr@"), 1u);
 }
 
-TEST_F(Usda, AnUnwritablePathIsTold) {
+TEST_F(Usda, AnUnwritablePathIsReported) {
   std::filesystem::create_directories(folder_ / "b.usda");
   EXPECT_THROW(write(format("usda"), sample(), {}, folder_ / "b.usda"), Error);
   text_of(sample());
@@ -170,7 +170,7 @@ TEST_F(Usda, AnUnwritablePathIsTold) {
   EXPECT_EQ(before, read_text(folder_ / "a.usda"));
 }
 
-TEST(Programs, NameFormatsThatThereAre) {
+TEST(Programs, NameExistingFormats) {
   for (const Program* each : programs()) {
     EXPECT_FALSE(each->formats.empty()) << each->info.name;
     for (const std::string& name : each->formats) EXPECT_NO_THROW(format(name));

@@ -1,4 +1,4 @@
-// Blends: compact support, depth, slope, and the shapes that the profiles promise.
+// Blends: compact support, depth, slope, and the shapes of the profiles.
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
@@ -32,7 +32,8 @@ TEST(Blend, EveryKindHasCompactSupportAndLiesBetweenMinAndDepth) {
       EXPECT_LE(value, least);
       EXPECT_GE(value, least - blend.depth() - 1e-15);
       EXPECT_EQ(value, blend.smin(b, a));
-      // Both weights in [0, 1]: a step of each operand moves the value by at most the greater.
+      // Both weights are in [0, 1]: a step of each operand changes the value by at most the larger
+      // step.
       const double da = random.uniform(-0.1, 0.1), db = random.uniform(-0.1, 0.1);
       EXPECT_LE(std::fabs(blend.smin(a + da, b + db) - value),
                 std::max(std::fabs(da), std::fabs(db)) + 1e-15);
@@ -40,7 +41,7 @@ TEST(Blend, EveryKindHasCompactSupportAndLiesBetweenMinAndDepth) {
   }
 }
 
-/// Two walls at a right angle, x < 0 and y < 0, seen as fields.
+/// Two walls at a right angle, x < 0 and y < 0, as fields.
 TEST(Blend, RoundFilletHasItsRadiusAndChamferItsLegs) {
   const Blend round{Profile::round, 1}, chamfer{Profile::chamfer, 1};
   for (double angle = 0.02; angle < kPi / 2; angle += 0.1) {

@@ -1,4 +1,4 @@
-// Deformers against closed forms and against the copies or maps written out.
+// Deformers compared with closed forms and with explicit copies or maps.
 #include <vug/base/maths.h>
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>
@@ -28,7 +28,7 @@ Field deformed(const std::string& kind, const Field& field, Parameters params) {
   return make(kind, params);
 }
 
-/// Ball off the middle of its cell, large enough to poke out of it.
+/// A ball off the centre of its cell, large enough to extend beyond it.
 TEST(Deformer, RepeatIsTheUnionOfItsCopies) {
   for (const double radius : {0.2, 0.6, 1.3}) {
     const Field one = ball({0.35, 0.1, -0.4}, radius);
@@ -54,7 +54,7 @@ TEST(Deformer, RepeatIsTheUnionOfItsCopies) {
   }
 }
 
-TEST(Deformer, EndlessRepeatIsPeriodicAndPrunesToOneCopy) {
+TEST(Deformer, InfiniteRepeatIsPeriodicAndPrunesToOneCopy) {
   const Field rows = deformed("repeat", ball({0, 0, 0}, 0.3), {{"spacing", Vec3d(1, 1, 1)}});
   RandomStream random(RandomKey(2));
   for (int i = 0; i < 1000; ++i) {
@@ -62,7 +62,8 @@ TEST(Deformer, EndlessRepeatIsPeriodicAndPrunesToOneCopy) {
     EXPECT_NEAR(rows.value(p), p.length() - 0.3, 1e-15);
     EXPECT_NEAR(rows.value(p + Vec3d(100, -7, 3)), rows.value(p), 1e-12);
   }
-  EXPECT_LE(node_count(rows.restricted({{0.2, 0.1, 0}, 0.05}).field), 3u);  // two moves of a ball
+  EXPECT_LE(node_count(rows.restricted({{0.2, 0.1, 0}, 0.05}).field),
+            3u);  // Two translations of a ball.
 }
 
 TEST(Deformer, PolarRepeatAndMirrorPlaceTheirCopies) {
@@ -76,7 +77,7 @@ TEST(Deformer, PolarRepeatAndMirrorPlaceTheirCopies) {
   EXPECT_NEAR(pair.value({1, 2, 3}), -0.5, 1e-15);
 }
 
-TEST(Deformer, RotateAndScaleKeepDistances) {
+TEST(Deformer, RotateAndScalePreserveDistances) {
   const Field turned = deformed("rotate", ball({1, 0, 0}, 0.25),
                                 {{"angle", Number{kPi / 2, Dimension::angle}},
                                  {"axis", Vec3d(0, 0, 1)},
@@ -91,7 +92,7 @@ TEST(Deformer, RotateAndScaleKeepDistances) {
   EXPECT_EQ(flat.exactness(), Exactness::bound);
 }
 
-/// The surface goes where the forward map takes it.
+/// The surface moves to where the forward map takes it.
 TEST(Deformer, TwistBendAndTaperMoveTheSurfaceByTheirMaps) {
   const Field one = ball({0.5, 0.4, 0}, 0.6);
   const Field twisted = deformed("twist", one, {{"rate", 2.0}});
@@ -118,7 +119,7 @@ TEST(Deformer, TwistBendAndTaperMoveTheSurfaceByTheirMaps) {
   }
 }
 
-TEST(Deformer, NothingFillsTheHollowOfABend) {
+TEST(Deformer, TheHollowOfABendIsEmpty) {
   const Field bar = make("box", {{"size", Vec3d(2, 0.4, 0.6)}});
   const Field arch = deformed("bend", bar, {{"rate", 1.2}});
   const double radius = 1 / 1.2, inner = radius - 0.2;
@@ -130,14 +131,14 @@ TEST(Deformer, NothingFillsTheHollowOfABend) {
   }
 }
 
-TEST(Deformer, NothingGrowsOutOfTheEdgesOfATwistOrTaper) {
+TEST(Deformer, EdgesOfATwistOrTaperHaveNoArtefacts) {
   const Field bar = make("box", {{"size", Vec3d(0.7, 2, 0.7)}});
   const Field twisted = deformed("twist", bar, {{"rate", 1.0}});
   const Field tapered = deformed("taper", bar, {{"from", 1.3}, {"to", 0.3}});
   const double corner = 0.35 * std::sqrt(2.0);
   RandomStream random(RandomKey(6));
   for (int i = 0; i < 1000; ++i) {
-    // On and beyond the vertical edges, where the maps draw points onto the box's own corners.
+    // On and beyond the vertical edges, where the maps project points onto the corners of the box.
     const double y = random.uniform(-0.99, 0.99), away = random.uniform(1e-6, 0.5);
     const double turn = 0.25 * kPi - y;
     const Vec3d beside((corner + away) * std::cos(turn), y, (corner + away) * std::sin(turn));

@@ -1,4 +1,4 @@
-// Dripstone obeys water: plumb, rooted, inside its box, and only where drips fall.
+// Dripstone follows water: vertical, attached, inside its box, and only below drips.
 #include <vug/base/parallel.h>
 #include <vug/base/rng.h>
 #include <vug/field/boolean.h>
@@ -12,7 +12,7 @@
 namespace vug::field {
 namespace {
 
-/// Rock with a hall 6 m wide and 3 m high whose roof slopes by about 11 degrees.
+/// Rock with a hall 6 m wide and 3 m high whose roof has a slope of about 11 degrees.
 Field hall() {
   const Field box = make("box", {{"size", Vec3d(6, 4, 6)}});
   const Field roof = make("half_space", {{"normal", Vec3d(0.2, 1, 0)}, {"offset", 1.0}});
@@ -27,15 +27,15 @@ DripOptions options() {
   return o;
 }
 Noise everywhere(double value) {
-  // A half-space far away gives the same value at every place, within the box's size.
+  // A distant half-space has nearly the same value everywhere within the size of the box.
   Field far = make("half_space", {{"offset", -value * 1e6}});
   return {std::move(far), {-2e6, 2e6}};
 }
 
-TEST(Dripstone, DripsFallPlumbFromRoofsToFloors) {
+TEST(Dripstone, DripsFallVerticallyFromRoofsToFloors) {
   const Field rock = hall();
   const auto drips = find_drips(rock, options());
-  ASSERT_GT(drips.size(), 40u);  // half of 144 places
+  ASSERT_GT(drips.size(), 40u);  // Half of 144 places.
   ASSERT_LT(drips.size(), 104u);
   for (const Drip& d : drips) {
     EXPECT_EQ(d.roof.x, d.floor.x);
@@ -69,16 +69,17 @@ TEST(Dripstone, GrowsFromTheRockAndHangsInTheAir) {
   }
 }
 
-TEST(Dripstone, WhereSaysAllOrNone) {
+TEST(Dripstone, TheMaskSelectsAllOrNone) {
   DripOptions o = options();
   o.where = everywhere(-1);
   EXPECT_TRUE(find_drips(hall(), o).empty());
   o.where = everywhere(1);
-  EXPECT_GE(find_drips(hall(), o).size(), 130u);  // 144 places, some too near to a wall
+  EXPECT_GE(find_drips(hall(), o).size(), 130u);  // 144 places, some too close to a wall.
 }
 
 TEST(Dripstone, PlacesAreTheSameForEveryCompiler) {
-  // Each cell of the plan draws z before x; C++ gives the arguments of one call no order.
+  // Each cell of the plan draws z before x; the evaluation order of arguments is unspecified in
+  // C++.
   DripOptions o = options();
   o.where = everywhere(1);
   const RandomKey key = RandomKey(static_cast<uint64_t>(o.seed)).at("dripstone");
@@ -98,7 +99,7 @@ TEST(Dripstone, NoDripsWithoutARoof) {
   EXPECT_TRUE(find_drips(steep, options()).empty()) << "water runs down a steep wall";
 }
 
-TEST(Dripstone, StalagmitesAreAShare) {
+TEST(Dripstone, StalagmitesAreAFraction) {
   DripOptions o = options();
   o.spacing = 0.2;
   for (const double share : {0.0, 0.5, 1.0}) {
@@ -111,7 +112,7 @@ TEST(Dripstone, StalagmitesAreAShare) {
   }
 }
 
-TEST(Dripstone, AnyGirthAndTipMakeAShape) {
+TEST(Dripstone, AnyGirthAndTipGiveASolid) {
   for (const double girth : {0.01, 0.12, 0.5})
     for (const double tip : {0.002, 0.03, 0.3})
       for (const double length : {0.05, 1.0, 20.0}) {
@@ -135,7 +136,7 @@ TEST(Dripstone, SameForAnyNumberOfThreads) {
   }
 }
 
-TEST(Dripstone, TheKindKeepsTheRock) {
+TEST(Dripstone, TheKindIncludesTheRock) {
   const Field rock = hall();
   const Field grown = make("dripstone", {{"field", as_value(rock)},
                                          {"from", Vec3d(-3, -3, -3)},

@@ -1,4 +1,4 @@
-// The core of the expression: readings agree, restriction changes nothing inside its ball.
+// The core of expressions: evaluation modes agree, and restriction changes nothing inside its ball.
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
@@ -25,7 +25,7 @@ TEST(Field, MorphOfConcentricSpheresIsASphere) {
   EXPECT_NEAR(f.value({0, 1.5, 0}), 0, 1e-15);
 }
 
-TEST(Field, MorphEndsAreTheFieldsThemselves) {
+TEST(Field, MorphsAtTheEndsAreTheOperands) {
   const Field a = make("sphere"), b = sphere_at({1, 0, 0}, 2);
   EXPECT_EQ(morph(a, b, 0).node(), a.node());
   EXPECT_EQ(morph(a, b, 1).node(), b.node());
@@ -72,7 +72,7 @@ TEST(Field, RestrictionKeepsValuesAndDropsOperands) {
         EXPECT_TRUE(part.range.contains(all.value(p)));
       }
     }
-    EXPECT_LT(nodes, 100u * 60);  // of 401
+    EXPECT_LT(nodes, 100u * 60);  // Of 401.
   }
 }
 

@@ -1,4 +1,5 @@
-// Solids from files: meshes, pictures and level sets, against closed forms; bad files are refused.
+// Solids from files: meshes, images and level sets, compared with closed forms; bad files are
+// rejected.
 #include "fixtures.h"
 
 #include <vug/field/heightmap.h>
@@ -40,7 +41,7 @@ TEST(MeshPrimitive, BoxMeshEqualsTheBox) {
   EXPECT_EQ(from_file.bounds().max, Vec3d(0.5, 1, 1.5));
 }
 
-TEST(MeshPrimitive, OpenMeshesAreRefusedWithTheirHoles) {
+TEST(MeshPrimitive, OpenMeshesAreRefusedWithTheirEdgeCounts) {
   mesh::Mesh open = mesh::box_mesh({Vec3d(0), Vec3d(1)});
   open.triangles.pop_back();
   mesh::write_mesh(open, file("open.ply"));

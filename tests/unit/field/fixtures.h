@@ -1,14 +1,14 @@
-// Small files that kinds with a `file` parameter are tested with, made when first asked for.
+// Small files for tests of kinds with a `file` parameter, created on first use.
 #pragma once
 
 #include <string>
 
 namespace vug::field {
 
-/// A folder for the files of this process' tests; gone when it ends.
+/// A folder for the files of this test process; removed at exit.
 const std::string& fixture_folder();
 
-/// The path of a file for the kind of that name; empty when there is none.
+/// The path of a file for the kind of this name; empty if there is none.
 std::string fixture_file(const std::string& kind);
 
 }  // namespace vug::field

@@ -28,7 +28,7 @@ TEST(Morph, TwoEqualSpheresMakeAnEllipsoidWithTheCentresAsFoci) {
   }
 }
 
-TEST(Morph, SpheresTwoRadiiApartLeaveNothing) {
+TEST(Morph, SpheresTwoRadiiApartGiveAnEmptyMorph) {
   const Field ball = make("sphere");
   for (const double apart : {2.0, 2.5, 20.0}) {
     const Field half = morph(ball, transformed(ball, Transform::translation({apart, 0, 0})), 0.5);

@@ -1,4 +1,4 @@
-// Every noise: its bounds, slopes and readings; the statistics of the gradient noise.
+// Every noise: its bounds, slopes and evaluation modes; the statistics of gradient noise.
 #include <vug/base/rng.h>
 #include <vug/field/lattice.h>
 #include <vug/field/noise.h>
@@ -33,7 +33,7 @@ TEST_P(EachNoise, StaysInItsRangeAndBelowItsSlope) {
     ASSERT_TRUE(n.range.contains(a));
     ASSERT_LE(std::fabs(a - b), n.field.lipschitz() * (p - q).length() * (1 + 1e-9) + 1e-12);
   }
-  EXPECT_GT(most - least, 0.5);  // it is a noise, not a constant
+  EXPECT_GT(most - least, 0.5);  // Excludes a constant.
 }
 
 TEST_P(EachNoise, BoundsOverBallsAndBoxesHold) {
@@ -68,7 +68,7 @@ TEST_P(EachNoise, GradientIsTheLimitOfDifferences) {
       if (std::fabs(slope - g.gradient[axis]) > 1e-3 * (1 + n.field.lipschitz())) ++creases;
     }
   }
-  EXPECT_LE(creases, 3);  // a difference may straddle a crease, one time in thousands
+  EXPECT_LE(creases, 3);  // A finite difference may straddle a crease, once in thousands.
 }
 
 TEST_P(EachNoise, BatchesAgreeWithScalars) {
@@ -77,7 +77,7 @@ TEST_P(EachNoise, BatchesAgreeWithScalars) {
   std::vector<Vec3f> points;
   for (int i = 0; i < 3001; ++i) points.push_back(Vec3f(random_point(random, 20)));
   const std::vector<float> values = sample(n.field, points);
-  // Coordinates in cells are rounded to 2^-24 of their size before the lattice is looked up.
+  // Coordinates in cells are rounded to a relative 2^-24 before the lattice lookup.
   const double allowed = 4e-6 * n.field.lipschitz() + 2e-6;
   for (size_t i = 0; i < points.size(); ++i)
     ASSERT_NEAR(values[i], n.field.value(Vec3d(points[i])), allowed);
@@ -109,7 +109,7 @@ TEST(Noise, GradientNoiseHasMeanZeroAndDeviationOneThird) {
   EXPECT_NEAR(m.deviation, 1.0 / 3, 0.01);
 }
 
-TEST(Noise, FbmKeepsItsDeviationWhateverTheOctaves) {
+TEST(Noise, FbmHasTheSameDeviationForAnyOctaves) {
   for (const int octaves : {1, 3, 6}) {
     const Noise n = make_noise("fbm", {{"octaves", octaves}});
     RandomStream random(RandomKey(16));
@@ -120,7 +120,7 @@ TEST(Noise, FbmKeepsItsDeviationWhateverTheOctaves) {
   }
 }
 
-TEST(Noise, FbmLooksTheSameAlongAllDirectionsAndOnLatticePlanes) {
+TEST(Noise, FbmIsIsotropicAndHomogeneous) {
   const Noise n = make_noise("fbm", {{"octaves", 4}});
   const Vec3d ways[] = {
       {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.6, 0.8, 0}, {0.57735, 0.57735, 0.57735}};
@@ -154,15 +154,15 @@ TEST(Noise, SeedsAreIndependent) {
   EXPECT_NEAR(product / 40000, 0, 5.0 / 9 / 200);
 }
 
-TEST(Noise, NearestSitesAreTheNearestOfAllCells) {
-  // Brute force: the sites of 7^3 cells, found by asking at many points near each.
+TEST(Noise, NearestSitesEqualBruteForce) {
+  // Brute force: the sites of 7^3 cells, found by queries at many points near each.
   RandomStream random(RandomKey(20));
   for (int i = 0; i < 2000; ++i) {
     const Point<double> p = point(random_point(random, 30));
     const auto here = nearest_sites(p, 3);
     EXPECT_LE(here.first.squared, here.second.squared);
     const Vec3d site = vector(p) - vector(here.first.way);
-    for (int k = 0; k < 20; ++k) {  // nobody nearby knows of a site that is closer to p
+    for (int k = 0; k < 20; ++k) {  // No nearby query finds a site closer to p.
       const Vec3d q = vector(p) + random_point(random, 1.0);
       const Vec3d other = q - vector(nearest_sites(point(q), 3).first.way);
       EXPECT_GE((other - vector(p)).length2(), here.first.squared - 1e-12);

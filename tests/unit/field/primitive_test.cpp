@@ -1,4 +1,4 @@
-// Distances of each primitive at points where they can be worked out by hand.
+// Distances of each primitive at points where they can be calculated by hand.
 #include <vug/field/registry.h>
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ struct Oracle {
   double distance;
 };
 
-TEST(Primitive, DistancesWorkedOutByHand) {
+TEST(Primitive, DistancesCalculatedByHand) {
   const double root2 = std::sqrt(2.0), root3 = std::sqrt(3.0), root5 = std::sqrt(5.0);
   const Params box = {{"size", Vec3d(2, 4, 6)}},
                soft = {{"size", Vec3d(2, 4, 6)}, {"rounding", 0.5}};
@@ -87,7 +87,7 @@ TEST(Primitive, DistancesWorkedOutByHand) {
       {"ellipsoid", {{"radii", Vec3d(3, 2, 1)}}, {0, 0, 0}, -1},
       {"ellipsoid", {{"radii", Vec3d(3, 2, 1)}}, {0, -4, 0}, 2},
       {"ellipsoid", {{"radii", Vec3d(2, 2, 2)}}, {0, 3, 4}, 3},
-      // Of the ellipse (2, 1) the point (1, 0) sees (4/3, sqrt(5)/3) nearest, at sqrt(6)/3.
+      // The point of the ellipse (2, 1) nearest to (1, 0) is (4/3, sqrt(5)/3), at sqrt(6)/3.
       {"ellipsoid", {{"radii", Vec3d(2, 1, 5)}}, {1, 0, 0}, -std::sqrt(6.0) / 3},
       {"empty", {}, {0, 0, 0}, 1e6},
   };
@@ -95,8 +95,8 @@ TEST(Primitive, DistancesWorkedOutByHand) {
     EXPECT_NEAR(make(o.kind, o.params).value(o.at), o.distance, 1e-12) << o.kind << " at " << o.at;
 }
 
-/// Volume of {f < 0} by midpoints of a lattice of about n^3 cells, each counted in full. The
-/// three counts have no common factor, so that no face runs through a row of midpoints.
+/// Volume of {f < 0} from the midpoints of a lattice of about n^3 cells, each counted as a whole.
+/// The three counts are coprime, so that no face runs through a row of midpoints.
 double lattice_volume(const Field& field, int n) {
   const Box3d& box = field.bounds();
   const Vec3d cell = box.size() / Vec3d(n - 1, n, n + 1);
@@ -108,7 +108,7 @@ double lattice_volume(const Field& field, int n) {
   return static_cast<double>(inside) * cell.x * cell.y * cell.z;
 }
 
-TEST(Primitive, VolumesOfTheClassics) {
+TEST(Primitive, VolumesOfClassicSolids) {
   const double root3 = std::sqrt(3.0);
   const struct {
     std::string kind;

@@ -1,4 +1,4 @@
-// Displacement and strata: where the surface may go, and that beds are beds.
+// Displacement and strata: the range of the surface, and the properties of beds.
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
@@ -34,7 +34,7 @@ std::vector<std::pair<std::string, Field>> samples() {
   };
 }
 
-TEST(Displace, ReadingsAgreeAndClaimsHold) {
+TEST(Displace, EvaluationModesAgreeAndClaimsHold) {
   for (const auto& [name, f] : samples()) {
     RandomStream random(RandomKey(1));
     for (int i = 0; i < 3000; ++i) {
@@ -61,10 +61,11 @@ TEST(Displace, ReadingsAgreeAndClaimsHold) {
 }
 
 TEST(Displace, FactorsFollowTheFacing) {
-  // A constant noise would move floors, walls and ceilings by their factors: beds of one mean
-  // thickness are not constant, so compare the push with the noise itself, far from edges.
+  // A constant noise would move floors, walls and ceilings by their factors. Beds of one mean
+  // thickness are not constant, so the displacement is compared with the noise itself, far from
+  // edges.
   const Field slab = transformed(make("sphere", {{"radius", 1e4}}),
-                                 Transform::translation({0, -1e4, 0}));  // a floor at y = 0
+                                 Transform::translation({0, -1e4, 0}));  // A floor at y = 0.
   const Noise rough = make_noise("fbm");
   Displacement how;
   how.amount = 0.5;
@@ -89,18 +90,18 @@ TEST(Strata, AreConstantAlongTheBeds) {
   }
 }
 
-TEST(Strata, BedsAreOnAverageAsThickAsAskedAndHardnessIsFair) {
+TEST(Strata, BedsHaveTheRequestedMeanThicknessAndHardnessIsUniform) {
   const Noise beds = make_noise("beds", {{"thickness", 0.5}, {"wander", 0.0}, {"laminae", 0.0}});
   int partings = 0, hard = 0, soft = 0;
   double before = beds.field.value({0, 0, 0}), value = before;
-  for (int i = 1; i < 400000; ++i) {  // 400 m in steps of a millimetre
+  for (int i = 1; i < 400000; ++i) {  // 400 m in steps of a millimetre.
     const double next = beds.field.value({0, i * 1e-3, 0});
     if (std::fabs(value) < std::fabs(before) && std::fabs(value) <= std::fabs(next)) ++partings;
     (next > 0 ? hard : soft)++;
     before = value;
     value = next;
   }
-  EXPECT_NEAR(partings, 800, 5);  // the value comes nearest to 0 once at each
+  EXPECT_NEAR(partings, 800, 5);  // The value is closest to 0 once at each.
   EXPECT_NEAR(hard / 4e5, 0.5, 0.07);
 }
 

@@ -28,7 +28,7 @@ Field draw_field(RandomStream& random) {
                                 Transform::rotation({1, 2, 3}, random.uniform(0, 3)));
 }
 
-/// Nothing when there is no way to draw such a value here.
+/// Nothing if such a value cannot be generated.
 Value draw(const std::string& type, const ParamInfo& info, const std::string& kind,
            RandomStream& random) {
   if (const size_t either = type.find(" or ");
@@ -79,7 +79,7 @@ std::optional<SweepCase> random_case(const FieldKind& kind, RandomStream& random
   }
   Diagnostics diagnostics;
   std::optional<Field> field = kind.make(arguments, {}, diagnostics);
-  if (!field) return std::nullopt;  // parameters that do not fit together: draw again
+  if (!field) return std::nullopt;  // Incompatible parameters: draw again.
   return SweepCase{label + " )", *field};
 }
 

@@ -1,5 +1,5 @@
-// Fields to sweep over: every kind of the registry with its defaults and with random parameters
-// drawn from its schema. A new kind joins by its line in the list of kinds.
+// Fields for property tests: every kind of the registry with its defaults and with random
+// parameters from its schema. A new kind is included by its line in the list of kinds.
 #pragma once
 
 #include <vug/base/rng.h>
@@ -11,16 +11,16 @@
 namespace vug::field {
 
 struct SweepCase {
-  std::string label;  ///< Kind and arguments: enough to make it again.
+  std::string label;  ///< Kind and arguments, sufficient to reproduce it.
   Field field;
 };
 
-/// The kind with its defaults, then with `count` random sets of parameters that fit together.
+/// The kind with its defaults, then with `count` random sets of compatible parameters.
 std::vector<SweepCase> sweep_cases(const FieldKind& kind, int count = 5);
-/// The cases of every kind there is.
+/// The cases of all kinds.
 const std::vector<SweepCase>& all_sweep_cases();
 
-/// Runs a check on every case; an assertion that fails ends the check of its case only.
+/// Runs a check on every case; a failed assertion ends the check of its case only.
 template <class Check>
 void for_each_case(const Check& check) {
   for (const SweepCase& c : all_sweep_cases()) check(c);
@@ -30,7 +30,7 @@ void for_each_case(const Check& check) {
 Vec3d random_point(RandomStream& random, double reach);
 /// Uniform in a ball.
 Vec3d random_point(RandomStream& random, const Ball& ball);
-/// Where a field can be probed: its bounds, as far as they lie within 3 m of the origin.
+/// The region to probe: the field's bounds, as far as they lie within 3 m of the origin.
 Box3d probe_box(const Field& field);
 
 }  // namespace vug::field

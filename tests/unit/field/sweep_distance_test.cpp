@@ -1,5 +1,5 @@
-// What values promise as distances: exact ones are the distance to the surface, bounds never
-// exceed it. The surface is found by sphere tracing from all sides.
+// Values as distances: exact ones equal the distance to the surface, bounds never exceed it. Sphere
+// tracing from all sides finds the surface.
 #include "sweep.h"
 
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 namespace vug::field {
 namespace {
 
-/// Points of the surface: ends of rays from random places in random directions, as many as
-/// wanted unless few rays meet the surface.
+/// Points of the surface: ends of rays from random points in random directions, `count` of them
+/// unless few rays hit the surface.
 std::vector<Vec3d> surface_points(const Field& field, RandomStream& random, size_t wanted) {
   const Box3d box = grown(probe_box(field), 0.1);
   std::vector<Vec3d> found;
@@ -47,9 +47,9 @@ TEST(Sweep, NoValueExceedsTheDistance) {
   });
 }
 
-// Together with the test above this pins an exact value from both sides: a surface point as near
-// as the value says exists.
-TEST(Sweep, ExactValuesLeadToTheSurface) {
+// Together with the test above this bounds an exact value from both sides: there is a surface point
+// at the stated distance.
+TEST(Sweep, ExactValuesReachTheSurface) {
   for_each_case([&](const SweepCase& c) {
     if (c.field.exactness() != Exactness::exact) return;
     RandomStream random(RandomKey(32).at(c.label));
@@ -60,7 +60,7 @@ TEST(Sweep, ExactValuesLeadToTheSurface) {
       const Gradient g = c.field.gradient(p);
       inside += g.value < 0;
       const Vec3d foot = p - g.gradient * g.value;
-      // Where several points are as near (the medial axis) the gradient may be no direction.
+      // If several points are equally near (the medial axis) the gradient may not be a direction.
       if (std::fabs(g.gradient.length() - 1) > 1e-6 || std::fabs(c.field.value(foot)) > 1e-6)
         ++lost;
     }

@@ -1,5 +1,5 @@
-// The readings of a formula agree: batch and scalar, value and gradient, gradient and differences;
-// and none of them ever gives NaN.
+// The evaluation modes of a formula agree: batch and scalar, value and gradient, gradient and
+// differences; and none of them ever yields NaN.
 #include "sweep.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace vug::field {
 namespace {
 
-/// The slope along each axis, when left and right differences agree (away from creases).
+/// The slope along each axis, if left and right differences agree (away from creases).
 std::optional<Vec3d> differences(const Field& f, const Vec3d& p) {
   const double h = 1e-5;
   Vec3d slope;
@@ -37,7 +37,8 @@ TEST(Sweep, GradientsEqualDifferences) {
       ASSERT_LT((g.gradient - *slope).length(), 2e-3 * std::max(1.0, c.field.lipschitz()))
           << c.label << " at " << p << ": " << g.gradient << " against " << *slope;
     }
-    // Noise of many octaves bends too much for differences; the few smooth points are tested.
+    // Noise with many octaves bends too much for finite differences; the few smooth points are
+    // tested.
     if (c.field.lipschitz() <= 2) {
       EXPECT_GT(smooth, 250) << c.label;
     }
@@ -48,7 +49,7 @@ struct Batch {
   static constexpr int kPacks = 4;
   static constexpr int kPoints = kPacks * Pack::kLanes;
   Point<Pack> points[kPacks];
-  Vec3d where[kPoints];  // what single precision made of them
+  Vec3d where[kPoints];  // The points after rounding to single precision.
 
   template <class Draw>
   explicit Batch(const Draw& draw) {
@@ -93,7 +94,8 @@ TEST(Sweep, BatchesAgreeWithScalars) {
   Scratch scratch;
   for_each_case([&](const SweepCase& c) {
     RandomStream random(RandomKey(22).at(c.label));
-    // Single precision keeps coordinates to 1.2e-7 of 4 m, and a formula takes a few tens of steps.
+    // Single precision stores coordinates to 1.2e-7 of 4 m, and a formula takes a few tens of
+    // steps.
     const double tolerance = 1e-5 * std::max(1.0, c.field.lipschitz());
     int compared = 0;
     for (int round = 0; round < 16; ++round) {
@@ -105,7 +107,7 @@ TEST(Sweep, BatchesAgreeWithScalars) {
         const double value = c.field.value(p), allowed = tolerance * (1 + 0.1 * std::fabs(value));
         ASSERT_NEAR(static_cast<double>(values[i]), value, allowed) << c.label << " at " << p;
         ASSERT_NEAR(gradients[i].value, value, allowed) << c.label << " at " << p;
-        if (!differences(c.field, p)) continue;  // at a crease the two may take either side
+        if (!differences(c.field, p)) continue;  // At a crease the two may take either side.
         ++compared;
         ASSERT_LT((gradients[i].gradient - c.field.gradient(p).gradient).length(),
                   3e-3 * std::max(1.0, c.field.lipschitz()))

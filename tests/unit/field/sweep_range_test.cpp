@@ -1,4 +1,4 @@
-// What a field says about a whole region holds for every point of it: intervals, restrictions,
+// Statements of a field about a region hold for every point in it: intervals, restrictions,
 // Lipschitz constants, bounds.
 #include "sweep.h"
 
@@ -9,13 +9,13 @@
 namespace vug::field {
 namespace {
 
-/// Intervals are rounded to nearest, a few operations deep.
+/// Intervals are rounded to nearest, over a few nested operations.
 double slack(const Vec3d& p, double value) { return 1e-12 * (1 + p.length() + std::fabs(value)); }
 
 TEST(Sweep, IntervalsContainSamples) {
   for_each_case([&](const SweepCase& c) {
     RandomStream random(RandomKey(11).at(c.label));
-    for (int box_index = 0; box_index < 170; ++box_index) {  // 6 cases: 10,200 samples a kind
+    for (int box_index = 0; box_index < 170; ++box_index) {  // 6 cases: 10,200 samples per kind.
       const Vec3d middle = random_point(random, 2.5);
       const double scale = std::exp2(random.uniform(-10, 2));
       const Vec3d half = Vec3d(random.uniform(), random.uniform(), random.uniform()) * scale;

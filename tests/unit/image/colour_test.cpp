@@ -1,4 +1,4 @@
-// Working spaces and views. OpenColorIO's own transforms and published numbers are the oracles.
+// Working spaces and views. OpenColorIO's own transforms and published numbers serve as reference.
 #include <vug/base/error.h>
 #include <vug/image/io.h>
 #include <vug/image/ocio_view.h>
@@ -25,7 +25,7 @@ TEST(Colour, TheMatrixOfAcescgIsThatOfOpenColorIO) {
     Vec3f theirs = unit;
     processor->applyRGB(&theirs.x);
     const Vec3f ours = back(unit);
-    // The white of Rec.709 has four digits here and in the standard, more there.
+    // The white of Rec.709 has four digits here and in the standard, more in OpenColorIO.
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(ours[i], theirs[i], 1e-4) << c << i;
   }
 }
@@ -39,7 +39,7 @@ TEST(Colour, MatricesKeepWhiteAndUndoEachOther) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(white[i], 1, 1e-12);
   const Vec3d colour(0.9, 0.1, 0.3), again = back(there(colour));
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(again[i], colour[i], 1e-12);
-  // No colour of Rec.709 lies outside of ACEScg.
+  // No colour of Rec.709 is outside ACEScg.
   for (size_t row = 0; row < 3; ++row)
     for (size_t column = 0; column < 3; ++column) EXPECT_GT(there.at(row, column), 0);
 }
@@ -50,7 +50,7 @@ Image pixel(const Vec3f& c) {
   return image;
 }
 
-TEST(Colour, AViewShowsTheSameLightAlikeFromBothSpaces) {
+TEST(Colour, AViewDisplaysTheSameLightEquallyFromBothSpaces) {
   const Vec3f light(0.3f, 0.12f, 0.05f);
   const ColourMatrix there(WorkingSpace::rec709, WorkingSpace::acescg);
   for (const char* view : {"filmic", "standard", "aces"}) {
@@ -64,8 +64,8 @@ TEST(Colour, AViewShowsTheSameLightAlikeFromBothSpaces) {
 }
 
 TEST(Colour, TheAcesViewGivesThePublishedGrey) {
-  // The tone scale's middle: 0.18 of the scene leaves at a tenth of the display's white, 4.8 nit of
-  // 48 in the cinema.
+  // Middle grey of the tone scale: 0.18 of the scene maps to a tenth of the display's white, 4.8
+  // nit of 48 in the cinema.
   const Image grey =
       display(pixel(Vec3f(0.18f)), view_options({"aces", {}, {}}, WorkingSpace::acescg));
   for (const float v : grey.pixels) EXPECT_NEAR(v, srgb_encode(0.1), 2.0 / 255);
@@ -112,20 +112,21 @@ TEST(Colour, AConfigurationsViewsAreFoundByName) {
   const auto shown = [&](const char* view) {
     return display(pixel(Vec3f(0.5f)), view_options({view, {}, studio.path}, WorkingSpace::rec709));
   };
-  EXPECT_NEAR(shown("").pixels[0], 0.25f, 1e-6);  // the default is the first
+  EXPECT_NEAR(shown("").pixels[0], 0.25f, 1e-6);  // The default is the first.
   EXPECT_NEAR(shown("Half").pixels[2], 0.125f, 1e-6);
   EXPECT_NEAR(shown("Raw").pixels[2], 0.5f, 1e-6);
-  EXPECT_EQ(shown("filmic"), display(pixel(Vec3f(0.5f))));  // ours are there beside them
+  EXPECT_EQ(shown("filmic"),
+            display(pixel(Vec3f(0.5f))));  // Built-in views are available in addition.
   EXPECT_FALSE(view_options({"", {}, studio.path}, WorkingSpace::rec709).ocio->srgb());
 }
 
-TEST(Colour, WhatIsNotThereIsToldWithWhatIs) {
+TEST(Colour, UnknownNamesAreReportedWithTheKnownOnes) {
   const File studio(kStudio);
   EXPECT_NE(told({"acs", {}, {}}).find("aces"), std::string::npos);
   EXPECT_NE(told({"Hal", {}, studio.path}).find("Half, Raw, filmic, standard"), std::string::npos);
   EXPECT_NE(told({"Raw", "Screen", studio.path}).find("Projector"), std::string::npos);
   EXPECT_NE(told({"", {}, "/nowhere.ocio"}).find("/nowhere.ocio"), std::string::npos);
-  // This configuration cannot tell what ACEScg is.
+  // This configuration does not define ACEScg.
   const std::string space = told({"Raw", {}, studio.path}, WorkingSpace::acescg);
   EXPECT_NE(space.find("acescg"), std::string::npos);
   EXPECT_NE(space.find("lin_ap1_scene"), std::string::npos);

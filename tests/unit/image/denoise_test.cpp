@@ -1,4 +1,4 @@
-// What the denoiser must not do; how much noise it takes is tested with the renderer.
+// Artefacts that the denoiser must avoid; the tests of the renderer measure its noise reduction.
 #include <gtest/gtest.h>
 #include <vug/image/denoise.h>
 
@@ -7,7 +7,7 @@
 namespace vug::image {
 namespace {
 
-/// Evenly lit rock that gets black from left to right, with the variance of a noisy picture.
+/// Uniformly lit rock that becomes black from left to right, with the variance of a noisy image.
 Image darkening(int width, int height) {
   Image out(width, height,
             {"R", "G", "B", "Z", "N.X", "N.Y", "N.Z", "albedo.R", "albedo.G", "albedo.B",
@@ -26,14 +26,14 @@ Image darkening(int width, int height) {
   return out;
 }
 
-TEST(Denoise, DrawsNoOutlineWhereRockGetsBlack) {
+TEST(Denoise, CreatesNoOutlineWhereRockBecomesBlack) {
   const Image picture = darkening(96, 24), smooth = denoise(picture);
   for (int x = 0; x < picture.width; ++x)
     EXPECT_NEAR(smooth.at(x, 12, 0), picture.at(x, 12, 0), 0.1f * picture.at(x, 12, 0) + 5e-4f)
         << x;
 }
 
-/// Even rock with one pixel that a sample of sixteen made a hundred times as bright.
+/// Uniform rock with one pixel that one sample of sixteen made a hundred times as bright.
 Image dotted(int width, int height, bool noisy) {
   Image out(width, height, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
   for (int y = 0; y < height; ++y)
@@ -49,13 +49,15 @@ Image dotted(int width, int height, bool noisy) {
   return out;
 }
 
-TEST(Denoise, ABrightDotOfNoiseIsNoPatch) {
+TEST(Denoise, ANoisyOutlierDoesNotSpread) {
   const Image smooth = denoise(dotted(32, 24, true));
   for (int y = 0; y < smooth.height; ++y)
     for (int x = 0; x < smooth.width; ++x) EXPECT_NEAR(smooth.at(x, y, 0), 0.5, 1e-3);
 }
 
-TEST(Denoise, ASureBrightDotStays) { EXPECT_GT(denoise(dotted(32, 24, false)).at(16, 12, 0), 5); }
+TEST(Denoise, ACertainBrightPixelIsKept) {
+  EXPECT_GT(denoise(dotted(32, 24, false)).at(16, 12, 0), 5);
+}
 
 }  // namespace
 }  // namespace vug::image

@@ -11,7 +11,7 @@
 namespace vug::image {
 namespace {
 
-/// A picture with noise of a known deviation, and layers.
+/// An image with layers and noise of known deviation.
 ImageUnderTest subject(uint64_t seed, bool variance, double gain = 1) {
   ImageUnderTest out;
   out.name = "picture " + std::to_string(seed);
@@ -75,13 +75,13 @@ TEST(Diff, WithoutVarianceOnlyRoundingIsAllowed) {
   EXPECT_TRUE(found.same);
   EXPECT_EQ(found.basis, Basis::rounding);
   ImageUnderTest other = a;
-  other.image.at(3, 3, 3) *= 1.01f;  // one value of Z
+  other.image.at(3, 3, 3) *= 1.01f;  // One value of Z.
   const Diff depth = diff(a, other);
   EXPECT_FALSE(depth.same);
   EXPECT_EQ(diff(other, a).same, depth.same);
 }
 
-TEST(Diff, LimitsDecideWhereTheyAreGiven) {
+TEST(Diff, LimitsDecideIfGiven) {
   const ImageUnderTest a = subject(1, true), b = subject(2, true, 0.9);
   DiffOptions options;
   options.limits = {limit_of("relative_rmse", 0.2), limit_of("ssim", 0)};
@@ -95,7 +95,7 @@ TEST(Diff, LimitsDecideWhereTheyAreGiven) {
   EXPECT_FALSE(diff(a, b, options).same) << "the test of significance was demanded too";
 }
 
-TEST(Diff, LayersThatNothingJudgesAreNamed) {
+TEST(Diff, UnjudgedLayersAreNamed) {
   const ImageUnderTest a = subject(1, true);
   ImageUnderTest b = subject(2, true);
   b.image.at(3, 3, 3) = 7;
@@ -124,7 +124,7 @@ TEST(Diff, ChosenLayersAreTheMainOnes) {
   EXPECT_EQ(found.shown_layer, "albedo");
 }
 
-TEST(Diff, MaskedDifferencesAreNone) {
+TEST(Diff, MaskedDifferencesDoNotCount) {
   const ImageUnderTest a = subject(1, true);
   ImageUnderTest b = a;
   b.image.at(5, 5, 0) = 100;
@@ -168,7 +168,7 @@ TEST(Diff, RefusalsAreSentencesWithHints) {
   EXPECT_NE(refusal([&] { diff(bare, bare, options); }).find("variance"), std::string::npos);
 }
 
-/// Both eyes of a picture, the right one with a gain of its own.
+/// Both views of a stereo image, the right one with its own gain.
 ImageUnderTest stereo(uint64_t seed, bool variance, double right_gain = 1) {
   ImageUnderTest out = subject(seed, variance);
   const ImageUnderTest right = subject(seed + 100, variance, right_gain);
@@ -176,7 +176,7 @@ ImageUnderTest stereo(uint64_t seed, bool variance, double right_gain = 1) {
   return out;
 }
 
-TEST(Diff, ViewsOfAPictureForStereoAreThoseItIsMadeOf) {
+TEST(Diff, ViewsOfAStereoImageAreItsParts) {
   const Image left = subject(1, true).image, right = subject(2, true).image;
   const Image both = stereo_image(left, right);
   const std::vector<View> views = views_of(both.channels);
@@ -188,7 +188,7 @@ TEST(Diff, ViewsOfAPictureForStereoAreThoseItIsMadeOf) {
   }
 }
 
-TEST(Diff, BothViewsOfAPictureForStereoAreJudged) {
+TEST(Diff, BothViewsOfAStereoImageAreJudged) {
   const Diff noise = diff(stereo(1, true), stereo(2, true));
   EXPECT_TRUE(noise.same);
   ASSERT_EQ(noise.other_views.size(), 1u);
@@ -200,7 +200,7 @@ TEST(Diff, BothViewsOfAPictureForStereoAreJudged) {
   EXPECT_FALSE(darker.significance->different);
   EXPECT_TRUE(darker.other_views[0].second.different);
 
-  // Without variance: by rounding; and a limit is one for both views, or for the one it names.
+  // Without variance: by rounding; a limit applies to both views, or to the one it names.
   EXPECT_FALSE(diff(stereo(1, false), stereo(1, false, 0.98)).same);
   DiffOptions options;
   options.limits = {limit_of("max", 1e-9)};
@@ -219,7 +219,7 @@ TEST(Diff, BothViewsOfAPictureForStereoAreJudged) {
             std::string::npos);
 }
 
-TEST(Diff, ViewsShareTheRateOfFalseAlarms) {
+TEST(Diff, ViewsShareTheFalseAlarmRate) {
   int alarms = 0;
   DiffOptions options;
   options.false_alarm_rate = 0.1;

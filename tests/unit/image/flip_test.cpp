@@ -1,5 +1,4 @@
-// Closed forms of FLIP. That whole pictures agree with another implementation is shown by
-// tests/cli/flip_test.py.
+// Closed forms of FLIP. tests/cli/flip_test.py compares whole images with another implementation.
 #include <vug/image/flip.h>
 
 #include <gtest/gtest.h>
@@ -16,7 +15,7 @@ Image flat(float r, float g, float b) {
   return image;
 }
 
-/// Every pixel of two flat pictures has the same difference.
+/// Every pixel of two uniform images has the same difference.
 double error_of(const Image& a, const Image& b) {
   const Plane error = flip(a, b);
   for (const float v : error.values) EXPECT_NEAR(v, error.values[0], 1e-4);
@@ -24,19 +23,20 @@ double error_of(const Image& a, const Image& b) {
 }
 
 TEST(Flip, BlackAgainstWhite) {
-  // Without features only colour is left. |L| differs by 100, green and blue (the furthest pair)
-  // by 203.3 in Hunt-adjusted HyAB: 100^0.7 = 25.119 and 203.3^0.7 = 41.28, bent at 0.4 of that.
+  // Without features only colour matters. |L| differs by 100, green and blue (the furthest pair) by
+  // 203.3 in Hunt-adjusted HyAB: 100^0.7 = 25.119 and 203.3^0.7 = 41.28, bent at 0.4 of that.
   const double most = std::pow(203.3, 0.7), error = std::pow(100.0, 0.7);
   const double expected = 0.95 + (error - 0.4 * most) / (0.6 * most) * 0.05;
   EXPECT_NEAR(error_of(flat(0, 0, 0), flat(1, 1, 1)), expected, 2e-4);
 }
 
-TEST(Flip, TheFurthestColoursAreOneApart) {
+TEST(Flip, TheFurthestColoursDifferByOne) {
   EXPECT_NEAR(error_of(flat(0, 1, 0), flat(0, 0, 1)), 1, 1e-4);
 }
 
-TEST(Flip, SmallStepsOfGreyGrowWithThePower) {
-  // L* of two greys, from CIE's formula; below the bend the error is 0.95 / (0.4 most) d^0.7.
+TEST(Flip, SmallStepsOfGreyFollowThePowerLaw) {
+  // L* of two greys, from CIE's formula; below the break point the error is 0.95 / (0.4 most)
+  // d^0.7.
   const auto lightness = [](double y) { return 116 * std::cbrt(y) - 16; };
   const double d = lightness(0.3) - lightness(0.25), most = std::pow(203.3, 0.7);
   EXPECT_NEAR(error_of(flat(0.25f, 0.25f, 0.25f), flat(0.3f, 0.3f, 0.3f)),
@@ -77,7 +77,7 @@ TEST(FlipHdr, MostlyBlackPicturesTakeTheMedianOfTheRest) {
   EXPECT_NEAR(range->stop - range->start, std::log2(5.0 / 3), 1e-6);
 }
 
-TEST(FlipHdr, SeesInTheDarkWhatOneExposureHides) {
+TEST(FlipHdr, DetectsDarkDifferencesThatOneExposureHides) {
   Image a = flat(0.0002f, 0.0002f, 0.0002f), b = a;
   for (size_t c = 0; c < 3; ++c) a.at(0, 0, c) = b.at(0, 0, c) = 8;
   for (int x = 10; x < 16; ++x)

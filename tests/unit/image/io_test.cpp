@@ -116,7 +116,7 @@ TEST_F(Files, HalfClampsWhatItCannotHold) {
   EXPECT_EQ(read(file("big.exr")).pixels, (std::vector<float>{65504.0f, -65504.0f}));
 }
 
-TEST_F(Files, SameContentSameBytesAtAnotherTime) {
+TEST_F(Files, SameContentGivesSameBytesAtAnyTime) {
   const Image image = noise(16, 16, {"R", "G", "B"}, 1);
   ExrOptions options;
   options.metadata = {{"vug:recipe", "seed 7"}, {"vug:version", "1"}};
@@ -150,7 +150,7 @@ TEST_F(Files, PngHoldsTheDisplayValues) {
 }
 
 TEST_F(Files, APlainViewKeepsEveryCode) {
-  Image image(256, 9, {"Y"});  // more rows than the pattern of the dither has
+  Image image(256, 9, {"Y"});  // More rows than the dither pattern has.
   for (size_t i = 0; i < image.pixels.size(); ++i)
     image.pixels[i] = static_cast<float>(srgb_decode(static_cast<double>(i % 256) / 255));
   write_png(file("codes.png"), image, plain_view());
@@ -166,7 +166,8 @@ TEST_F(Files, LinearReadingUndoesTheEncoding) {
   ReadOptions options;
   options.linear = true;
   const Image back = read(file("l.png"), options);
-  for (size_t i = 0; i < image.pixels.size(); ++i)  // half a code step, slope at most 2.2
+  for (size_t i = 0; i < image.pixels.size();
+       ++i)  // Half a code step, with a slope of at most 2.2.
     EXPECT_NEAR(back.pixels[i], image.pixels[i], 2.3 / 510);
 }
 
@@ -181,7 +182,7 @@ TEST_F(Files, GreyReadsOneOrThreeChannels) {
   EXPECT_FLOAT_EQ(read_grey(file("c.exr")).pixels[0], 0.5f);
 }
 
-TEST_F(Files, BrokenFilesGetASentence) {
+TEST_F(Files, BrokenFilesAreReportedInSentences) {
   EXPECT_NE(message([&] { read(file("none.exr")); }).find("no such file"), std::string::npos);
   write_text(file("text.exr"), "this is no picture at all, and never was one");
   EXPECT_NE(message([&] { read(file("text.exr")); }).find("text.exr"), std::string::npos);
@@ -210,7 +211,7 @@ TEST_F(Files, UnusableTargetsAreRefused) {
   EXPECT_FALSE(fs::exists(file("b.exr")));
 }
 
-TEST(ImageStruct, RefusesWhatCannotBe) {
+TEST(ImageStruct, RefusesInvalidArguments) {
   EXPECT_THROW(Image(0, 4, {"R"}), Error);
   EXPECT_THROW(Image(4, 4, {}), Error);
   EXPECT_THROW(Image(4, 4, {"R"}).select({"G"}), Error);

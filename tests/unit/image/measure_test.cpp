@@ -25,7 +25,7 @@ Image flat(float value, int width = 32, int height = 24) {
   return image;
 }
 
-/// Screen values as they are: no curve, no exposure.
+/// Display values as they are: no curve, no exposure.
 Comparison as_shown(Image reference, Image test) {
   Comparison pair;
   pair.reference = std::move(reference), pair.test = std::move(test);
@@ -64,8 +64,8 @@ TEST(Measures, NumbersByHand) {
   EXPECT_DOUBLE_EQ(measure("relative_max", a, b), 1.0 / 3);
 }
 
-TEST(Measures, PsnrOfAConstantOffsetOnTheScreen) {
-  // Screen values 0.5 and 0.6: 10 log10(1 / 0.1^2) = 20 dB.
+TEST(Measures, PsnrOfAConstantDisplayOffset) {
+  // Display values 0.5 and 0.6: 10 log10(1 / 0.1^2) = 20 dB.
   const auto light = [](double shown) { return static_cast<float>(srgb_decode(shown)); };
   const Comparison pair = as_shown(flat(light(0.5)), flat(light(0.6)));
   EXPECT_NEAR(measure_of("psnr").measure(pair).value, 20, 1e-4);
@@ -74,11 +74,11 @@ TEST(Measures, PsnrOfAConstantOffsetOnTheScreen) {
 }
 
 TEST(Measures, SsimOfFlatPicturesIsTheLuminanceTerm) {
-  // Without structure only (2 a b + C1) / (a^2 + b^2 + C1) is left.
+  // Without structure only (2 a b + C1) / (a^2 + b^2 + C1) remains.
   const auto light = [](double shown) { return static_cast<float>(srgb_decode(shown)); };
   const Comparison pair = as_shown(flat(light(0.5)), flat(light(0.8)));
   const double expected = (2 * 0.5 * 0.8 + 1e-4) / (0.25 + 0.64 + 1e-4);
-  // Squares are kept as floats: their rounding, 3e-8, stands against C2 = 9e-4.
+  // Squares are stored as floats: their rounding error, 3e-8, compares with C2 = 9e-4.
   EXPECT_NEAR(measure_of("ssim").measure(pair).value, expected, 1e-4);
 }
 
@@ -102,7 +102,7 @@ TEST(Measures, MaskedPixelsDoNotCount) {
   for (const char* name : {"rmse", "relative_rmse", "mean", "max", "relative_max"})
     EXPECT_EQ(measure_of(name).measure(pair).value, 0) << name;
   EXPECT_TRUE(std::isinf(measure_of("psnr").measure(pair).value));
-  EXPECT_EQ(measure_of("max").measure(pair).map[2 * 32 + 3], 99.5f);  // the map shows it still
+  EXPECT_EQ(measure_of("max").measure(pair).map[2 * 32 + 3], 99.5f);  // The map still shows it.
 }
 
 TEST(Measures, ValuesThatAreNotFiniteCount) {
@@ -115,7 +115,7 @@ TEST(Measures, ValuesThatAreNotFiniteCount) {
   }
 }
 
-TEST(Measures, NastyPicturesGiveNumbers) {
+TEST(Measures, UnusualImagesGiveNumbers) {
   Image a = flat(0), b = flat(0);
   a.at(1, 1, 0) = std::numeric_limits<float>::infinity();
   a.at(2, 1, 1) = kNan;

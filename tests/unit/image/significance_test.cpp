@@ -1,4 +1,4 @@
-// Calibration and power of the test of significance on pictures whose noise is known.
+// Calibration and power of the significance test on images with known noise.
 #include <vug/base/error.h>
 #include <vug/base/rng.h>
 #include <vug/image/significance.h>
@@ -12,18 +12,18 @@ namespace {
 
 constexpr int kWidth = 64, kHeight = 36;
 
-/// The expected value of a pixel: a slope from light to dark, with a light in view.
+/// The expected value of a pixel: a gradient from bright to dark, with a light in view.
 double expected(int x, int y) {
   if (x >= 50 && x < 54 && y >= 4 && y < 8) return 40;
   return 0.01 + 0.4 * (1 + std::sin(0.2 * x) * std::cos(0.3 * y)) / (1 + 0.1 * x);
 }
 
-/// A render of that by sampling: most samples see half of the light, one in `rarity` sees what is
-/// left all at once, which makes the noise as skewed as that of a path tracer.
+/// A simulated render: most samples see half of the light, and one in `rarity` sees the rest at
+/// once, which makes the noise as skewed as that of a path tracer.
 struct Camera {
   int spp = 64;
   double rarity = 20;
-  double gain = 1;     ///< Of all of the light.
+  double gain = 1;     ///< Factor on all light.
   bool patch = false;  ///< Another material on 6 x 5 pixels: a fifth brighter.
 
   NoisyPicture render(uint64_t seed) const {
@@ -63,7 +63,7 @@ TEST(NormalTail, MatchesTheTables) {
   EXPECT_NEAR(two_sided_p_value(20) / 5.507248237212e-89, 1, 1e-9);
 }
 
-/// Alarms among comparisons of renders that differ only by their seed.
+/// False alarms among comparisons of renders that differ only by their seed.
 int alarms(const Camera& a, const Camera& b, int trials, double rate) {
   SignificanceOptions options;
   options.false_alarm_rate = rate;
@@ -76,7 +76,7 @@ int alarms(const Camera& a, const Camera& b, int trials, double rate) {
   return count;
 }
 
-/// The count that a binomial of this rate exceeds once in a thousand times, about.
+/// Approximately the count that a binomial of this rate exceeds once in a thousand times.
 double most_of(int trials, double rate) {
   return trials * rate + 3.3 * std::sqrt(trials * rate * (1 - rate)) + 1;
 }
@@ -87,7 +87,7 @@ TEST(Significance, RaisesNoMoreFalseAlarmsThanChosen) {
   EXPECT_LE(alarms(camera, camera, 200, 0.1), most_of(200, 0.1));
 }
 
-TEST(Significance, SkewedNoiseOfFewSamplesAgainstManyIsNoDifference) {
+TEST(Significance, SkewedNoiseOfFewSamplesIsNotADifference) {
   EXPECT_LE(alarms({.spp = 256}, {.spp = 8}, 100, 0.05), most_of(100, 0.05));
   EXPECT_LE(alarms({.spp = 8}, {.spp = 256}, 100, 0.05), most_of(100, 0.05));
 }
@@ -117,7 +117,7 @@ TEST(Significance, FindsAnotherMaterialOnAFewPixels) {
         << i;
 }
 
-TEST(Significance, IsSymmetricAndCalmOnEqualPictures) {
+TEST(Significance, IsSymmetricAndAcceptsEqualImages) {
   const NoisyPicture a = Camera{}.render(1), b = Camera{.gain = 0.95}.render(2);
   const Significance ab = test_significance(a, b), ba = test_significance(b, a);
   EXPECT_EQ(ab.different, ba.different);
@@ -128,8 +128,8 @@ TEST(Significance, IsSymmetricAndCalmOnEqualPictures) {
   EXPECT_EQ(same.std_z, 0);
 }
 
-TEST(Significance, StorageInHalvesIsNoDifference) {
-  const NoisyPicture a = Camera{.spp = 4096, .rarity = 1}.render(1);  // rarity 1: no noise
+TEST(Significance, HalfPrecisionStorageIsNotADifference) {
+  const NoisyPicture a = Camera{.spp = 4096, .rarity = 1}.render(1);  // Rarity 1: no noise.
   NoisyPicture b = a;
   for (size_t i = 0; i < b.mean.pixels.size(); ++i) b.mean.pixels[i] *= 1 + 4e-4f;
   const Significance found = test_significance(a, b);
@@ -145,11 +145,11 @@ TEST(Significance, TheOtherVarianceIsInferredFromTheSamples) {
   const double both = test_significance(a, b).std_z;
   a.variance.reset();
   EXPECT_NEAR(test_significance(a, b).std_z / both, 1, 0.05);
-  a.samples.clear();  // now taken for exact: half of the variance, and of the noise unexplained
+  a.samples.clear();  // Now taken as exact: half of the variance, and of the noise, is unexplained.
   EXPECT_NEAR(test_significance(a, b).std_z / both, std::sqrt(2.0), 0.1);
 }
 
-TEST(Significance, MasksLeavePixelsOut) {
+TEST(Significance, MasksExcludePixels) {
   const NoisyPicture a = Camera{.spp = 256, .rarity = 4}.render(1);
   NoisyPicture b = Camera{.spp = 256, .rarity = 4, .patch = true}.render(2);
   std::vector<uint8_t> mask(a.mean.pixel_count(), 1);
@@ -159,7 +159,7 @@ TEST(Significance, MasksLeavePixelsOut) {
   EXPECT_FALSE(test_significance(a, b, mask).different);
 }
 
-TEST(Significance, RefusesWhatItCannotTest) {
+TEST(Significance, RefusesUntestableInput) {
   const NoisyPicture a = Camera{}.render(1);
   NoisyPicture bare = a;
   bare.variance.reset();

@@ -34,7 +34,7 @@ std::string refusal(const std::filesystem::path& path) {
   return "accepted";
 }
 
-TEST(Texture, IsSharpNearAndEvenFromAfar) {
+TEST(Texture, IsSharpForNarrowAndUniformForWideFilters) {
   const auto path = scratch("halves.exr");
   write_exr(path, halves());
   const Texture texture(path);
@@ -45,7 +45,7 @@ TEST(Texture, IsSharpNearAndEvenFromAfar) {
   std::filesystem::remove(path);
 }
 
-TEST(Texture, TellsWhatCannotBeUsed) {
+TEST(Texture, ReportsUnusableFiles) {
   EXPECT_NE(refusal("no/such.exr").find("no/such.exr"), std::string::npos);
   Image bad = halves();
   bad.at(3, 5, 1) = std::numeric_limits<float>::quiet_NaN();

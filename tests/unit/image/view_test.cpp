@@ -15,20 +15,21 @@ Image grey(float v) {
 }
 
 TEST(View, SrgbMatchesTheStandardAndInverts) {
-  EXPECT_NEAR(srgb_encode(0.0031308), 0.04045, 1e-5);    // where the two branches meet
-  EXPECT_NEAR(srgb_encode(0.2158605), 0.5019608, 1e-6);  // code 128
+  EXPECT_NEAR(srgb_encode(0.0031308), 0.04045, 1e-5);    // The junction of the two branches.
+  EXPECT_NEAR(srgb_encode(0.2158605), 0.5019608, 1e-6);  // Code 128.
   for (int i = 0; i <= 1000; ++i)
     EXPECT_NEAR(srgb_decode(srgb_encode(i / 1000.0)), i / 1000.0, 1e-12);
 }
 
-TEST(View, FilmicRisesWithoutClippingEarly) {
+TEST(View, FilmicIncreasesWithoutEarlyClipping) {
   float last = -1;
   for (double stops = -12; stops <= 6; stops += 0.25) {
     const float v = display(grey(static_cast<float>(0.18 * std::exp2(stops)))).pixels[0];
     EXPECT_GE(v, last) << stops;
     last = v;
   }
-  EXPECT_LT(display(grey(4)).pixels[0], 0.99f);  // a shoulder, not a wall, four stops over grey
+  EXPECT_LT(display(grey(4)).pixels[0],
+            0.99f);  // A shoulder without clipping, four stops above grey.
   EXPECT_EQ(display(grey(0)).pixels[0], 0.0f);
 }
 
@@ -46,7 +47,7 @@ TEST(View, ExposureIsAGain) {
   EXPECT_NEAR(display(grey(0.1f), brighter).pixels[0], display(grey(0.4f)).pixels[0], 1e-6);
 }
 
-TEST(View, SurvivesNastyValues) {
+TEST(View, HandlesNanAndInfinity) {
   for (const float v : {std::numeric_limits<float>::infinity(), -1.0f, 1e30f,
                         std::numeric_limits<float>::quiet_NaN()}) {
     const float out = display(grey(v)).pixels[0];
@@ -57,8 +58,8 @@ TEST(View, SurvivesNastyValues) {
 
 TEST(View, GreyExposureIsThatOfTheGeometricMean) {
   Image picture(3, 1, {"R", "G", "B"});
-  for (size_t i = 0; i < 3; ++i) picture.pixels[i] = 0.18f / 64;  // six stops below
-  for (size_t i = 3; i < 6; ++i) picture.pixels[i] = 0.18f * 4;   // two above; the third is black
+  for (size_t i = 0; i < 3; ++i) picture.pixels[i] = 0.18f / 64;  // Six stops below.
+  for (size_t i = 3; i < 6; ++i) picture.pixels[i] = 0.18f * 4;   // Two above; the third is black.
   ASSERT_TRUE(grey_exposure(picture));
   EXPECT_NEAR(*grey_exposure(picture), 2, 1e-6);
   EXPECT_FALSE(grey_exposure(Image(2, 2, {"R", "G", "B"})));

@@ -37,7 +37,7 @@ double area(const Mesh& mesh) {
   return sum;
 }
 
-TEST(Cut, TheRimIsOneLineOnTheContour) {
+TEST(Clip, TheBoundaryIsOneLineOnTheContour) {
   const Mesh whole = ball();
   const Mesh below = clip(whole, heights(whole), kLevel);
   const Topology topology = inspect(below);
@@ -53,7 +53,7 @@ TEST(Cut, TheRimIsOneLineOnTheContour) {
   EXPECT_EQ(on_rim, topology.boundary_edges);
 }
 
-TEST(Cut, BothSidesMakeTheWhole) {
+TEST(Clip, BothSidesAddUpToTheWhole) {
   const Mesh whole = ball();
   const Mesh below = clip(whole, heights(whole), kLevel);
   const Mesh above = clip(whole, heights(whole, -1), -kLevel);
@@ -62,7 +62,7 @@ TEST(Cut, BothSidesMakeTheWhole) {
   EXPECT_NEAR(area(above), 2 * kPi * (1 - static_cast<double>(kLevel)), 0.02);
 }
 
-TEST(Cut, WhatVerticesCarryIsInterpolated) {
+TEST(Clip, VertexAttributesAreInterpolated) {
   const Mesh whole = ball();
   const Mesh below = clip(whole, heights(whole), kLevel);
   ASSERT_EQ(below.normals.size(), below.positions.size());
@@ -76,7 +76,7 @@ TEST(Cut, WhatVerticesCarryIsInterpolated) {
   }
 }
 
-TEST(Cut, WhatIsAllThereOrAllGone) {
+TEST(Clip, KeepsOrRemovesWholeMeshes) {
   const Mesh whole = ball();
   EXPECT_EQ(clip(whole, heights(whole), 2), whole);
   const Mesh none = clip(whole, heights(whole), -2);
@@ -86,7 +86,7 @@ TEST(Cut, WhatIsAllThereOrAllGone) {
 }
 
 // Where the contour runs through vertices or along edges, only the part beyond it is removed.
-TEST(Cut, AContourThroughVertices) {
+TEST(Clip, AContourThroughVertices) {
   Mesh square;
   square.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}};
   square.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 2}};

@@ -19,7 +19,7 @@ Comments awkward() {
   return notes;
 }
 
-TEST(Comments, ReadBackFromEveryFormatOfText) {
+TEST(Comments, AreReadBackFromEveryTextFormat) {
   const Mesh cube = box_mesh(Box3d(Vec3d(0.0), Vec3d(1.0)));
   for (const Format* format : formats()) {
     std::string bytes;
@@ -39,7 +39,7 @@ TEST(Comments, LinesAreShort) {
   for (std::string line; std::getline(lines, line);) EXPECT_LT(line.size(), 250u);
 }
 
-TEST(Comments, FilesOfOthersHaveNone) {
+TEST(Comments, FilesOfOtherProgramsHaveNone) {
   EXPECT_TRUE(read_comments("").empty());
   EXPECT_TRUE(read_comments("# Blender v3.4\n# a |b\nv 0 0 0\n# x |y|\n").empty());
   EXPECT_TRUE(read_comments("ply\nformat ascii 1.0\ncomment a b c\nend_header\n").empty());

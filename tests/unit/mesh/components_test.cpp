@@ -29,7 +29,7 @@ Mesh inside_out(Mesh mesh) {
   return mesh;
 }
 
-TEST(Pieces, TheSmallOfTwoGoesWithAllThatIsOfIt) {
+TEST(Components, TheSmallerOfTwoIsRemovedCompletely) {
   const Mesh large = ball({0, 0, 0}, 1, 1000);
   const Mesh small = ball({3, 0, 0}, 0.1, 2000);
   for (const Mesh& both : {joined(large, small), joined(small, large)}) {
@@ -41,7 +41,7 @@ TEST(Pieces, TheSmallOfTwoGoesWithAllThatIsOfIt) {
 
 // The vertices of a sphere mesh lie on the sphere, and its first twelve span the bounding box of an
 // icosahedron; the diagonal is close to that of the cube around the ball.
-TEST(Pieces, TheSizeIsTheDiagonalOfTheBox) {
+TEST(Components, TheSizeIsTheDiagonalOfTheBox) {
   const Mesh small = ball({3, 0, 0}, 0.1, 2000);
   const Mesh both = joined(ball({0, 0, 0}, 1, 1000), small);
   const double diagonal = bounds(small).size().length();
@@ -51,7 +51,7 @@ TEST(Pieces, TheSizeIsTheDiagonalOfTheBox) {
   EXPECT_EQ(large_components(both, 1.001 * diagonal).removed, 1U);
 }
 
-TEST(Pieces, ABubbleInsideABallGoesToo) {
+TEST(Components, ABubbleInsideABallIsRemovedToo) {
   const Mesh large = ball({0, 0, 0}, 1, 1000);
   const Mesh bubble = inside_out(ball({0.2, 0, 0}, 0.1, 2000));
   const LargeComponents left = large_components(joined(large, bubble), 1);
@@ -59,7 +59,7 @@ TEST(Pieces, ABubbleInsideABallGoesToo) {
   EXPECT_EQ(left.mesh, large);
 }
 
-TEST(Pieces, TheLargestStaysWhateverItsSize) {
+TEST(Components, TheLargestStaysWhateverItsSize) {
   const Mesh large = ball({0, 0, 0}, 0.2, 1000);
   const Mesh three = joined(joined(ball({3, 0, 0}, 0.1, 2000), large), ball({5, 0, 0}, 0.15, 3000));
   const LargeComponents left = large_components(three, 100);
@@ -67,14 +67,14 @@ TEST(Pieces, TheLargestStaysWhateverItsSize) {
   EXPECT_EQ(left.mesh, large);
 }
 
-TEST(Pieces, ThoseThatTouchInAPointArePiecesOfTheirOwn) {
+TEST(Components, TouchingInAPointIsNotConnected) {
   Mesh both = joined(box_mesh({Vec3d(0), Vec3d(1)}), box_mesh({Vec3d(1), Vec3d(1.1)}));
   const LargeComponents left = large_components(both, 1);
   EXPECT_EQ(left.removed, 1U);
   EXPECT_EQ(left.mesh, box_mesh({Vec3d(0), Vec3d(1)}));
 }
 
-TEST(Pieces, ZeroKeepsEverything) {
+TEST(Components, ZeroKeepsEverything) {
   Mesh both = joined(ball({0, 0, 0}, 1, 1000), ball({3, 0, 0}, 1e-6, 2000));
   for (Attribute& attribute : both.attributes)  // For a vertex that no triangle uses.
     attribute.values.resize(attribute.values.size() + static_cast<size_t>(attribute.arity));
@@ -85,7 +85,7 @@ TEST(Pieces, ZeroKeepsEverything) {
   EXPECT_EQ(left.mesh, both);
 }
 
-TEST(Pieces, AnEmptyMeshStaysEmpty) {
+TEST(Components, AnEmptyMeshStaysEmpty) {
   EXPECT_EQ(large_components({}, 1).mesh, Mesh());
   EXPECT_EQ(large_components({}, 1).removed, 0U);
 }

@@ -6,7 +6,7 @@
 namespace vug::mesh {
 namespace {
 
-TEST(Moved, AShrunkenBallHasGoneFarAndTurnedNowhere) {
+TEST(Displacement, AShrunkenBallMovedFarWithoutFlips) {
   const Mesh ball = sphere_mesh(Vec3d(1, 2, 3), 2, 3);
   Mesh moved = ball;
   EXPECT_EQ(max_displacement(ball, moved), 0);
@@ -16,7 +16,7 @@ TEST(Moved, AShrunkenBallHasGoneFarAndTurnedNowhere) {
   EXPECT_EQ(flipped_triangles(ball, moved), 0U);
 }
 
-TEST(Moved, AFoldIsCounted) {
+TEST(Displacement, AFoldIsCounted) {
   // Two triangles that share an edge; the corner of one moves across it to the other side.
   Mesh sheet;
   sheet.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1}};

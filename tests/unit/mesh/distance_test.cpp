@@ -25,7 +25,7 @@ double box_distance(const Vec3d& p, double half) {
   return out.length() + std::min(std::max({q.x, q.y, q.z}), 0.0);
 }
 
-TEST(Triangle, NearestPointBeatsASampleOfTheTriangle) {
+TEST(Triangle, NearestPointIsNoFartherThanAnySample) {
   RandomStream random{RandomKey(1)};
   for (int trial = 0; trial < 300; ++trial) {
     const std::array<Vec3d, 3> t = {random_point(random, 1), random_point(random, 1),
@@ -73,7 +73,7 @@ TEST(MeshDistance, SignIsRightAtSharpSpikes) {
   EXPECT_LT(distance.signed_distance({0, 1, 0}), 0);
 }
 
-TEST(MeshDistance, AgreesWithTryingEveryTriangle) {
+TEST(MeshDistance, AgreesWithBruteForce) {
   const Mesh mesh = torus_mesh(2, 0.7, 40, 20);
   const MeshDistance distance(mesh);
   RandomStream random{RandomKey(4)};

@@ -62,7 +62,7 @@ TEST(Format, MeshesWithoutNormalsAndAttributesSurvive) {
 }
 
 // Either the truncation is detected, or the result is a valid mesh with at most the same content.
-TEST(Format, CutFilesAreRefusedOrSmaller) {
+TEST(Format, TruncatedFilesAreRefusedOrSmaller) {
   const Mesh mesh = painted_torus();
   for (const Format* format : formats()) {
     SCOPED_TRACE(format->info.name);
@@ -126,7 +126,7 @@ TEST(Format, GarbageIsRefusedByName) {
   }
 }
 
-TEST(Format, FilesGoByExtensionInAnyCase) {
+TEST(Format, ExtensionsMatchInAnyCase) {
   const auto folder = std::filesystem::temp_directory_path() / "vug_format_test";
   const Mesh mesh = box_mesh({Vec3d(0), Vec3d(1)});
   for (const Format* format : formats()) {
@@ -142,7 +142,7 @@ TEST(Format, FilesGoByExtensionInAnyCase) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(Format, NothingNotFiniteIsWritten) {
+TEST(Format, OnlyFiniteValuesAreWritten) {
   Mesh mesh = box_mesh({Vec3d(0), Vec3d(1)});
   mesh.positions[3].z = std::numeric_limits<float>::infinity();
   const auto file = std::filesystem::temp_directory_path() / "vug_format_test_inf.ply";

@@ -20,7 +20,7 @@ TEST(Mesh, AreaVectorPointsOutOfAnAnticlockwiseTriangle) {
   EXPECT_EQ(double_area_vector(one_triangle(), 0), Vec3d(0, 0, 6));
 }
 
-TEST(Mesh, DigestSeesEveryPart) {
+TEST(Mesh, DigestDependsOnEveryMember) {
   const Mesh mesh = one_triangle();
   const Digest base = digest(mesh);
   EXPECT_EQ(digest(Mesh(mesh)), base);
@@ -38,7 +38,7 @@ TEST(Mesh, DigestSeesEveryPart) {
   EXPECT_NE(digest(lit), base);
 }
 
-TEST(Mesh, ValidateRefusesWhatIsBroken) {
+TEST(Mesh, ValidateRefusesInvalidMeshes) {
   EXPECT_NO_THROW(validate(one_triangle(), "test"));
   Mesh mesh = one_triangle();
   mesh.triangles[0][2] = 3;

@@ -45,7 +45,7 @@ TEST(Obj, ReadsVertexColours) {
   EXPECT_EQ(colour->values, (std::vector<float>{1, 0.5F, 0, 0, 0, 1, 1, 1, 1}));
 }
 
-TEST(Obj, DentsOfPolygonsStayDents) {
+TEST(Obj, ConcavePolygonsStayConcave) {
   // An arrowhead whose fan from the first corner would cover the concavity.
   const Mesh mesh = read("v 0 0 0\nv 2 -2 0\nv 0.5 0 0\nv 2 2 0\nf 2 3 4 1\n");
   EXPECT_DOUBLE_EQ(area(mesh), 1);

@@ -63,7 +63,7 @@ TEST(Ply, AttributesOfAnyArityComeBack) {
   EXPECT_THROW(format_of("x.ply").write(mesh, {}, [](std::string_view) {}), Error);
 }
 
-TEST(Ply, ClaimsThatTheFileIsTooShortForAreRefusedBeforeTheyCostMemory) {
+TEST(Ply, CountsBeyondTheFileAreRefusedBeforeAllocation) {
   const std::string point = "property float x\nproperty float y\nproperty float z\n";
   for (const std::string encoding : {"ascii", "binary_little_endian"}) {
     const std::string head = "ply\nformat " + encoding + " 1.0\n";

@@ -55,7 +55,7 @@ TEST(PointGrid, FindsEveryPairThatBruteForceFinds) {
   EXPECT_TRUE(swept({}, 1).empty());
 }
 
-TEST(PointGrid, OrderIsOfPlacesNotOfNumbers) {
+TEST(PointGrid, OrderDependsOnPositionsNotIndices) {
   std::vector<Vec3f> points = cloud(5000, Vec3d(1, 2, 3), 3);
   const PointGrid before(points, 0.1);
   std::reverse(points.begin(), points.end());
@@ -64,7 +64,7 @@ TEST(PointGrid, OrderIsOfPlacesNotOfNumbers) {
   for (size_t i = 0; i < points.size(); ++i) ASSERT_EQ(after.points()[i], points[after.order()[i]]);
 }
 
-TEST(PointGrid, RefusesCubesWithoutNumber) {
+TEST(PointGrid, RefusesTooManyCubes) {
   EXPECT_THROW(PointGrid({Vec3f(0), Vec3f(1e6f, 0, 0)}, 0.01), Error);
 }
 

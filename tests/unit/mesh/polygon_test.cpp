@@ -58,7 +58,7 @@ TEST(Polygon, RingsLeaveHolesOutAndIslandsIn) {
   EXPECT_NEAR(area(mesh), expected, 1e-6);
 }
 
-TEST(Polygon, KeepsDentsHoweverManyCornersItHas) {
+TEST(Polygon, KeepsConcavitiesForAnyNumberOfCorners) {
   for (const int corners : {10, 64, 66, 2000}) {
     Mesh mesh;
     const auto star = ring(mesh, 0.2, 0.3, 1, corners, true);
@@ -68,7 +68,7 @@ TEST(Polygon, KeepsDentsHoweverManyCornersItHas) {
   }
 }
 
-TEST(Polygon, ThatCrossesItselfIsFannedOrRefused) {
+TEST(Polygon, SelfIntersectionIsFannedOrRefused) {
   Mesh mesh;
   std::vector<uint32_t> tangle = ring(mesh, 0, 0, 1, 80, false);
   std::swap(tangle[5], tangle[40]);

@@ -31,7 +31,7 @@ double volume(const Mesh& mesh) {
 }
 
 // The edges of a long box differ, so there are triangles with one, two and three long edges.
-TEST(Refine, LeavesTheSurfaceClosedAndWhereItIs) {
+TEST(Refine, KeepsTheSurfaceClosedAndInPlace) {
   Mesh box = box_mesh(Box3d(Vec3d(0), Vec3d(4, 1, 0.3)));
   Attribute x{"x", 1, {}}, place{"place", 3, {}};
   for (const Vec3f& p : box.positions) {
@@ -72,7 +72,7 @@ TEST(Refine, LeavesFineMeshesAlone) {
   EXPECT_EQ(same.triangles, ball.triangles);
 }
 
-TEST(Refine, RefusesWhatIsTooMuch) {
+TEST(Refine, RefusesTooManyTriangles) {
   EXPECT_THROW(refined(sphere_mesh(Vec3d(0), 1, 1), 0.01, 1000), Error);
   EXPECT_THROW(refined(sphere_mesh(Vec3d(0), 1, 1), 0), Error);
 }

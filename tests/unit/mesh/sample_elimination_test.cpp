@@ -6,7 +6,7 @@
 namespace vug::mesh {
 namespace {
 
-TEST(FirstCome, ChoosesAsOneWhoTakesThemOneByOne) {
+TEST(SampleElimination, EqualsSequentialElimination) {
   RandomStream random(RandomKey(1));
   std::vector<Vec3f> given;
   for (int i = 0; i < 4000; ++i) {

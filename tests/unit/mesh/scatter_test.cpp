@@ -18,7 +18,7 @@ ScatterOptions options(double spacing, uint64_t seed = 1) {
   return o;
 }
 
-TEST(Scatter, FillsAFloorLikeDartsAndNoTwoAreNear) {
+TEST(Scatter, FillsAFloorDenselyWithoutCloseSamples) {
   const Mesh floor = box_mesh(Box3d(Vec3d(0, -1, 0), Vec3d(10, 0, 10)));
   const double spacing = 0.25;
   ScatterOptions o = options(spacing);
@@ -36,7 +36,7 @@ TEST(Scatter, FillsAFloorLikeDartsAndNoTwoAreNear) {
   EXPECT_LT(covered, 0.547);
 }
 
-TEST(Scatter, IsEvenOverTrianglesOfAnySize) {
+TEST(Scatter, IsUniformOverTrianglesOfAnySize) {
   // One half of small triangles, one half of two large ones.
   Mesh floor;
   for (int i = 0; i <= 32; ++i)
@@ -61,7 +61,7 @@ TEST(Scatter, IsEvenOverTrianglesOfAnySize) {
   EXPECT_NEAR(static_cast<double>(right), all / 2, 5 * std::sqrt(all / 4));
 }
 
-TEST(Scatter, DensityGoesWithTheShareAndOthersStay) {
+TEST(Scatter, DensityFollowsTheProbabilityAndOthersStay) {
   const Mesh ball = sphere_mesh(Vec3d(0), 2, 4);
   const std::vector<SurfaceSample> all = scatter(ball, options(0.1));
   ScatterOptions o = options(0.1);
@@ -80,7 +80,7 @@ TEST(Scatter, DensityGoesWithTheShareAndOthersStay) {
   EXPECT_EQ(scatter(ball, few).size(), 10u);
 }
 
-TEST(Scatter, IsTheSameForAnyNumberOfThreadsAndOtherForAnotherSeed) {
+TEST(Scatter, IsTheSameForAnyNumberOfThreadsAndDiffersBySeed) {
   const Mesh ball = sphere_mesh(Vec3d(0), 2, 3);
   const auto positions = [&](int threads, uint64_t seed) {
     const ThreadLimit limit(threads);
@@ -95,7 +95,7 @@ TEST(Scatter, IsTheSameForAnyNumberOfThreadsAndOtherForAnotherSeed) {
   EXPECT_NE(positions(1, 1), positions(1, 2));
 }
 
-TEST(Scatter, RefusesToTryForEver) {
+TEST(Scatter, RefusesTooManyCandidates) {
   const Mesh ball = sphere_mesh(Vec3d(0), 1000, 2);
   EXPECT_THROW(scatter(ball, options(0.001)), Error);
   EXPECT_TRUE(scatter(Mesh(), options(1)).empty());

@@ -38,7 +38,7 @@ TEST(Shapes, AreClosedOutwardAndOfTheirGenus) {
   }
 }
 
-TEST(Topology, SeesAHole) {
+TEST(Topology, DetectsAHole) {
   Mesh mesh = torus_mesh(2, 0.5, 24, 12);
   mesh.triangles.erase(mesh.triangles.begin() + 20);
   const Topology topology = inspect(mesh);
@@ -48,7 +48,7 @@ TEST(Topology, SeesAHole) {
   EXPECT_FALSE(topology.closed());
 }
 
-TEST(Topology, SeesATurnedTriangle) {
+TEST(Topology, DetectsAFlippedTriangle) {
   Mesh mesh = box_mesh(kUnitBox);
   std::swap(mesh.triangles[4][0], mesh.triangles[4][1]);
   const Topology topology = inspect(mesh);
@@ -56,7 +56,7 @@ TEST(Topology, SeesATurnedTriangle) {
   EXPECT_FALSE(topology.genus.has_value());
 }
 
-TEST(Topology, BoxesThatTouchInAPointShareAVertexButNoPiece) {
+TEST(Topology, BoxesThatTouchInAPointShareAVertexButNoComponent) {
   const Mesh mesh = welded(joined(box_mesh(kUnitBox), box_mesh({Vec3d(1), Vec3d(2)})));
   EXPECT_EQ(mesh.positions.size(), 15U);
   const Topology topology = inspect(mesh);
@@ -72,7 +72,7 @@ TEST(Topology, BoxesThatTouchInAnEdgeAreNotManifold) {
   EXPECT_FALSE(topology.genus.has_value());
 }
 
-TEST(Topology, CountsPiecesAndUnusedVertices) {
+TEST(Topology, CountsComponentsAndUnusedVertices) {
   Mesh mesh = joined(torus_mesh(2, 0.5, 12, 8), sphere_mesh({9, 0, 0}, 1, 1));
   mesh.positions.emplace_back(5, 5, 5);
   const Topology topology = inspect(mesh);

@@ -50,7 +50,7 @@ Loss loss(const std::vector<Vec3d>& points, const mesh::Mesh& mesh, double voxel
   return found;
 }
 
-TEST(Crease, EdgesOfACutBoxStay) {
+TEST(Crease, EdgesOfACutBoxArePreserved) {
   constexpr double kVoxel = 0.05;
   const CutBox box;
   std::vector<Vec3d> points =
@@ -82,7 +82,7 @@ TEST(Crease, EdgesOfACutBoxStay) {
 
 // Gradients around a vertex of these solids differ by more than the crease angle, although nothing
 // is sharp.
-TEST(Crease, StrongCurvatureIsNoCrease) {
+TEST(Crease, StrongCurvatureIsNotACrease) {
   constexpr double kVoxel = 0.05;
   for (const double radius : {2.0, 3.0}) {
     const field::Field ball = turned(field::make("sphere", {{"radius", radius * kVoxel}}),
@@ -93,7 +93,7 @@ TEST(Crease, StrongCurvatureIsNoCrease) {
   }
 }
 
-TEST(Crease, PlanesMeetWhereTheyShould) {
+TEST(Crease, PlanesIntersectAtTheExpectedPoint) {
   RandomStream random{RandomKey(11)};
   const auto unit = [&] {
     const double x = random.normal();

@@ -135,11 +135,11 @@ TEST(Polygonize, AdaptivityMakesFewerTriangles) {
   EXPECT_EQ(mesh::inspect(few).boundary_edges, 0U);
 }
 
-TEST(Polygonize, OfNothingIsNothing) {
+TEST(Polygonize, OfAnEmptyFieldIsEmpty) {
   EXPECT_TRUE(polygonized(field::Field(), 0.1).mesh.positions.empty());
 }
 
-TEST(Polygonize, StopsWhenToldTo) {
+TEST(Polygonize, StopsWhenCancelled) {
   const field::Field ball = field::make("sphere", {{"radius", 1.0}});
   volume::VoxelizeOptions voxels;
   const volume::LevelSet level_set = volume::voxelize(ball, voxels);

@@ -45,7 +45,7 @@ TEST(SurfaceProjector, ProjectsOntoASphereAlongItsRadii) {
   }
 }
 
-TEST(SurfaceProjector, GoesNoFurtherThanTheReach) {
+TEST(SurfaceProjector, StaysWithinTheReach) {
   const field::Field ball = sphere_at(Vec3d(0));
   const std::vector<Vec3d> starts = {{1.5, 0, 0}, {0, 1.02, 0}};
   const auto found = SurfaceProjector(ball, starts, kError).project(starts, {0.1, 0, 10});
@@ -53,7 +53,7 @@ TEST(SurfaceProjector, GoesNoFurtherThanTheReach) {
   EXPECT_NEAR(found[1].point.y, 1, kError);
 }
 
-TEST(SurfaceProjector, TurnsToDoublesWhereSinglesAreTooCoarse) {
+TEST(SurfaceProjector, UsesDoublesWhereSinglesAreTooCoarse) {
   const Vec3d centre(3e4, -2e4, 1e4);
   const field::Field ball = sphere_at(centre);
   const std::vector<Vec3d> starts = near_sphere(centre, 100);
@@ -63,7 +63,7 @@ TEST(SurfaceProjector, TurnsToDoublesWhereSinglesAreTooCoarse) {
     EXPECT_NEAR((s.point - centre).length(), 1, 1e-4 * kVoxel);
 }
 
-TEST(SurfaceProjector, DoesNotGoByTheCoordinatesAlone) {
+TEST(SurfaceProjector, DecidesByValuesNotCoordinates) {
   // The centre of this sphere is far away; its surface passes through the origin.
   const field::Field globe =
       turned(field::make("sphere", {{"radius", 2e5}}), {0, 1, 0}, 0, {0, -2e5, 0});
@@ -74,7 +74,7 @@ TEST(SurfaceProjector, DoesNotGoByTheCoordinatesAlone) {
     EXPECT_LT(std::fabs(globe.value(s.point)), 1e-4 * kVoxel);
 }
 
-TEST(SurfaceProjector, ProbesWhatTheFieldSaysAtEachPoint) {
+TEST(SurfaceProjector, SamplesTheFieldAtEachPoint) {
   const field::Field solid = cut_box();
   const std::vector<Vec3d> points = near_sphere(Vec3d(0.1), 77);
   const auto found = SurfaceProjector(solid, points, kError).sample(points);

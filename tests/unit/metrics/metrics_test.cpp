@@ -75,7 +75,7 @@ TEST(Cells, OfTheUnitSphereMatchTheTable) {
     EXPECT_EQ(inside_cells(sphere, 1.0 / row.density), row.cells) << row.density;
 }
 
-TEST(Cells, OfNothingAreNone) { EXPECT_EQ(inside_cells(field::Field(), 0.1), 0U); }
+TEST(Cells, OfAnEmptyFieldAreZero) { EXPECT_EQ(inside_cells(field::Field(), 0.1), 0U); }
 
 TEST(SelfIntersections, NoneInProperMeshes) {
   EXPECT_TRUE(self_intersections(mesh::box_mesh(kUnitBox)).empty());
@@ -83,7 +83,7 @@ TEST(SelfIntersections, NoneInProperMeshes) {
   EXPECT_TRUE(self_intersections(mesh::sphere_mesh(Vec3d(0), 1, 4)).empty());
 }
 
-TEST(SelfIntersections, OfATubeThatIsTooThickForItsRing) {
+TEST(SelfIntersections, AreFoundInATubeThatIsTooThickForItsRing) {
   EXPECT_FALSE(self_intersections(mesh::torus_mesh(1, 1.3, 60, 30)).empty());
 }
 
@@ -103,7 +103,7 @@ TEST(SelfIntersections, FindPairsBySharedCorners) {
   EXPECT_EQ(pairs({{0, 1, 2}, {2, 1, 4}}), 0U) << "a sharp but honest edge";
 }
 
-TEST(Report, KnowsTwoBoxesThatOverlap) {
+TEST(Report, DescribesTwoOverlappingBoxes) {
   const Report report =
       measure(mesh::joined(mesh::box_mesh(kUnitBox), mesh::box_mesh({Vec3d(0.5), Vec3d(1.5)})));
   EXPECT_EQ(report.components, 2U);
@@ -131,7 +131,7 @@ TEST(Report, JsonHasTheKeysInOrderAndNullForTheUnknown) {
   EXPECT_NE(to_table(report).find("productions         12\n"), std::string::npos);
 }
 
-TEST(Report, OfNothing) {
+TEST(Report, OfAnEmptyMesh) {
   const Report report = measure(mesh::Mesh{});
   EXPECT_EQ(report.components, 0U);
   EXPECT_TRUE(nlohmann::json::parse(to_json(report))["bounds"].is_null());

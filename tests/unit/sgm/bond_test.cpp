@@ -7,7 +7,7 @@
 namespace vug::sgm {
 namespace {
 
-TEST(Label, NamesReadBack) {
+TEST(Label, NamesAreParsedBack) {
   for (const std::string& name : label_names()) EXPECT_EQ(to_string(*label_from(name)), name);
   EXPECT_EQ(label_from("+x"), Label::plus_x);
   EXPECT_EQ(label_from("RANDOM"), Label::random);
@@ -37,7 +37,7 @@ TEST(Label, RandomIsUniformOverTheSides) {
 }
 
 // Definition 5 with its tolerance scaled by the shape.
-TEST(MakesLabel, WantsCoincidingPointsAndOppositeDirections) {
+TEST(MakesLabel, RequiresCoincidingPointsAndOppositeDirections) {
   const Bond a{{1, 2, 3}, {1, 0, 0}}, b{{1, 2, 3}, {-1, 0, 0}};
   EXPECT_TRUE(makes_label(a, b, 1));
   EXPECT_FALSE(makes_label(a, a, 1));

@@ -34,7 +34,7 @@ TEST(Geology, DecidesWhatAMorphDoes) {
   }
 }
 
-TEST(Geology, RefusesRangesThatMeanNothing) {
+TEST(Geology, RefusesInvalidRanges) {
   Options options;
   options.geology.components = {{"marl", Field(), 0.7, 0.2}};
   EXPECT_THROW(Growth{options}, Error);

@@ -14,7 +14,7 @@ Vec3d unit(RandomStream& random) {
   }
 }
 
-TEST(Gluing, MakesALabelOfAnyTwoBonds) {
+TEST(GlueTransform, MakesALabelOfAnyTwoBonds) {
   for (uint64_t seed = 0; seed < 1000; ++seed) {
     RandomStream random(RandomKey(seed).at("glue"));
     const Bond fixed{unit(random) * 5.0, unit(random)}, moving{unit(random) * 3.0, unit(random)};
@@ -25,7 +25,7 @@ TEST(Gluing, MakesALabelOfAnyTwoBonds) {
   }
 }
 
-TEST(Gluing, TurnsOnlyWhereItMust) {
+TEST(GlueTransform, RotatesOnlyIfNecessary) {
   const Bond fixed{{1, 2, 3}, {1, 0, 0}};
   for (const Vec3d& d : {Vec3d(-1, 0, 0), Vec3d(0, 0, 0)}) {
     const Transform map = glue_transform(fixed, {{5, 5, 5}, d});

@@ -47,7 +47,7 @@ TEST(Growth, WithoutOverlapWallsTouchAtTheLabel) {
   }
 }
 
-TEST(Growth, BallsInARowOverlapByTheShareOfTheirExtent) {
+TEST(Growth, BallsInARowOverlapByTheFractionOfTheirExtent) {
   Growth growth = started(ball(1));
   const double pitch = 2 - 0.3 * 2;
   std::set<int> ids;
@@ -62,7 +62,7 @@ TEST(Growth, BallsInARowOverlapByTheShareOfTheirExtent) {
   EXPECT_NEAR(free_on(growth, Label::minus_x)->point.x, -1, 1e-9);
 }
 
-TEST(Growth, SwallowedBondsComeToTheNewSurface) {
+TEST(Growth, CoveredBondsMoveToTheNewSurface) {
   Growth growth = started(ball(0.2));
   growth.apply(step(Operation::unite, ball(2)), RandomKey(1));  // centre at 0.2 + 2 - 0.3 * 4 = 1
   EXPECT_NEAR(free_on(growth, Label::minus_x)->point.x, -1, 1e-9);
@@ -102,7 +102,7 @@ TEST(Growth, TheWholeIntersectionIsTheLiteralOne) {
     EXPECT_EQ(growth.field().value(p), std::max(box({5, 1, 1}).value(p), done.field.value(p)));
 }
 
-TEST(Growth, NothingIsAnnihilatedSilently) {
+TEST(Growth, AnnihilationIsReported) {
   Options options;
   options.reach = Reach::whole;
   options.overlap = {0, 0, 0, 0};  // Walls only touch: there is no common inside.
@@ -151,7 +151,7 @@ TEST(Growth, ASideWithoutBondsHasNone) {
   EXPECT_EQ(done.note, "side +X has no free bond");
 }
 
-TEST(Growth, TurnsShapesThatFaceAnotherWay) {
+TEST(Growth, RotatesShapesThatFaceAnotherDirection) {
   // The ground's wall faces up; glued to the right side of the ball it faces left.
   Growth growth = started(ball(1));
   const Placement& done =

@@ -53,7 +53,7 @@ TEST(Morph, EndsAreTheOperandsBitForBit) {
 
 // "Always base * newest": a fold in derivation order, so later shapes have more weight among equal
 // ones.
-TEST(Morph, ProductionsFold) {
+TEST(Morph, ProductionsFoldInOrder) {
   Options whole;
   whole.reach = Reach::whole;
   whole.overlap.morph = 0.5;  // Centres coincide with bonds.

@@ -54,7 +54,7 @@ TEST(Property, LabelsAreMadeAndBondsConsumedOnce) {
   });
 }
 
-TEST(Property, AnotherProductionLeavesTheEarlierOnes) {
+TEST(Property, AnotherProductionPreservesTheEarlierOnes) {
   for (uint64_t seed = 0; seed < 50; ++seed) {
     Rules rules = any_cave(seed);
     rules.morphic = 0;

@@ -60,7 +60,7 @@ TEST(LocalMorph, NestsWithoutDoublingTheWork) {
             0);  // Would take 2^200 evaluations if the base was evaluated twice.
 }
 
-TEST(LocalIntersection, LeavesWhatLiesBehind) {
+TEST(LocalIntersection, PreservesTheBaseBehindThePlane) {
   const Field base = box({5, 1, 1}), shape = moved(ball(1.5), {4, 0, 0});
   const Field f = local_intersection(base, shape, {4, 0, 0}, {1, 0, 0}, 3);
   EXPECT_LT(f.value({-4.9, 0.9, 0.9}), 0);
@@ -69,7 +69,7 @@ TEST(LocalIntersection, LeavesWhatLiesBehind) {
   EXPECT_NEAR(f.value({5, 0, 0}), 0, 1e-12);
 }
 
-TEST(LocalFields, RestrictionsKeepValuesAndHoldThem) {
+TEST(LocalFields, RestrictionsPreserveAndBoundValues) {
   RandomStream random(RandomKey(3));
   for (const Field& f : samples())
     for (int i = 0; i < 200; ++i) {
@@ -122,7 +122,7 @@ TEST(LocalFields, GradientsMatchDifferencesAndTheLipschitzConstant) {
   }
 }
 
-TEST(LocalFields, BoundsHoldTheInside) {
+TEST(LocalFields, BoundsContainTheInside) {
   RandomStream random(RandomKey(6));
   for (const Field& f : samples())
     for (int i = 0; i < 5000; ++i) {

@@ -76,7 +76,7 @@ TEST(Figure9, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_NE(one[0], one[1]);
 }
 
-TEST(Rules, SpreadMorphicProductionsAmongTheClassic) {
+TEST(Rules, DistributeMorphicProductionsAmongTheClassicOnes) {
   Rules rules = figure9();
   const auto order = [&] {
     std::string out;
@@ -120,7 +120,7 @@ TEST(Rules, PiecesMakeCompoundShapes) {
   }
 }
 
-TEST(Rules, MeaninglessParametersAreRefused) {
+TEST(Rules, InvalidParametersAreRefused) {
   const auto refused = [](auto change) {
     Rules rules = figure9();
     change(rules);
@@ -135,7 +135,7 @@ TEST(Rules, MeaninglessParametersAreRefused) {
   refused([](Rules& r) { r.unite = -1; });
 }
 
-TEST(Interpret, WarnsAboutSymbolsLeftOver) {
+TEST(Interpret, WarnsAboutUnexpandedSymbols) {
   grammar::Grammar g;
   g.axiom.resize(1);
   g.axiom[0].symbol = "Room";

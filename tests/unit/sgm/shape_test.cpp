@@ -59,7 +59,7 @@ TEST(BondsOf, AnEmptyMiddleFallsBackToTheSupportPoint) {
   EXPECT_GT(std::max(std::fabs(right->point.y), std::fabs(right->point.z)), 0.5 - 1e-6);
 }
 
-TEST(BondsOf, EndlessSolids) {
+TEST(BondsOf, InfiniteSolids) {
   const Field ground = solid(TestHalfSpace{{0, 1, 0}, {0, 2, 0}});
   const auto bonds = bonds_of(ground);
   ASSERT_EQ(bonds.size(), 1u);
@@ -93,7 +93,7 @@ TEST(BondsOf, EveryPrimitiveKind) {
   }
 }
 
-TEST(Placed, CarriesBondsAlong) {
+TEST(Transformed, TransformsBonds) {
   const Transform map = Transform::translation({1, 2, 3}) * Transform::rotation({0, 1, 0}, kPi / 2);
   const Shape shape = transformed(make_shape("box", box({1, 2, 3})), map);
   expect_on_surface(shape.field, shape.bonds);

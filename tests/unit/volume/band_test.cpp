@@ -1,4 +1,4 @@
-// Values beside a level set: at its voxels, found again by place.
+// Values that accompany a level set: at its voxels, and found again by position.
 #include "solids.h"
 
 #include <vug/base/error.h>
@@ -16,7 +16,7 @@ LevelSet ball(double voxel) {
   return voxelize(sphere_at({0.2, 0, 0.1}, 1), options);
 }
 
-TEST(Band, FeetStandOnTheSurface) {
+TEST(Band, PointsLieOnTheSurface) {
   const double voxel = 0.05;
   const BandPoints band = volume::band_points(ball(voxel));
   ASSERT_GT(band.size(), 10000u);
@@ -26,8 +26,8 @@ TEST(Band, FeetStandOnTheSurface) {
     off = std::max(off, std::fabs(out.length() - 1));
     turned = std::max(turned, (out.normalized() - Vec3d(band.normal[i])).length());
   }
-  // At the rim of the band differences are of one side, half a voxel off: a turn of half a voxel
-  // over the radius there, and a foot as much beside the true one three voxels on.
+  // At the edge of the band differences are one-sided, half a voxel off: a rotation of half a voxel
+  // over the radius there, and a foot displaced by the same angle three voxels away.
   EXPECT_LT(turned, 1.5 * voxel);
   EXPECT_LT(off, 3 * voxel * turned);
 }

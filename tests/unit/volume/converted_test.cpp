@@ -19,7 +19,7 @@ LevelSet ball() {
 const Transform kToCentimetresAndZUp(Vec3d(100, 0, 0), Vec3d(0, 0, 100), Vec3d(0, -100, 0),
                                      Vec3d(0, 0, 0));
 
-TEST(Placed, DistancesGrowAndPlacesMove) {
+TEST(Converted, DistancesAndPositionsScale) {
   const LevelSet here = ball();
   const LevelSet there(converted(here, kToCentimetresAndZUp));
   EXPECT_TRUE(check(there).good()) << check(there).fault;
@@ -30,11 +30,11 @@ TEST(Placed, DistancesGrowAndPlacesMove) {
   for (const Vec3d& at : {Vec3d(1, 2.95, 3), Vec3d(1, 3.1, 3), Vec3d(1.9, 2, 3), Vec3d(1, 2, 2.2)})
     EXPECT_NEAR(there.value(kToCentimetresAndZUp.point(at)), 100 * here.value(at), 1e-3);
   EXPECT_LT(there.value({100, -300, 200}), 0);
-  // What is outside of the band grows as well.
+  // The background scales as well.
   EXPECT_NEAR(there.value({1e5, 0, 0}), there.background(), 1e-9);
 }
 
-TEST(Placed, FogKeepsItsDensityAndTheOriginalStays) {
+TEST(Converted, FogKeepsItsDensityAndTheOriginalIsUnchanged) {
   const LevelSet here = ball();
   const Grid before = fog(here);
   const Digest content = before.content();

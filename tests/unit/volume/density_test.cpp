@@ -1,4 +1,4 @@
-// What walks through fog know of it: its values, chosen ones of them, and bounds.
+// The data for ray traversal of fog: values, stochastic samples, and bounds.
 #include "solids.h"
 
 #include <vug/base/rng.h>
@@ -13,7 +13,7 @@
 namespace vug::volume {
 namespace {
 
-/// Rough fog in a ball of some 100 voxels across, so in several bricks of 64.
+/// Rough fog in a ball about 100 voxels across, so in several bricks of 64.
 const Density& rough() {
   static const Density density = [] {
     VoxelizeOptions options;
@@ -36,7 +36,7 @@ Vec3f place(RandomStream& random, const Vec3f& size) {
   return p;
 }
 
-TEST(Density, OneOfEightValuesIsTheInterpolatedOneInTheMean) {
+TEST(Density, TheMeanOfStochasticValuesIsTheInterpolatedOne) {
   const Density& density = rough();
   RandomStream random(RandomKey(1).at("places"));
   int rough_places = 0;
@@ -54,7 +54,7 @@ TEST(Density, OneOfEightValuesIsTheInterpolatedOneInTheMean) {
     rough_places += error > 1e-4;
   }
   EXPECT_GT(rough_places, 10);
-  // On a lattice point there is nothing to choose, and beyond the grid there is nothing.
+  // At a lattice point there is only one choice, and beyond the grid the value is 0.
   const Vec3f lattice(40, 50, 60);
   EXPECT_GT(density.at(lattice), 0);
   EXPECT_EQ(density.stochastic_at(lattice, Vec3f(0.0f)), density.at(lattice));
@@ -85,13 +85,13 @@ TEST(Density, BricksOfEverySizeBoundIt) {
       mean += static_cast<double>(value), known += static_cast<double>(range.mean);
     }
     EXPECT_NEAR(known, mean, 0.06 * mean) << bricks.size();
-    EXPECT_GE(bricks.bound(), bound);  // larger bricks know less
+    EXPECT_GE(bricks.bound(), bound);  // Larger bricks have looser bounds.
     bound = bricks.bound();
   }
   EXPECT_EQ(sizes, (std::vector<int>{8, 16, 32, 64}));
 }
 
-TEST(Density, NothingHasNoBricks) {
+TEST(Density, EmptyFogHasNoBricks) {
   const Grid where = fog(voxelize(sphere_at({0, 0, 0}, 1), {}));
   const Density none(sampled(where, [](const Vec3f&) { return 0.0f; }));
   EXPECT_EQ(none.at_world(Vec3f(0.0f)), 0);

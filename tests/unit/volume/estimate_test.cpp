@@ -1,4 +1,4 @@
-// What the work will take is said before it starts, near enough to plan by.
+// The cost is estimated before the work starts, with sufficient accuracy for planning.
 #include "solids.h"
 
 #include <vug/base/error.h>
@@ -20,7 +20,7 @@ TEST(Estimate, AreaOfASphere) {
   EXPECT_NEAR(e.surface_area, 4 * kPi, 0.05 * 4 * kPi);
 }
 
-TEST(Estimate, CountsWhatIsThenMade) {
+TEST(Estimate, CountsMatchTheResult) {
   RandomStream random(RandomKey(8));
   std::vector<Field> spheres;
   for (int i = 0; i < 60; ++i) {
@@ -37,14 +37,14 @@ TEST(Estimate, CountsWhatIsThenMade) {
     EXPECT_NEAR(e.active_voxels, active, 0.2 * active);
     const auto leaves = static_cast<double>(s.leaves);
     EXPECT_NEAR(e.leaves, leaves, 0.25 * leaves);
-    // Never much less than the grid takes, and no scare either.
+    // Never much less than the size of the grid, and not excessively more.
     const auto bytes = static_cast<double>(s.memory_bytes);
     EXPECT_GT(e.bytes, 0.9 * bytes);
     EXPECT_LT(e.bytes, 1.6 * bytes + 1e7);
   }
 }
 
-TEST(Estimate, ANanometreIsRefusedAtOnce) {
+TEST(Estimate, ANanometreIsRefusedImmediately) {
   VoxelizeOptions options;
   options.voxel = 1e-9;
   options.max_memory = uint64_t{8} << 30;
@@ -61,7 +61,7 @@ TEST(Estimate, ANanometreIsRefusedAtOnce) {
     }
 }
 
-TEST(Estimate, AModestLimitIsKept) {
+TEST(Estimate, AModestLimitIsRespected) {
   VoxelizeOptions options;
   options.voxel = 0.005;
   options.max_memory = 10 << 20;

@@ -1,4 +1,4 @@
-// A level set of a mesh has its distances, bounds what cannot be reached, and refuses what is open.
+// A level set of a mesh has its distances, bounds the unreachable region, and rejects open meshes.
 #include "solids.h"
 
 #include <vug/base/error.h>
@@ -39,7 +39,7 @@ TEST(FromMesh, ValuesAreDistancesToTheMesh) {
   }
 }
 
-TEST(FromMesh, SurfacesThatCrossBoundOneSolid) {
+TEST(FromMesh, IntersectingSurfacesBoundOneSolid) {
   const mesh::Mesh two = mesh::joined(mesh::sphere_mesh(Vec3d(-0.3, 0, 0), 0.5, 4),
                                       mesh::sphere_mesh(Vec3d(0.3, 0, 0), 0.5, 4));
   const LevelSet grid = from_mesh(two, options(0.04));
@@ -59,7 +59,7 @@ TEST(FromMesh, SameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(made[0], made[2]);
 }
 
-TEST(FromMesh, WhatIsRefused) {
+TEST(FromMesh, RefusesOpenMeshesAndHugeSizes) {
   mesh::Mesh open = mesh::sphere_mesh(Vec3d(0), 1, 2);
   open.triangles.pop_back();
   try {

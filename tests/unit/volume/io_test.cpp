@@ -1,4 +1,5 @@
-// Files: what is read is what was written, the same bytes each time, and no damage goes unseen.
+// Files: the content survives a round trip, the bytes are reproducible, and no damage goes
+// unnoticed.
 #include "solids.h"
 
 #include <vug/base/atomic_file.h>
@@ -69,15 +70,15 @@ TEST_F(Files, SameBytesForAnyNumberOfThreadsAndEachRun) {
     write(path("b.vdb"), grids());
     EXPECT_TRUE(read_text(path("b.vdb")) == first) << threads;
   }
-  // A grid that was read again, its voxels still on disk, gives those bytes too.
+  // A grid that was read with its voxels still on disk gives the same bytes too.
   write(path("c.vdb"), read(path("a.vdb")));
   EXPECT_TRUE(read_text(path("c.vdb")) == first);
   write(path("d.vdb"), {grids()[0]});
   EXPECT_NE(info(path("d.vdb")).identifier, info(path("a.vdb")).identifier);
 }
 
-TEST_F(Files, ReadersSeeOneFileWhileOthersTakeItsPlace) {
-  // As a checkpoint that is looked at while its run goes on.
+TEST_F(Files, ReadersSeeOneFileWhileItIsReplaced) {
+  // Like a checkpoint that is inspected during the run.
   write(path("kept.vdb"), {solid().named("a")});
   std::atomic<bool> done = false;
   std::thread writer([&] {
@@ -94,17 +95,17 @@ TEST_F(Files, ReadersSeeOneFileWhileOthersTakeItsPlace) {
   writer.join();
 }
 
-TEST_F(Files, NothingIsSaidOfThemOnTheStandardOutput) {
+TEST_F(Files, NothingIsPrintedOnStandardOutput) {
   write(path("a.vdb"), {solid().named("rock")});
   const LevelSet rock(read_grid(path("a.vdb"), "rock"));
   fs::last_write_time(path("a.vdb"), fs::last_write_time(path("a.vdb")) + std::chrono::minutes(1));
   testing::internal::CaptureStdout();
-  EXPECT_EQ(rock.content(), solid().content());  // OpenVDB's log tells of a newer file
+  EXPECT_EQ(rock.content(), solid().content());  // OpenVDB's log reports a newer file.
   std::fflush(stdout);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
 
-TEST_F(Files, HalfFloatsPassTheChecksToo) {
+TEST_F(Files, HalfPrecisionPassesTheChecksToo) {
   for (const double voxel : {0.07, 0.1, 0.013}) {
     VoxelizeOptions fine;
     fine.voxel = voxel;
@@ -120,12 +121,12 @@ TEST_F(Files, HalfFloatsPassTheChecksToo) {
       if (std::fabs(value) < original.background())
         worst = std::max(worst, std::fabs(half.value(p) - value));
     });
-    EXPECT_LE(worst, original.background() / 2048);  // 11 bits of mantissa
+    EXPECT_LE(worst, original.background() / 2048);  // 11 bits of mantissa.
     EXPECT_EQ(original.content(), voxelize(lumpy_solid(), fine).content());
   }
 }
 
-TEST_F(Files, EachGridSaysWhetherItIsStoredAsHalf) {
+TEST_F(Files, EachGridHasItsOwnPrecision) {
   const LevelSet original = voxelize(lumpy_solid(), {});
   write(path("a.vdb"), {original.named("fine"), original.named("coarse").stored_as_half(true)});
   const LevelSet fine(read_grid(path("a.vdb"), "fine")), coarse(read_grid(path("a.vdb"), "coarse"));
@@ -134,7 +135,7 @@ TEST_F(Files, EachGridSaysWhetherItIsStoredAsHalf) {
   EXPECT_EQ(fine.content(), original.content());
   EXPECT_NE(coarse.content(), original.content());
   EXPECT_EQ(check(coarse).fault, "");
-  // What was read keeps its way of being stored, and may be told another.
+  // Grids keep their storage precision when read, and it can be changed.
   write(path("b.vdb"), {coarse, fine.stored_as_half(true)});
   EXPECT_TRUE(read_grid(path("b.vdb"), "coarse").saved_as_half());
   EXPECT_TRUE(read_grid(path("b.vdb"), "fine").saved_as_half());
@@ -145,7 +146,7 @@ TEST_F(Files, EmptyGridsCanBeWritten) {
   EXPECT_TRUE(LevelSet(read_grid(path("a.vdb"), "air")).empty());
 }
 
-TEST_F(Files, InfoTellsWhatIsInside) {
+TEST_F(Files, InfoDescribesTheContent) {
   write(path("a.vdb"), grids());
   const FileInfo file = info(path("a.vdb"));
   EXPECT_EQ(file.bytes, fs::file_size(path("a.vdb")));
@@ -159,7 +160,7 @@ TEST_F(Files, InfoTellsWhatIsInside) {
 
 TEST_F(Files, GridsAreFoundByName) {
   write(path("a.vdb"), {grids()[1], grids()[0]});
-  EXPECT_EQ(read_grid(path("a.vdb"), "").name(), "rock");  // the first level set
+  EXPECT_EQ(read_grid(path("a.vdb"), "").name(), "rock");  // The first level set.
   EXPECT_EQ(read_grid(path("a.vdb"), "density").name(), "density");
   try {
     read_grid(path("a.vdb"), "rok");
@@ -169,7 +170,7 @@ TEST_F(Files, GridsAreFoundByName) {
   }
 }
 
-TEST_F(Files, NamesMustBeThereAndUnique) {
+TEST_F(Files, NamesMustExistAndBeUnique) {
   EXPECT_THROW(write(path("a.vdb"), {solid()}), Error);
   EXPECT_THROW(write(path("a.vdb"), {solid().named("a"), solid().named("a")}), Error);
   EXPECT_FALSE(fs::exists(path("a.vdb")));
@@ -208,7 +209,7 @@ TEST_F(Files, EveryTruncationIsRefused) {
   }
 }
 
-TEST_F(Files, EveryChangedByteIsSeen) {
+TEST_F(Files, EveryChangedByteIsDetected) {
   write(path("whole.vdb"), grids());
   const std::string whole = read_text(path("whole.vdb"));
   RandomStream random(RandomKey(10));
@@ -216,7 +217,7 @@ TEST_F(Files, EveryChangedByteIsSeen) {
     std::string damaged = whole;
     const size_t at =
         i < 150 ? static_cast<size_t>(i) : random.below(static_cast<uint32_t>(whole.size()));
-    if (at >= 21 && at < 57) continue;  // the hash itself: then it may look like a random one
+    if (at >= 21 && at < 57) continue;  // The hash itself, which may then look random.
     damaged[at] = static_cast<char>(damaged[at] ^ (1 << random.below(8)));
     put(path("damaged.vdb"), damaged);
     EXPECT_THROW(read(path("damaged.vdb")), Error) << at;
@@ -238,7 +239,7 @@ TEST_F(Files, GarbageIsRefused) {
   expect_refused(folder_, "a folder");
 }
 
-TEST_F(Files, AFailedWriteLeavesTheOldFileWhole) {
+TEST_F(Files, AFailedWritePreservesTheOldFile) {
   write(path("a.vdb"), grids());
   const std::string before = read_text(path("a.vdb"));
   VoxelizeOptions tiny;

@@ -1,4 +1,4 @@
-// A level set as a field again: in its band it is the field it was made of.
+// A level set as a field: in its band it equals the original field.
 #include "solids.h"
 
 #include <vug/base/rng.h>
@@ -15,7 +15,7 @@
 namespace vug::volume {
 namespace {
 
-TEST(Samples, FollowTheFieldInTheBand) {
+TEST(LevelSetField, FollowsTheFieldInTheBand) {
   VoxelizeOptions options;
   options.voxel = 1.0 / 32;
   const field::Field ball = sphere_at({0.1, 0.2, 0.3}, 0.8);
@@ -26,10 +26,11 @@ TEST(Samples, FollowTheFieldInTheBand) {
     const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
     const Vec3d p = Vec3d(0.1, 0.2, 0.3) + Vec3d(x, y, random.uniform(-1, 1));
     const field::Gradient sampled = read->sample(p);
-    EXPECT_NEAR(sampled.value, grid.value(p), 1e-7 * grid.background());  // it samples in floats
+    EXPECT_NEAR(sampled.value, grid.value(p),
+                1e-7 * grid.background());  // It samples in single precision.
     const field::Gradient exact = ball.gradient(p);
     if (std::fabs(exact.value) > 1.5 * options.voxel) continue;
-    // Curvature 1/r bends a cell by 3 h^2 / 8 r, and turns the gradient by sqrt(3) h / r.
+    // Curvature 1/r bends a cell by 3 h^2 / 8 r, and rotates the gradient by sqrt(3) h / r.
     EXPECT_NEAR(sampled.value, exact.value, 3 * options.voxel * options.voxel / (8 * 0.75));
     EXPECT_LT((sampled.gradient - exact.gradient).length(), 1.8 * options.voxel / 0.75);
   }
@@ -38,13 +39,13 @@ TEST(Samples, FollowTheFieldInTheBand) {
   EXPECT_DOUBLE_EQ(read->band(), grid.background());
 }
 
-TEST(Samples, AFileBecomesASolidAgain) {
+TEST(LevelSetField, AFileBecomesASolidAgain) {
   VoxelizeOptions options;
   options.voxel = 1.0 / 16;
   const std::string file =
       (std::filesystem::temp_directory_path() / fmt::format("vug-samples-{}.vdb", getpid()))
           .string();
-  // Smooth: at creases the slope of one cell says little about the distance.
+  // Smooth, because the slope of one cell at a crease is unrelated to the distance.
   const field::Field soft = field::unite(
       {sphere_at({0.4, 0, 0}, 0.6), sphere_at({-0.3, 0.2, 0}, 0.5)}, {field::Profile::smooth, 0.5});
   const LevelSet first = voxelize(soft, options);

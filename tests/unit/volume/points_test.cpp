@@ -1,4 +1,4 @@
-// Points: what is read is what was written, up to what 16 bits can hold.
+// Points survive a round trip, within the precision of 16 bits.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 
 constexpr double kRadius = 1.7;
 
-/// Points on a ball around a place where floats still have 23 bits for a metre, with all that
-/// cells carry. Numbered by `id`.
+/// Points on a ball around a position where floats still have 23 bits per metre, with all
+/// attributes of cells. Numbered by `id`.
 Points ball(size_t count) {
   Points out;
   std::vector<float> pscale(count), heat(count);
@@ -66,7 +66,7 @@ class PointFiles : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(PointFiles, ComeBackWithinWhatTheirBitsCanHold) {
+TEST_F(PointFiles, SurviveARoundTripWithinTheirPrecision) {
   const Points points = ball(20000);
   const double voxel = voxel_for_ball(points.size());
   write(path("a.vdb"), {point_grid(points, voxel).named("cells")});
@@ -76,7 +76,7 @@ TEST_F(PointFiles, ComeBackWithinWhatTheirBitsCanHold) {
   std::vector<int32_t> sorted = id;
   std::sort(sorted.begin(), sorted.end());
   EXPECT_EQ(sorted, points.values<int32_t>("id"));
-  // Half a step of 16 bits, and the rounding of floats as large as 4.
+  // Half a 16-bit step, and the rounding of floats as large as 4.
   const double bound = voxel * 0.5 / 65535 + 2.5e-7;
   double turn = 0;
   for (size_t i = 0; i < back.size(); ++i) {
@@ -98,7 +98,7 @@ TEST_F(PointFiles, ComeBackWithinWhatTheirBitsCanHold) {
   EXPECT_GT(turn, 0.0) << "16 bits were asked for";
 }
 
-TEST_F(PointFiles, InfoTellsWhatTheyCarry) {
+TEST_F(PointFiles, InfoDescribesTheirAttributes) {
   const Points points = ball(5000);
   write(path("a.vdb"), {point_grid(points, 0.1).named("cells")});
   const FileInfo file = info(path("a.vdb"));
@@ -139,14 +139,14 @@ TEST_F(PointFiles, SameBytesForAnyNumberOfThreads) {
   EXPECT_TRUE(read_text(path("b.vdb")) == first) << "read and written again";
 }
 
-TEST_F(PointFiles, TwelveShareAVoxel) {
+TEST_F(PointFiles, TwelvePointsShareAVoxel) {
   const Points points = ball(50000);
   const Grid grid = point_grid(points, voxel_for_ball(points.size()));
   const double each = 50000.0 / static_cast<double>(grid.statistics().active_voxels);
   EXPECT_NEAR(each, 12, 2) << "a voxel whose corner is cut has none at times";
 }
 
-TEST_F(PointFiles, ThoseOfAVoxelKeepTheirOrder) {
+TEST_F(PointFiles, PointsOfAVoxelKeepTheirOrder) {
   Points points;
   for (int i = 0; i < 100; ++i) points.position.emplace_back(0.001f * static_cast<float>(i % 10));
   std::vector<int32_t> id(100);
@@ -173,7 +173,7 @@ std::string fault(const Work& work) {
   return "";
 }
 
-TEST_F(PointFiles, FaultsAreToldInASentence) {
+TEST_F(PointFiles, FaultsAreReportedInSentences) {
   const Points good = ball(10);
   Points points = good;
   points.position[3].y = std::nanf("");
@@ -183,13 +183,16 @@ TEST_F(PointFiles, FaultsAreToldInASentence) {
   EXPECT_EQ(fault([&] { point_grid(good, 0); }), "the voxel size of points must be above 0");
   points = good;
   points.groups[0].name = "upper";
-  EXPECT_EQ(fault([&] { point_grid(points, 1); }), "'upper' is the name of a group of points twice");
+  EXPECT_EQ(fault([&] { point_grid(points, 1); }),
+            "'upper' is the name of a group of points twice");
   points = good;
   points.attributes[0].name = "P";
-  EXPECT_EQ(fault([&] { point_grid(points, 1); }), "'P' is the name of an attribute of points twice");
-  points.attributes[0].name = "my heat";
   EXPECT_EQ(fault([&] { point_grid(points, 1); }),
-            "'my heat' is not a valid name for an attribute of points; names have letters, digits and _");
+            "'P' is the name of an attribute of points twice");
+  points.attributes[0].name = "my heat";
+  EXPECT_EQ(
+      fault([&] { point_grid(points, 1); }),
+      "'my heat' is not a valid name for an attribute of points; names have letters, digits and _");
   EXPECT_EQ(fault([&] { good.values<float>("heet"); }),
             "the points have no attribute 'heet'; did you mean 'heat'?");
   EXPECT_EQ(fault([&] { good.values<float>("N"); }),

@@ -1,4 +1,4 @@
-// What is made of level sets: fog volumes, samples, polygons, statistics.
+// Products of level sets: fog volumes, samples, polygons, statistics.
 #include "solids.h"
 
 #include <vug/base/error.h>
@@ -36,7 +36,7 @@ TEST(Grid, StatisticsOfABall) {
   EXPECT_EQ(grid.grid_class(), GridClass::level_set);
 }
 
-TEST(Grid, NamesAndMetadataLeaveTheContentAlone) {
+TEST(Grid, NamesAndMetadataDoNotChangeTheContent) {
   const LevelSet grid = ball(0.1);
   const Grid other = grid.named("rock").with({{"vug:seed", int64_t{7}}});
   EXPECT_EQ(other.name(), "rock");
@@ -66,7 +66,7 @@ TEST(Fog, DensityRisesFromTheSurfaceInwards) {
   const double volume = 4.0 / 3 * kPi * 20 * 20 * 20;
   EXPECT_NEAR(static_cast<double>(s.active_voxels), volume, 0.02 * volume);
   EXPECT_NE(density.content(), fog(grid, {.falloff = 0.05}).content());
-  EXPECT_EQ(grid.content(), ball(0.05).content());  // the source is left alone
+  EXPECT_EQ(grid.content(), ball(0.05).content());  // The source is unchanged.
 }
 
 TEST(Polygons, BallIsClosedAndWoundOutwards) {
@@ -83,7 +83,7 @@ TEST(Polygons, BallIsClosedAndWoundOutwards) {
     for (size_t k = 0; k < 4; ++k) ++edges[{q[k], q[(k + 1) % 4]}];
   }
   EXPECT_TRUE(mesh.triangles.empty());
-  EXPECT_NEAR(volume, 4.0 / 3 * kPi, 0.01 * 4.0 / 3 * kPi);  // positive: outwards
+  EXPECT_NEAR(volume, 4.0 / 3 * kPi, 0.01 * 4.0 / 3 * kPi);  // Positive: oriented outwards.
   for (const auto& [edge, count] : edges) {
     EXPECT_EQ(count, 1);
     EXPECT_EQ((edges.count({edge.second, edge.first})), 1u);

@@ -1,4 +1,5 @@
-// Values that are no distances: the zero set stays, the band gets distances to first order.
+// Values that are not distances: the zero set is preserved, and the band gets first-order
+// distances.
 #include "solids.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,8 @@ TEST(Repair, ConcentricMorphIsASphere) {
   EXPECT_EQ(check(grid).fault, "");
   for (const Vec3d& axis : {Vec3d(1, 0, 0), Vec3d(0, -1, 0), Vec3d(0, 0, 1)})
     EXPECT_NEAR(crossing(grid, {0, 0, 0}, axis, 4), radius, 1e-4 * options.voxel);
-  // The whole band is there, though what is no distance may lose what is far from any surface.
+  // The whole band is present, although values that are not distances may be missing far from any
+  // surface.
   each_lattice_point(grid, [&](const Vec3d& p, double value) {
     const double distance = p.length() - radius, band = grid.background();
     if (std::fabs(distance) > band * 0.999) {
@@ -34,7 +36,7 @@ TEST(Repair, ConcentricMorphIsASphere) {
 }
 
 TEST(Repair, TheBandEndsNearTheSurface) {
-  // Where the noise is steep, v / |grad v| is small deep in the rock, too.
+  // Where the noise is steep, v / |grad v| is also small deep in the rock.
   const Value noise =
       field::as_value(field::make_noise("ridged", {{"scale", 0.12}, {"octaves", 5}}));
   const Value ball = field::as_value(make("sphere"));
@@ -48,7 +50,7 @@ TEST(Repair, TheBandEndsNearTheSurface) {
     held[{static_cast<int>(std::lround(p.x / options.voxel)),
           static_cast<int>(std::lround(p.y / options.voxel)),
           static_cast<int>(std::lround(p.z / options.voxel))}] = value;
-    // No sign is lost or made.
+    // No sign is lost or created.
     const double exact = rough.value(p);
     EXPECT_TRUE(std::fabs(exact) < 1e-6 || (value < 0) == (exact < 0));
   });
@@ -56,7 +58,7 @@ TEST(Repair, TheBandEndsNearTheSurface) {
   for (const auto& [at, value] : held) {
     if (std::fabs(value) >= grid.background()) continue;
     ++active;
-    bool near = false;  // a change of sign within four steps of one of its neighbours
+    bool near = false;  // A change of sign within four steps of one of its neighbours.
     for (int x = -5; x <= 5 && !near; ++x)
       for (int y = -5; y <= 5 && !near; ++y)
         for (int z = -5; z <= 5 && !near; ++z) {
@@ -69,11 +71,11 @@ TEST(Repair, TheBandEndsNearTheSurface) {
   EXPECT_EQ(beyond, 0u);
 }
 
-// Half-way between two balls of radius R at distance D lies the prolate ellipsoid with their
-// centres as foci: semi-axes R along and sqrt(R^2 - D^2/4) across.
+// Half-way between two balls of radius R at distance D is the prolate ellipsoid with their centres
+// as foci: semi-axes R along and sqrt(R^2 - D^2/4) across.
 TEST(Repair, MorphOfTwoBallsIsTheEllipsoid) {
   for (const double separation : {2.0, 10.0, 50.0, 200.0}) {
-    const double focus = separation / 2, along = 0.75 * separation + 20;  // in voxels
+    const double focus = separation / 2, along = 0.75 * separation + 20;  // In voxels.
     const double across = std::sqrt(along * along - focus * focus);
     VoxelizeOptions options;
     options.voxel = 1;
@@ -86,7 +88,7 @@ TEST(Repair, MorphOfTwoBallsIsTheEllipsoid) {
         const double c = std::cos(angle), s = std::sin(angle);
         const Vec3d direction(c, s * std::cos(turn), s * std::sin(turn));
         const double exact = 1 / std::sqrt(c * c / (along * along) + s * s / (across * across));
-        // Along the way of a ray trilinear cells bend the surface by their curvature, h^2 / 8 r.
+        // Along a ray, trilinear cells bend the surface by their curvature, h^2 / 8 r.
         const double bend = 0.5 / across;
         EXPECT_NEAR(crossing(grid, {0, 0, 0}, direction, 2 * along), exact, 0.02 + bend)
             << separation << " " << angle;
@@ -94,7 +96,7 @@ TEST(Repair, MorphOfTwoBallsIsTheEllipsoid) {
   }
 }
 
-TEST(Repair, FarApartBallsMorphToNothing) {
+TEST(Repair, DistantBallsHaveAnEmptyMorph) {
   VoxelizeOptions options;
   options.voxel = 0.1;
   const LevelSet grid =
@@ -102,14 +104,14 @@ TEST(Repair, FarApartBallsMorphToNothing) {
   each_lattice_point(grid, [](const Vec3d&, double value) { EXPECT_GT(value, 0); });
 }
 
-/// Distance to the field's zero set by descending onto it from p.
+/// Distance to the field's zero set by descent from p.
 double distance(const Field& field, const Vec3d& p) {
   Vec3d q = p;
   for (int i = 0; i < 200; ++i) {
     const field::Gradient g = field.gradient(q);
     const double squared = g.gradient.length2();
     q -= g.gradient * (g.value / squared);
-    // Slide along the surface towards p.
+    // Slides along the surface towards p.
     const Vec3d normal = field.gradient(q).gradient.normalized();
     const Vec3d offset = p - q;
     q += (offset - normal * offset.dot(normal)) * 0.5;
@@ -131,13 +133,13 @@ TEST(Repair, SteepFieldsBecomeDistances) {
     if (std::fabs(value) > 2 * options.voxel || (Vec3i(p * 24).x & 3)) return;
     worst = std::max(worst, std::fabs(std::fabs(value) - distance(squashed, p)));
   });
-  // To first order: the rest is d^2 times curvature (about 1 / m) over 2, at d of 2 voxels.
+  // First order: the remainder is d^2 times curvature (about 1 / m) over 2, at d of 2 voxels.
   EXPECT_LT(worst, 2 * options.voxel * 2 * options.voxel);
   EXPECT_LT(check(grid).share_off_unit_slope, 0.001);
 }
 
 TEST(Repair, ReachesEveryPointOfTheBand) {
-  // Steep and shallow slopes in one solid; a point left out would keep the background's value.
+  // Steep and shallow slopes in one solid; a skipped point would keep the background's value.
   const Field solid = field::morph(
       sphere_at({0.7, 0, 0}, 1),
       field::unite({sphere_at({-0.6, 0.3, 0.2}, 0.8), sphere_at({0, -1, 0.5}, 0.5)}), 0.45);
@@ -148,10 +150,11 @@ TEST(Repair, ReachesEveryPointOfTheBand) {
   each_lattice_point(grid, [&](const Vec3d& p, double value) {
     const field::Gradient g = solid.gradient(p);
     const double slope = g.gradient.length();
-    if (slope < 0.05) return;  // hardly a direction: such values stay inside the band on purpose
+    if (slope < 0.05)
+      return;  // Hardly a direction: such values stay inside the band intentionally.
     const Vec3d aside(1e-5, -7e-6, 4e-6);
     if ((solid.gradient(p + aside).gradient - solid.gradient(p - aside).gradient).length() > 1e-3)
-      return;  // on a crease either side's slope is right
+      return;  // On a crease the slope of either side is correct.
     const double expected = std::clamp(g.value / slope, -grid.background(), grid.background());
     ASSERT_NEAR(value, expected, 2e-3 * options.voxel) << p;
     active += std::fabs(expected) < grid.background();

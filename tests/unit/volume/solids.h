@@ -1,4 +1,4 @@
-// Solids and lattice loops that the tests of this folder share.
+// Solids and lattice loops shared by the tests of this folder.
 #pragma once
 
 #include <vug/field/affine.h>
@@ -15,7 +15,7 @@ inline field::Field sphere_at(const Vec3d& centre, double radius) {
                             Transform::translation(centre));
 }
 
-/// Spheres in a cube of edge 2, some joined softly, some cut away: all of the tree's cases.
+/// Spheres in a cube of edge 2, some blended, some subtracted: all cases of the tree.
 inline field::Field lumpy_solid() {
   using namespace field;
   const Field body = unite(
@@ -38,7 +38,8 @@ void each_lattice_point(const LevelSet& grid, const Visit& visit) {
   for (size_t i = 0; i < points.size(); ++i) visit(points[i], values[i]);
 }
 
-/// Where the grid's value changes sign along a segment of length `reach` from `from`, metres.
+/// Distance in metres at which the grid's value changes sign along a segment of length `reach` from
+/// `from`.
 inline double crossing(const LevelSet& grid, const Vec3d& from, const Vec3d& direction,
                        double reach) {
   double low = 0, high = reach;

@@ -53,7 +53,7 @@ TEST(Voxelize, AnyVoxelSizePassesTheChecks) {
   }
 }
 
-TEST(Voxelize, ManySpheresAgainstEveryOperand) {
+TEST(Voxelize, ManySpheresEqualBruteForce) {
   RandomStream random(RandomKey(6));
   std::vector<Field> spheres;
   for (int i = 0; i < 300; ++i) {
@@ -66,7 +66,7 @@ TEST(Voxelize, ManySpheresAgainstEveryOperand) {
 
 TEST(Voxelize, DeepInsideIsInside) {
   VoxelizeOptions options;
-  options.voxel = 0.01;  // radius of 1000 voxels: whole nodes lie inside
+  options.voxel = 0.01;  // Radius of 1000 voxels: whole nodes lie inside.
   const Field shell = field::subtract(sphere_at({0, 0, 0}, 10), {sphere_at({0, 0, 0}, 9.9)});
   options.voxel = 0.05;
   const LevelSet grid = voxelize(shell, options);
@@ -97,7 +97,7 @@ TEST(Voxelize, SameContentForAnyNumberOfThreads) {
   EXPECT_NE(voxelize(lumpy_solid(), options).content(), first);
 }
 
-TEST(Voxelize, NothingGivesAnEmptyGrid) {
+TEST(Voxelize, AnEmptyFieldGivesAnEmptyGrid) {
   const Field ball = sphere_at({0.3, 0, 0}, 0.5);
   for (const Field& f : {field::empty(), field::subtract(ball, {ball}),
                          field::intersect({ball, sphere_at({3, 0, 0}, 0.5)})}) {
@@ -110,7 +110,7 @@ TEST(Voxelize, NothingGivesAnEmptyGrid) {
   EXPECT_TRUE(voxelize(ball, {}).holds_solid());
 }
 
-TEST(Voxelize, ARegionCutsTheSolidOffFlat) {
+TEST(Voxelize, ARegionCutsTheSolidWithFlatFaces) {
   VoxelizeOptions options;
   options.voxel = 1.0 / 16;
   options.region = Box3d({-0.5, -2, -2}, {0.25, 2, 2});
@@ -122,7 +122,7 @@ TEST(Voxelize, ARegionCutsTheSolidOffFlat) {
   EXPECT_GT(grid.value({0.75, 0, 0}), 0);
 }
 
-TEST(Voxelize, ASolidWithoutAnEndNeedsARegion) {
+TEST(Voxelize, AnInfiniteSolidNeedsARegion) {
   const Field outside = field::complement(make("sphere", {{"radius", 0.5}}));
   try {
     voxelize(outside, {});
@@ -138,7 +138,7 @@ TEST(Voxelize, ASolidWithoutAnEndNeedsARegion) {
   EXPECT_LT(grid.value({0.8, 0, 0}), 0);
 }
 
-TEST(Voxelize, RefusesWhatCannotBe) {
+TEST(Voxelize, RefusesInvalidArguments) {
   VoxelizeOptions options;
   for (const double voxel : {0.0, -1.0, std::nan(""), kInfinity}) {
     options.voxel = voxel;
@@ -157,7 +157,7 @@ TEST(Voxelize, LatticeBeyond32BitsIsRefused) {
   EXPECT_THROW(voxelize(sphere_at({1e8, 0, 0}, 1), options), Error);
 }
 
-TEST(Voxelize, StopsWhenTold) {
+TEST(Voxelize, StopsWhenCancelled) {
   Progress progress;
   progress.cancel();
   try {
