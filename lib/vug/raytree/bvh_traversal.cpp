@@ -100,8 +100,8 @@ std::array<Vec3f, 3> BvhTraversal::corners() const {
   const auto at = [](const std::array<std::array<float, 4>, 3>& v, size_t i) {
     return Vec3f(v[0][i], v[1][i], v[2][i]);
   };
-  const std::array<Vec3f, 3> begun{at(in.v0, lane), at(in.v1, lane), at(in.v1, lane ^ 2u)};
-  return {begun[(3 - turn) % 3], begun[(4 - turn) % 3], begun[(5 - turn) % 3]};
+  const std::array<Vec3f, 3> first{at(in.v0, lane), at(in.v1, lane), at(in.v1, lane ^ 2u)};
+  return {first[(3 - turn) % 3], first[(4 - turn) % 3], first[(5 - turn) % 3]};
 }
 
 template <BvhTraversal::Stage stage>

@@ -147,25 +147,25 @@ PathResult TileRenderer::sample(int x, int y, uint32_t index, LightPathRecorder&
   id.spp = static_cast<uint32_t>(options_.spp), id.seed = options_.seed;
   SampleCursor numbers(*sampler_, id);
   recorder.clear();
-  LightPathRecorder* parts = light_paths_.colours() > 0 ? &recorder : nullptr;
+  LightPathRecorder* active = light_paths_.colours() > 0 ? &recorder : nullptr;
   const float time = is_static_ ? 0.5f : sampler_->single(id, kTimeDimension);
-  std::vector<Ray> more;
-  SampleId looks = id;
+  std::vector<Ray> extra;
+  SampleId camera_id = id;
   if (edges_.at(x, y)) {
-    looks.spp *= 1 + kExtraRays;
-    more = extra_rays(looks, time);
+    camera_id.spp *= 1 + kExtraRays;
+    extra = extra_rays(camera_id, time);
   }
-  const Ray ray = camera_ray(looks, time);
-  if (is_static_) return integrator_->trace(*world_, ray, numbers, parts, more);
-  PathResult result = integrator_->trace(world_->at(time), ray, numbers, parts, more);
+  const Ray ray = camera_ray(camera_id, time);
+  if (is_static_) return integrator_->trace(*world_, ray, numbers, active, extra);
+  PathResult result = integrator_->trace(world_->at(time), ray, numbers, active, extra);
   result.time = time;
   const float width = static_cast<float>(options_.width);
   const float height = static_cast<float>(options_.height);
   if (options_.motion_step && light_paths_.motion && result.first.hit) {
     const uint32_t object = result.first.object;
-    const Vec2f way = options_.motion_step->motion(
+    const Vec2f motion = options_.motion_step->motion(
         result.first.position, object, scene_.objects[object].instance.get(), time, width / height);
-    recorder.set_motion({way.x * width, way.y * height});
+    recorder.set_motion({motion.x * width, motion.y * height});
   }
   return result;
 }
@@ -205,7 +205,7 @@ Film TileRenderer::render_tile(const Region& region, uint32_t begin, uint32_t en
 double TileRenderer::estimate_seconds(double samples) const {
   using Clock = std::chrono::steady_clock;
   constexpr size_t kBatch = 64;
-  constexpr double kEnough = 0.2;  // seconds
+  constexpr double kMinSeconds = 0.2;  // seconds
   const auto each = static_cast<uint32_t>(std::min(options_.spp, 16));
   size_t pixels = 0;
   // Busy time of the threads, without their waiting times: a picture has enough tiles to keep all
@@ -236,12 +236,12 @@ double TileRenderer::estimate_seconds(double samples) const {
   if (static_cast<double>(kBatch * each) > 0.02 * samples) return 0;
   batch();  // starts the threads and warms the caches
   busy = 0;
-  const auto taken = [&] { return static_cast<double>((pixels - kBatch) * each); };
+  const auto measured = [&] { return static_cast<double>((pixels - kBatch) * each); };
   const Clock::time_point start = Clock::now();
-  const auto passed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   do batch();
-  while (passed() < kEnough && taken() < 0.02 * samples);
-  return 1e-9 * static_cast<double>(busy) / thread_count() / taken() * samples;
+  while (elapsed() < kMinSeconds && measured() < 0.02 * samples);
+  return 1e-9 * static_cast<double>(busy) / thread_count() / measured() * samples;
 }
 
 }  // namespace vug::render

@@ -88,7 +88,7 @@ TEST(Cryptomatte, ElementsOfAMesh) {
   // Beside layers of the same attributes and what stands behind them in a film.
   o.aovs = scene_aovs(
       scene, {"beauty", "A", "attribute_window", "motion", "wetness", "CryptoElement", "parts"});
-  EXPECT_EQ(o.aovs.subjects("CryptoElement"), (std::vector<std::string>{"door", "window"}));
+  EXPECT_EQ(o.aovs.crypto_names("CryptoElement"), (std::vector<std::string>{"door", "window"}));
   const image::Image picture = render(scene, o);
   const auto at = [&](int x, int y, const std::string& channel) {
     return picture.at(x, y, static_cast<size_t>(picture.find_channel(channel)));

@@ -56,9 +56,9 @@ void mark_converged(RenderState& state, double noise) {
   const double floor = kFloorOfKey * key_of(state);
   std::vector<double> noises(state.done.size()), pixels(state.done.size());
   for (size_t i = 0; i < noises.size(); ++i) {
-    const Region block = region.tile(i, RenderState::kTileSize);
-    noises[i] = squared_noise(state.film, block, floor);
-    pixels[i] = static_cast<double>(block.pixels());
+    const Region tile = region.tile(i, RenderState::kTileSize);
+    noises[i] = squared_noise(state.film, tile, floor);
+    pixels[i] = static_cast<double>(tile.pixels());
   }
   const int across = (region.width() + RenderState::kTileSize - 1) / RenderState::kTileSize;
   const int down = static_cast<int>(noises.size()) / across;
@@ -67,15 +67,15 @@ void mark_converged(RenderState& state, double noise) {
   };
   for (int y = 0; y < down; ++y)
     for (int x = 0; x < across; ++x) {
-      const size_t block = number(x, y);
-      if (state.converged[block] || state.done[block] - state.begin < kMinAdaptiveSamples) continue;
+      const size_t tile = number(x, y);
+      if (state.converged[tile] || state.done[tile] - state.begin < kMinAdaptiveSamples) continue;
       double near = 0, count = 0;
       for (int v = std::max(0, y - 1); v <= std::min(down - 1, y + 1); ++v)
         for (int u = std::max(0, x - 1); u <= std::min(across - 1, x + 1); ++u) {
           const size_t neighbour = number(u, v);
           near += noises[neighbour], count += pixels[neighbour];
         }
-      if (near <= noise * noise * count) state.converged[block] = 1;
+      if (near <= noise * noise * count) state.converged[tile] = 1;
     }
 }
 

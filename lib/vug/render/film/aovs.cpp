@@ -13,11 +13,11 @@ namespace vug::render {
 namespace {
 
 /// Depth of pixels without a surface.
-constexpr double kNowhere = 1e10;
+constexpr double kNoDepth = 1e10;
 constexpr const char* kLight = "light_";
 constexpr const char* kAttribute = "attribute_";
 
-struct Out {
+struct ChannelWriter {
   const PixelSum& sum;
   float* to;
 
@@ -29,40 +29,40 @@ struct Out {
   void hit(int64_t v) { put(from_plain(v) / std::max(sum.hits, 1u)); }
 };
 
-struct Kind {
+struct PixelAov {
   AovInfo info;
-  void (*write)(Out&);
+  void (*write)(ChannelWriter&);
 };
 
 /// AOVs that are computed from a PixelSum.
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all = {
+const std::vector<PixelAov>& pixel_aovs() {
+  static const std::vector<PixelAov> all = {
       {{"beauty", "Radiance, in the working space.", {"R", "G", "B"}, true},
-       [](Out& o) {
+       [](ChannelWriter& o) {
          for (size_t i = 0; i < 3; ++i) o.put(o.sum.mean(i));
        }},
       {{"A", "Coverage: 1 for surfaces and visible lights, 0 for the sky.", {"A"}, true},
-       [](Out& o) { o.put(from_plain(o.sum.alpha) / std::max(o.sum.samples, 1u)); }},
+       [](ChannelWriter& o) { o.put(from_plain(o.sum.alpha) / std::max(o.sum.samples, 1u)); }},
       {{"Z", "Depth along the viewing axis in metres; 1e10 without a surface.", {"Z"}, true},
-       [](Out& o) { o.sum.hits > 0 ? o.hit(o.sum.depth) : o.put(kNowhere); }},
+       [](ChannelWriter& o) { o.sum.hits > 0 ? o.hit(o.sum.depth) : o.put(kNoDepth); }},
       {{"N", "Normal of the first surface, in world axes.", {"N.X", "N.Y", "N.Z"}, true},
-       [](Out& o) { o.hits(o.sum.normal); }},
+       [](ChannelWriter& o) { o.hits(o.sum.normal); }},
       {{"P", "Position of the first surface in metres.", {"P.X", "P.Y", "P.Z"}, true},
-       [](Out& o) { o.hits(o.sum.position); }},
+       [](ChannelWriter& o) { o.hits(o.sum.position); }},
       {{"albedo",
         "Fraction of light that the first surface reflects.",
         {"albedo.R", "albedo.G", "albedo.B"},
         true},
-       [](Out& o) { o.hits(o.sum.albedo); }},
+       [](ChannelWriter& o) { o.hits(o.sum.albedo); }},
       {{"variance",
         "Squared standard error of the beauty's pixels.",
         {"variance.R", "variance.G", "variance.B"},
         true},
-       [](Out& o) {
+       [](ChannelWriter& o) {
          for (size_t i = 0; i < 3; ++i) o.put(o.sum.variance(i));
        }},
       {{"samples", "Number of samples of the pixel.", {"samples"}, true},
-       [](Out& o) { o.put(o.sum.samples); }},
+       [](ChannelWriter& o) { o.put(o.sum.samples); }},
   };
   return all;
 }
@@ -71,7 +71,7 @@ std::vector<std::string> colour(const std::string& layer) {
   return {layer + ".R", layer + ".G", layer + ".B"};
 }
 
-bool is_part(const std::string& name) {
+bool is_component(const std::string& name) {
   const auto& parts = component_names();
   return std::find(parts.begin(), parts.end(), name) != parts.end();
 }
@@ -80,13 +80,13 @@ bool is_attribute(const std::string& name) { return name.rfind(kAttribute, 0) ==
 
 /// An AOV that is stored in the colours of a film: its index, its number of channels, and whether
 /// it is a mean over the samples that hit a surface.
-struct Summed {
+struct ColourAov {
   size_t index = 0, count = 3;
   bool surface = false;
 };
 
 /// The order is that of LightPathPlan.
-Summed summed(const AovPlan& plan, const std::string& name) {
+ColourAov colour_aov(const AovPlan& plan, const std::string& name) {
   const auto& parts = component_names();
   const auto part = std::find(parts.begin(), parts.end(), name);
   if (part != parts.end()) return {static_cast<size_t>(part - parts.begin())};
@@ -132,7 +132,7 @@ std::vector<AovAttribute> named_attributes(const std::vector<std::string>& names
 
 /// A Cryptomatte AOV: of objects or materials, from coverage; or of elements, from attribute
 /// values.
-struct Crypto {
+struct CryptoAov {
   CryptoIds ids;
   bool elements;
 };
@@ -154,7 +154,7 @@ CryptoShares element_shares(const Film& film, int x, int y, size_t first, const 
 const std::vector<AovInfo>& aovs() {
   static const std::vector<AovInfo> all = [] {
     std::vector<AovInfo> list;
-    for (const Kind& kind : kinds()) list.push_back(kind.info);
+    for (const PixelAov& kind : pixel_aovs()) list.push_back(kind.info);
     for (const std::string& part : component_names())
       list.push_back({part, "A light component of the beauty: see docs/reference/rendering.md.",
                       colour(part), false});
@@ -205,7 +205,7 @@ size_t AovPlan::first_element() const {
   return static_cast<size_t>(std::count_if(names.begin(), names.end(), is_attribute));
 }
 
-std::vector<std::string> AovPlan::subjects(const std::string& layer) const {
+std::vector<std::string> AovPlan::crypto_names(const std::string& layer) const {
   if (layer == kCryptoObject) return objects;
   if (layer == kCryptoMaterial) return materials;
   std::vector<std::string> elements;
@@ -218,7 +218,9 @@ bool AovPlan::has(const std::string& name) const {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool AovPlan::has_components() const { return std::any_of(names.begin(), names.end(), is_part); }
+bool AovPlan::has_components() const {
+  return std::any_of(names.begin(), names.end(), is_component);
+}
 
 AovPlan plan_aovs(const std::vector<std::string>& names, const std::vector<std::string>& groups,
                   const std::vector<AovAttribute>& attributes,
@@ -237,7 +239,7 @@ AovPlan plan_aovs(const std::vector<std::string>& names, const std::vector<std::
                  name == "cryptomatte" || name == "all";
     for (size_t i = 0; i < known.size(); ++i) {
       const bool light = i >= aovs().size() && i < lights_end;
-      if (!(known[i] == name || name == "all" || (name == "parts" && is_part(known[i])) ||
+      if (!(known[i] == name || name == "all" || (name == "parts" && is_component(known[i])) ||
             (name == "lights" && light) ||
             (name == "attributes" && i >= lights_end && i < attributes_end) ||
             (name == "cryptomatte" && is_crypto(known[i]))))
@@ -296,33 +298,33 @@ AovPlan scene_aovs(const Scene& scene, const std::vector<std::string>& names) {
 }
 
 void develop(const Film& film, const AovPlan& plan, const Region& origin, image::Image& image) {
-  std::vector<void (*)(Out&)> writers;
-  std::vector<Summed> colours;
-  std::vector<Crypto> cryptos;
+  std::vector<void (*)(ChannelWriter&)> writers;
+  std::vector<ColourAov> colours;
+  std::vector<CryptoAov> cryptos;
   for (const std::string& name : plan.names) {
-    const auto kind = std::find_if(kinds().begin(), kinds().end(),
-                                   [&](const Kind& k) { return k.info.name == name; });
-    if (kind != kinds().end())
+    const auto kind = std::find_if(pixel_aovs().begin(), pixel_aovs().end(),
+                                   [&](const PixelAov& k) { return k.info.name == name; });
+    if (kind != pixel_aovs().end())
       writers.push_back(kind->write);
     else if (is_crypto(name))
-      cryptos.push_back({crypto_ids(plan.subjects(name)), name == kCryptoElement});
+      cryptos.push_back({crypto_ids(plan.crypto_names(name)), name == kCryptoElement});
     else
-      colours.push_back(summed(plan, name));
+      colours.push_back(colour_aov(plan, name));
   }
   const size_t first_element = film.layout().colours - (plan.has(kMotion) ? 1 : 0) -
                                plan.attributes.size() + plan.first_element();
   const Region& region = film.region();
   for (int y = region.y0; y < region.y1; ++y)
     for (int x = region.x0; x < region.x1; ++x) {
-      Out out{film.at(x, y), &image.at(x - origin.x0, y - origin.y0)};
+      ChannelWriter out{film.at(x, y), &image.at(x - origin.x0, y - origin.y0)};
       for (const auto& write : writers) write(out);
-      for (const Summed& colour : colours) {
+      for (const ColourAov& colour : colours) {
         const uint32_t over = colour.surface ? out.sum.hits : out.sum.samples;
         const double share = 1.0 / std::max(over, 1u);
         for (size_t i = 0; i < colour.count; ++i)
           out.put(from_wide(film.colours(x, y)[3 * colour.index + i], kLightBits) * share);
       }
-      for (const Crypto& crypto : cryptos)
+      for (const CryptoAov& crypto : cryptos)
         out.to = crypto.elements
                      ? write_ranks(element_shares(film, x, y, first_element, crypto.ids), out.to)
                      : write_crypto(film.coverage(x, y), out.sum.samples, crypto.ids, out.to);

@@ -52,7 +52,7 @@ struct AovPlan {
   size_t first_element() const;  ///< Index in `attributes`.
   /// Names in the manifest of a Cryptomatte AOV, in the order of its ids: by object index, or by
   /// index among the elements.
-  std::vector<std::string> subjects(const std::string& layer) const;
+  std::vector<std::string> crypto_names(const std::string& layer) const;
 
   bool operator==(const AovPlan&) const = default;
 };

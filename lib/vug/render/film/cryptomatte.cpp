@@ -103,7 +103,7 @@ image::Metadata crypto_metadata(const AovPlan& plan) {
   for (const std::string& layer : plan.names) {
     if (!is_crypto(layer)) continue;
     const std::string key = fmt::format("cryptomatte/{:08x}", murmur3(layer)).substr(0, 19) + "/";
-    const std::vector<std::string> names = plan.subjects(layer);
+    const std::vector<std::string> names = plan.crypto_names(layer);
     std::string manifest;
     for (const std::string& name : std::set<std::string>(names.begin(), names.end()))
       manifest += fmt::format("{}{}:\"{:08x}\"", manifest.empty() ? "" : ",", quoted(name),

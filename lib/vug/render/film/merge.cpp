@@ -9,9 +9,9 @@
 namespace vug::render {
 namespace {
 
-struct Named {
+struct NamedPart {
   std::string path;
-  PartialRenderInfo outline;
+  PartialRenderInfo info;
 };
 
 std::string place(const Region& r) {
@@ -19,12 +19,12 @@ std::string place(const Region& r) {
 }
 
 /// Checks that each cell between neighbouring edges of the regions has every sample exactly once.
-void require_cover(const std::vector<Named>& parts) {
-  const PartialRenderHeader& header = parts.front().outline.header;
+void require_cover(const std::vector<NamedPart>& parts) {
+  const PartialRenderHeader& header = parts.front().info.header;
   std::set<int> xs = {header.crop.x0, header.crop.x1}, ys = {header.crop.y0, header.crop.y1};
-  for (const Named& part : parts) {
-    xs.insert({part.outline.region.x0, part.outline.region.x1});
-    ys.insert({part.outline.region.y0, part.outline.region.y1});
+  for (const NamedPart& part : parts) {
+    xs.insert({part.info.region.x0, part.info.region.x1});
+    ys.insert({part.info.region.y0, part.info.region.y1});
   }
   const auto refuse = [](const std::string& what) {
     return Error(
@@ -34,24 +34,25 @@ void require_cover(const std::vector<Named>& parts) {
   for (auto y = ys.begin(); std::next(y) != ys.end(); ++y)
     for (auto x = xs.begin(); std::next(x) != xs.end(); ++x) {
       const Region cell{*x, *y, *std::next(x), *std::next(y)};
-      std::vector<const Named*> here;
-      for (const Named& part : parts)
-        if (part.outline.region.overlap(cell) == cell) here.push_back(&part);
-      std::sort(here.begin(), here.end(),
-                [](const Named* a, const Named* b) { return a->outline.begin < b->outline.begin; });
+      std::vector<const NamedPart*> here;
+      for (const NamedPart& part : parts)
+        if (part.info.region.overlap(cell) == cell) here.push_back(&part);
+      std::sort(here.begin(), here.end(), [](const NamedPart* a, const NamedPart* b) {
+        return a->info.begin < b->info.begin;
+      });
       uint32_t reached = 0;
-      const Named* last = nullptr;
+      const NamedPart* last = nullptr;
       const auto gap = [&](uint32_t end) {
         return refuse(fmt::format("the samples {}..{} of the pixels {} are missing", reached, end,
                                   place(cell)));
       };
-      for (const Named* part : here) {
-        if (part->outline.begin < reached)
+      for (const NamedPart* part : here) {
+        if (part->info.begin < reached)
           throw refuse(fmt::format("'{}' and '{}' both have the samples {}..{} of the pixels {}",
-                                   last->path, part->path, part->outline.begin,
-                                   std::min(reached, part->outline.end), place(cell)));
-        if (part->outline.begin > reached) throw gap(part->outline.begin);
-        reached = part->outline.end, last = part;
+                                   last->path, part->path, part->info.begin,
+                                   std::min(reached, part->info.end), place(cell)));
+        if (part->info.begin > reached) throw gap(part->info.begin);
+        reached = part->info.end, last = part;
       }
       if (reached < static_cast<uint32_t>(header.spp)) throw gap(static_cast<uint32_t>(header.spp));
     }
@@ -81,10 +82,10 @@ std::string difference(const PartialRenderHeader& a, const PartialRenderHeader& 
 
 PartialRender merge(const std::vector<std::filesystem::path>& paths, Progress& progress) {
   if (paths.empty()) throw Error(ErrorCode::bad_input, "there are no parts to merge");
-  std::vector<Named> parts;
+  std::vector<NamedPart> parts;
   for (const auto& path : paths) {
     parts.push_back({path.string(), read_partial_render_info(path)});
-    const PartialRenderInfo &first = parts.front().outline, &part = parts.back().outline;
+    const PartialRenderInfo &first = parts.front().info, &part = parts.back().info;
     if (part.fraction < 1)
       throw Error(ErrorCode::bad_input,
                   fmt::format("'{}' is only {:.0f} % complete", path.string(), 100 * part.fraction),
@@ -95,7 +96,7 @@ PartialRender merge(const std::vector<std::filesystem::path>& paths, Progress& p
   }
   require_cover(parts);
   PartialRender whole;
-  whole.header = parts.front().outline.header;
+  whole.header = parts.front().info.header;
   RenderState& state = whole.state;
   state.end = static_cast<uint32_t>(whole.header.spp);
   state.film = Film(whole.header.crop, whole.header.aovs.layout());

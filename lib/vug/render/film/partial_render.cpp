@@ -95,9 +95,9 @@ class Reader {
   void finish() {
     if (left_ != kDigestBytes) refuse("its content was changed");
     const Digest digest = hash_.finish();
-    Digest told;
-    number(told.high), number(told.low);
-    if (!(told == digest)) refuse("its content was changed");
+    Digest stored;
+    number(stored.high), number(stored.low);
+    if (!(stored == digest)) refuse("its content was changed");
   }
 
  private:
@@ -185,7 +185,7 @@ void film_of(File& file, F& film) {
     }
 }
 
-bool sane(const PartialRenderHeader& h, const RenderState& s, const Region& r) {
+bool is_valid(const PartialRenderHeader& h, const RenderState& s, const Region& r) {
   const Region all{0, 0, h.width, h.height};
   const auto inside = [](const Region& in, const Region& out) {
     return !in.empty() && in.overlap(out) == in;
@@ -198,7 +198,7 @@ bool sane(const PartialRenderHeader& h, const RenderState& s, const Region& r) {
 }
 
 /// Reads everything before the sums.
-void read_front(Reader& file, PartialRenderHeader& header, RenderState& state, Region& covered) {
+void read_preamble(Reader& file, PartialRenderHeader& header, RenderState& state, Region& covered) {
   char magic[sizeof kMagic];
   uint32_t version = 0;
   file.bytes(magic, sizeof magic);
@@ -209,7 +209,7 @@ void read_front(Reader& file, PartialRenderHeader& header, RenderState& state, R
   header_of(file, header);
   region(file, covered);
   file.number(state.begin), file.number(state.end);
-  if (!sane(header, state, covered)) file.refuse("its content was changed");
+  if (!is_valid(header, state, covered)) file.refuse("its content was changed");
   list(file, state.done, 4, [&](auto& n) { file.number(n); });
   list(file, state.converged, 1, [&](auto& n) { file.number(n); });
   if (state.done.size() != covered.tiles(RenderState::kTileSize) ||
@@ -260,7 +260,7 @@ PartialRender read_partial_render(const std::filesystem::path& path, const std::
   Reader file = open(path, what);
   PartialRender part;
   Region covered;
-  read_front(file, part.header, part.state, covered);
+  read_preamble(file, part.header, part.state, covered);
   const FilmLayout layout = part.header.aovs.layout();
   file.need(covered.pixels() * 200);
   require_memory(Film::pixel_bytes(layout) * static_cast<double>(covered.pixels()),
@@ -274,13 +274,13 @@ PartialRender read_partial_render(const std::filesystem::path& path, const std::
 
 PartialRenderInfo read_partial_render_info(const std::filesystem::path& path) {
   Reader file = open(path);
-  PartialRenderInfo outline;
+  PartialRenderInfo info;
   RenderState state;
-  read_front(file, outline.header, state, outline.region);
-  outline.begin = state.begin, outline.end = state.end;
-  outline.fraction = fraction_done(state, outline.region);
-  outline.samples_left = samples_missing(state, outline.region);
-  return outline;
+  read_preamble(file, info.header, state, info.region);
+  info.begin = state.begin, info.end = state.end;
+  info.fraction = fraction_done(state, info.region);
+  info.samples_left = samples_missing(state, info.region);
+  return info;
 }
 
 bool is_partial_render(const std::filesystem::path& path) {

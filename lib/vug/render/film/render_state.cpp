@@ -21,27 +21,27 @@ using Clock = std::chrono::steady_clock;
 
 /// Limits of the automatic save interval in seconds: a crash loses only minutes, and large films
 /// are not written all the time.
-constexpr double kLeastPause = 120, kMostPause = 300;
+constexpr double kMinSaveInterval = 120, kMaxSaveInterval = 300;
 
 /// A sample count that all tiles reach before any tile continues.
 struct Stop {
   uint32_t count;
-  bool look;  ///< Noise is measured and callbacks.pass is called.
+  bool evaluate;  ///< Noise is measured and callbacks.pass is called.
 };
 
 /// Evaluation happens after 4, 8, 16, ... samples and at the end, whether or not the state is
 /// saved. Saving adds stops of its own, because it waits for complete tiles.
 std::vector<Stop> stops(const RenderState& state, const Options& options,
                         const RenderCallbacks& callbacks) {
-  constexpr uint32_t kSaved = 256;
-  std::map<uint32_t, bool> looks = {{state.end, true}};
+  constexpr uint32_t kSaveStep = 256;
+  std::map<uint32_t, bool> stops_at = {{state.end, true}};
   if (callbacks.pass || options.noise > 0)
-    for (uint32_t n = 4; n < state.end - state.begin; n *= 2) looks[state.begin + n] = true;
+    for (uint32_t n = 4; n < state.end - state.begin; n *= 2) stops_at[state.begin + n] = true;
   if (callbacks.save)
-    for (uint32_t n = kSaved; n < state.end - state.begin; n += kSaved)
-      looks.try_emplace(state.begin + n, false);
+    for (uint32_t n = kSaveStep; n < state.end - state.begin; n += kSaveStep)
+      stops_at.try_emplace(state.begin + n, false);
   std::vector<Stop> list;
-  for (const auto& [count, look] : looks) list.push_back({count, look});
+  for (const auto& [count, evaluate] : stops_at) list.push_back({count, evaluate});
   return list;
 }
 
@@ -53,46 +53,47 @@ uint64_t all_samples(const RenderState& state) {
 }
 
 /// Renders tiles into one state on all threads, which pause while it is saved.
-class Work {
+class StateRenderer {
  public:
-  Work(const TileRenderer& renderer, RenderState& state, const RenderCallbacks& callbacks,
-       Progress& progress)
+  StateRenderer(const TileRenderer& renderer, RenderState& state, const RenderCallbacks& callbacks,
+                Progress& progress)
       : renderer_(renderer),
         state_(state),
         callbacks_(callbacks),
         progress_(progress),
-        every_(callbacks.save_every.value_or(kLeastPause)) {}
+        interval_(callbacks.save_every.value_or(kMinSaveInterval)) {}
 
-  void up_to(uint32_t count) {
-    std::vector<size_t> blocks;
+  void render_until(uint32_t count) {
+    std::vector<size_t> tiles;
     for (size_t i = 0; i < state_.done.size(); ++i)
-      if (!state_.converged[i] && state_.done[i] < count) blocks.push_back(i);
-    parallel_for(blocks.size(), [&](size_t i) { render_block(blocks[i], count); });
+      if (!state_.converged[i] && state_.done[i] < count) tiles.push_back(i);
+    parallel_for(tiles.size(), [&](size_t i) { render_tile(tiles[i], count); });
   }
   void save() {
     if (!callbacks_.save) return;
     const Clock::time_point begun = Clock::now();
     callbacks_.save(state_);
     const Clock::time_point ended = Clock::now();
-    constexpr double kShare = 0.01;
+    constexpr double kMaxShare = 0.01;
     const double seconds = std::chrono::duration<double>(ended - begun).count();
-    every_ = callbacks_.save_every.value_or(std::clamp(seconds / kShare, kLeastPause, kMostPause));
+    interval_ = callbacks_.save_every.value_or(
+        std::clamp(seconds / kMaxShare, kMinSaveInterval, kMaxSaveInterval));
     saved_ = ended.time_since_epoch();
   }
 
  private:
   bool due() const {
     const std::chrono::duration<double> since = Clock::now().time_since_epoch() - saved_.load();
-    return since.count() >= every_;
+    return since.count() >= interval_;
   }
-  void render_block(size_t block, uint32_t count) {
-    const Region region = state_.region().tile(block, RenderState::kTileSize);
-    const uint32_t begin = state_.done[block];
+  void render_tile(size_t tile, uint32_t count) {
+    const Region region = state_.region().tile(tile, RenderState::kTileSize);
+    const uint32_t begin = state_.done[tile];
     const Film film = renderer_.render_tile(region, begin, count);
     {
       const std::shared_lock<std::shared_mutex> lock(saving_);
       state_.film.merge(film);
-      state_.done[block] = count;
+      state_.done[tile] = count;
     }
     progress_.advance(region.pixels() * (count - begin));
     if (!callbacks_.save || !due()) return;
@@ -106,7 +107,7 @@ class Work {
   Progress& progress_;
   std::shared_mutex saving_;
   std::atomic<Clock::duration> saved_ = Clock::now().time_since_epoch();
-  std::atomic<double> every_;  ///< Save interval in seconds.
+  std::atomic<double> interval_;  ///< Save interval in seconds.
 };
 
 }  // namespace
@@ -172,15 +173,15 @@ void continue_render(const Scene& scene, const Options& options, RenderState& st
   const uint64_t all = all_samples(state);
   progress.begin("rendering", all);
   progress.advance(all - missing(state));
-  Work work(renderer, state, callbacks, progress);
+  StateRenderer worker(renderer, state, callbacks, progress);
   try {
     for (const Stop& stop : stops(state, options, callbacks)) {
       // A state that was saved after this stop has already been evaluated here.
       if (std::any_of(state.done.begin(), state.done.end(),
                       [&](uint32_t done) { return done > stop.count; }))
         continue;
-      work.up_to(stop.count);
-      if (!stop.look) continue;
+      worker.render_until(stop.count);
+      if (!stop.evaluate) continue;
       if (options.noise > 0 && stop.count < state.end) {
         const uint64_t needed = missing(state);
         mark_converged(state, options.noise);
@@ -190,10 +191,10 @@ void continue_render(const Scene& scene, const Options& options, RenderState& st
     }
     progress.end();
   } catch (const Error& error) {
-    if (error.code() == ErrorCode::cancelled) work.save();
+    if (error.code() == ErrorCode::cancelled) worker.save();
     throw;
   }
-  work.save();
+  worker.save();
   if (const auto [invalid, clamped] = state.film.invalid_samples();
       callbacks.invalid_samples && invalid + clamped > 0)
     callbacks.invalid_samples(invalid, clamped);

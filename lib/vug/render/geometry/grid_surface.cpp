@@ -8,7 +8,7 @@ namespace {
 
 using volume::SurfaceBricks;
 using Brick = SurfaceBricks::Brick;
-using Place = std::array<double, 3>;
+using Position = std::array<double, 3>;
 using Index = std::array<int, 3>;
 constexpr int kSize = SurfaceBricks::kSize;
 
@@ -27,7 +27,7 @@ struct Cell {
       for (int b = 0; b < 2; ++b)
         for (int c = 0; c < 2; ++c) v[a][b][c] = brick.at(i + a, j + b, k + c);
   }
-  double value(const Place& p) const {
+  double value(const Position& p) const {
     double plane[2];
     for (int a = 0; a < 2; ++a) {
       const double low = v[a][0][0] + (v[a][0][1] - v[a][0][0]) * p[2];
@@ -36,7 +36,7 @@ struct Cell {
     }
     return plane[0] + (plane[1] - plane[0]) * p[0];
   }
-  Vec3d slope(const Place& p) const {
+  Vec3d slope(const Position& p) const {
     Vec3d sum(0.0);
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b)
@@ -48,7 +48,7 @@ struct Cell {
     return sum;
   }
   /// The cubic along p + s q.
-  Cubic along(const Place& p, const Place& q) const {
+  Cubic along(const Position& p, const Position& q) const {
     double square[2][3];
     for (int a = 0; a < 2; ++a) {
       double line[2][2];
@@ -122,14 +122,14 @@ double on_face(double x) {
   return std::fabs(x - whole) < 1e-9 ? whole : x;
 }
 
-Place within(const Place& place, const Index& cell) {
-  Place out;
+Position within(const Position& place, const Index& cell) {
+  Position out;
   for (size_t axis = 0; axis < 3; ++axis)
     out[axis] = std::clamp(place[axis] - cell[axis], 0.0, 1.0);
   return out;
 }
 
-Place places(const Vec3d& p) { return {p.x, p.y, p.z}; }
+Position position_of(const Vec3d& p) { return {p.x, p.y, p.z}; }
 
 Index local(const Brick& brick, const Index& cell) {
   return {cell[0] - brick.first[0], cell[1] - brick.first[1], cell[2] - brick.first[2]};
@@ -141,9 +141,9 @@ std::optional<Crossing> first_crossing(const SurfaceBricks& surface, size_t numb
                                        const Vec3d& origin, const Vec3d& direction, double begin,
                                        double end) {
   const Brick& brick = surface.bricks()[number];
-  const Place o = places(surface.to_lattice(origin));
-  const Place d = places(direction * (1 / surface.voxel()));
-  Place inverse{0, 0, 0};
+  const Position o = position_of(surface.to_lattice(origin));
+  const Position d = position_of(direction * (1 / surface.voxel()));
+  Position inverse{0, 0, 0};
   Index low, high;
   for (size_t axis = 0; axis < 3; ++axis) {
     low[axis] = brick.first[axis] + brick.low[axis];
@@ -161,13 +161,13 @@ std::optional<Crossing> first_crossing(const SurfaceBricks& surface, size_t numb
   if (!(begin <= end)) return std::nullopt;
 
   const auto place = [&](double t) {
-    return Place{on_face(o[0] + d[0] * t), on_face(o[1] + d[1] * t), on_face(o[2] + d[2] * t)};
+    return Position{on_face(o[0] + d[0] * t), on_face(o[1] + d[1] * t), on_face(o[2] + d[2] * t)};
   };
   // Cell traversal (Amanatides and Woo 1987, "A fast voxel traversal algorithm for ray tracing",
   // cite amanatides1987traversal); the distances to faces are not accumulated, so that all bricks
   // compute the same.
   Index cell;
-  Place next;
+  Position next;
   const auto leave = [&](size_t axis) {
     return d[axis] != 0 ? ((cell[axis] + (d[axis] > 0)) - o[axis]) * inverse[axis] : kInfinity;
   };
@@ -183,7 +183,7 @@ std::optional<Crossing> first_crossing(const SurfaceBricks& surface, size_t numb
     const Index own = local(brick, cell);
     if (to > from && brick.crossed(own[0], own[1], own[2])) {
       const Cell values(brick, own[0], own[1], own[2]);
-      const Place p = within(place(from), cell), r = within(place(to), cell);
+      const Position p = within(place(from), cell), r = within(place(to), cell);
       const Cubic cubic = values.along(p, {r[0] - p[0], r[1] - p[1], r[2] - p[2]});
       const bool inside = cubic[0] < 0;
       if (const auto root = first_root(cubic, inside, values.value(r) < 0))
@@ -201,13 +201,13 @@ GridValue trilinear(const SurfaceBricks& surface, size_t number, const Index& ce
   const Brick& brick = surface.bricks()[number];
   const Index own = local(brick, cell);
   const Cell values(brick, own[0], own[1], own[2]);
-  const Place p = within(places(surface.to_lattice(point)), cell);
+  const Position p = within(position_of(surface.to_lattice(point)), cell);
   return {values.value(p) * surface.step(), values.slope(p) * (surface.step() / surface.voxel())};
 }
 
 double trilinear_value(const SurfaceBricks& surface, size_t number, const Vec3d& point) {
   const Brick& brick = surface.bricks()[number];
-  Place p = places(surface.to_lattice(point));
+  Position p = position_of(surface.to_lattice(point));
   Index own;
   for (size_t axis = 0; axis < 3; ++axis) {
     p[axis] -= brick.first[axis];
@@ -221,7 +221,7 @@ GridValue smooth(const SurfaceBricks& surface, size_t number, const Index& cell,
                  const Vec3d& point) {
   const Brick& brick = surface.bricks()[number];
   const Index own = local(brick, cell);
-  const Place p = within(places(surface.to_lattice(point)), cell);
+  const Position p = within(position_of(surface.to_lattice(point)), cell);
   double v[4][4][4];
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b)
