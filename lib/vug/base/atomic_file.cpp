@@ -20,35 +20,35 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kMostLinks = 40;  // as Linux does
+constexpr int kMaxLinks = 40;  // as in Linux
 
-/// Where the links that the path is lead to, even where nothing is there yet.
+/// The path with symbolic links resolved, even if the target does not exist yet.
 fs::path followed(fs::path path) {
   std::error_code code;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(path, code); ++i) {
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(path, code); ++i) {
     const fs::path next = fs::read_symlink(path, code);
     if (code) break;
-    path = path.parent_path() / next;  // an absolute one stands for itself
+    path = path.parent_path() / next;  // an absolute path replaces the parent
   }
   return path;
 }
 
-/// The same text for all names of a file, be it there or not.
+/// The same text for all names of a file, which need not exist.
 std::string identity(const fs::path& path) {
   std::error_code code;
   const fs::path whole = fs::weakly_canonical(fs::absolute(followed(path), code), code);
   return (code ? path : whole).string();
 }
 
-/// Read, write and execute bits of a file; nothing when there is none.
+/// Read, write and execute bits of a file; nothing if it does not exist.
 std::optional<mode_t> mode_of(const fs::path& path) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0) return std::nullopt;
   return status.st_mode & 0777;
 }
 
-/// True where nobody holds the file. On a folder that machines share, or seen from a container,
-/// only the lock tells that its process lives.
+/// True if no process holds a lock on the file. On a shared folder or inside a container, the lock
+/// is the only evidence that the writing process still runs.
 bool is_free(const fs::path& temporary) {
   const int file = ::open(temporary.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
   if (file < 0) return false;
@@ -74,10 +74,10 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(followed(target)) {
     if (const std::string why = unreadable_reason(target_); !why.empty()) fail(why);
   const fs::path temporary =
       folder / partial_file_name(target_.stem().string(), target_.extension().string());
-  const mode_t mode = mode_of(target_).value_or(0666) | 0600;  // what is private stays so
+  const mode_t mode = mode_of(target_).value_or(0666) | 0600;  // private files stay private
   lock_ = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode & 0666);
   if (lock_ < 0) fail(std::strerror(errno));
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) errno = 0;  // some file systems know no locks
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) errno = 0;  // not all file systems have locks
   temporary_ = temporary;
 }
 
@@ -100,7 +100,7 @@ void AtomicFile::fail(const std::string& why) {
 void AtomicFile::commit() {
   const int file = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
   if (file >= 0) {
-    // Some file systems know no permissions; the content is what counts.
+    // Not all file systems have permissions; only the content matters.
     if (const auto mode = mode_of(target_); mode && ::fchmod(file, *mode) != 0) errno = 0;
     const int failed = ::fsync(file) ? errno : 0;
     ::close(file);
@@ -183,7 +183,7 @@ std::string read_text(const fs::path& source) {
   char block[65536];
   while (in.read(block, sizeof block) || in.gcount() > 0)
     text.append(block, static_cast<size_t>(in.gcount()));
-  if (in.bad()) fail(std::strerror(errno));  // files of the kernel that are no files
+  if (in.bad()) fail(std::strerror(errno));  // e.g. pseudo files of the kernel
   return text;
 }
 

@@ -8,7 +8,7 @@
 namespace vug {
 namespace {
 
-/// Half of Gauss' and Legendre's rule with 8 points, which is symmetric.
+/// One half of the symmetric 8-point Gauss-Legendre rule.
 constexpr std::array<double, 4> kPlaces = {0.1834346424956498, 0.5255324099163290,
                                            0.7966664774136267, 0.9602898564975363};
 constexpr std::array<double, 4> kWeights = {0.3626837833783620, 0.3137066458778873,
@@ -50,7 +50,7 @@ Vec3d Bezier::tangent(double t) const {
   const double size = polygon_length(*this);
   const Vec3d first = derivative(t);
   if (first.length() > 1e-9 * size) return first.normalized();
-  // Where the speed is 0 the curve leaves along its second derivative, and comes in against it.
+  // Where the speed is 0, the curve leaves along its second derivative and arrives against it.
   const Vec3d way = second(t) * (t < 0.5 ? 1 : -1);
   if (way.length() > 1e-9 * size) return way.normalized();
   return (control[3] - control[0]).normalized();
@@ -67,8 +67,7 @@ ArcBezier::ArcBezier(const Bezier& curve, double tolerance) : curve_(curve) {
   const double size = polygon_length(curve);
   if (!std::isfinite(size) || size <= 0)
     throw Error(ErrorCode::bad_input,
-                "a curve needs control points that are numbers and not all "
-                "in one place");
+                "invalid curve: control points must be finite and must not all coincide");
   add_pieces(0, 1, gauss(curve, 0, 1), std::max(tolerance, 1e-15) * size, 0);
 }
 
@@ -100,7 +99,7 @@ double ArcBezier::parameter(double along) const {
   if (i + 1 == lengths_.size()) return 1;
   double low = parameters_[i], high = parameters_[i + 1];
   double t = low + (high - low) * (along - lengths_[i]) / (lengths_[i + 1] - lengths_[i]);
-  for (int step = 0; step < 60; ++step) {  // Newton, kept between bounds that close
+  for (int step = 0; step < 60; ++step) {  // Newton's method, safeguarded by bisection
     const double miss = length_to(t) - along;
     (miss > 0 ? high : low) = t;
     const double speed = curve_.derivative(t).length();
@@ -119,7 +118,7 @@ Bezier drooping(double length, double lean, double tip, double azimuth, double s
     const double out = maths::sin(angle);
     return Vec3d(out * maths::cos(azimuth), maths::cos(angle), -out * maths::sin(azimuth));
   };
-  // The middle leg has turned by less than half: the thinner, the easier.
+  // The middle leg has turned by less than half: the thinner end bends more easily.
   constexpr double kMiddle = 0.4, kMiddleShare = 0.55;
   Bezier curve{{Vec3d(0), way(lean) * stiff, Vec3d(0), Vec3d(0)}};
   curve.control[2] =

@@ -24,7 +24,7 @@ void Diagnostics::append(const Diagnostics& other) {
 
 namespace {
 
-/// Optimal string alignment distance: insert, delete, substitute, swap of neighbours.
+/// Optimal string alignment distance: insertion, deletion, substitution, swap of neighbours.
 size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::vector<size_t>> d(a.size() + 1, std::vector<size_t>(b.size() + 1));
   for (size_t i = 0; i <= a.size(); ++i) d[i][0] = i;

@@ -50,7 +50,8 @@ Frame transported(const Frame& frame, const Vec3d& from, const Vec3d& to, const 
     const Vec3d mirrored = frame.tangent - chord * (2 / chord2 * chord.dot(frame.tangent));
     const Vec3d rest = tangent - mirrored;
     const double rest2 = rest.dot(rest);
-    // A curve that goes straight back has no second mirror: the first one leaves the normal square.
+    // For a curve that reverses there is no second reflection: the first one keeps the normal
+    // perpendicular.
     out.normal = rest2 > 1e-24 ? normal - rest * (2 / rest2 * rest.dot(normal)) : normal;
   }
   return out.orthonormalized();

@@ -18,7 +18,7 @@ size_t whole(size_t bytes) { return (bytes + kHugePage - 1) / kHugePage * kHugeP
 
 void* allocate_array(size_t bytes) {
   if (!uses_huge_pages(bytes)) return ::operator new(bytes, kLine);
-  // Large pages begin at their multiples: one more is asked for, what is too much goes back.
+  // Huge pages start at multiples of their size: map one more and unmap the excess.
   const size_t size = whole(bytes);
   void* const given = mmap(nullptr, size + kHugePage, PROT_READ | PROT_WRITE,
                            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -30,7 +30,7 @@ void* allocate_array(size_t bytes) {
       whole(reinterpret_cast<uintptr_t>(begin)) - reinterpret_cast<uintptr_t>(begin);
   if (before > 0) munmap(begin, before);
   munmap(begin + before + size, kHugePage - before);
-  madvise(begin + before, size, MADV_HUGEPAGE);  // a wish: without it all is as right, but slower
+  madvise(begin + before, size, MADV_HUGEPAGE);  // a hint: failure only affects speed
   return begin + before;
 }
 

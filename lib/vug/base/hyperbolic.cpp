@@ -7,7 +7,7 @@ namespace vug::maths {
 
 double tanh(double x) {
   const double size = std::fabs(x);
-  if (size < 0.3) {  // Lambert's continued fraction, where exponentials would cancel
+  if (size < 0.3) {  // Lambert's continued fraction, because exponentials would cancel
     const double xx = x * x;
     double f = 15;
     for (int k = 13; k >= 1; k -= 2) f = k + xx / f;

@@ -23,7 +23,7 @@ Json read_json(const std::filesystem::path& file, const std::string& hint) {
   } catch (const typename Json::parse_error& error) {
     throw Error(ErrorCode::bad_input, "invalid JSON",
                 location_in(text, file.string(), std::max<size_t>(error.byte, 1) - 1), hint);
-  } catch (const typename Json::exception&) {  // a number beyond all numbers
+  } catch (const typename Json::exception&) {  // a number out of range
     throw Error(ErrorCode::bad_input, "invalid JSON: a number is out of range",
                 {file.string(), 0, 0}, hint);
   }

@@ -104,7 +104,7 @@ double exp(double x) {
   q = q * zz + 2.00000000000000000005;
   const double part = 1.0 + 2.0 * (p / (q - p));
   const auto power = static_cast<int>(n);
-  // As std::ldexp, which is slow, wherever 2^n and the product are normal numbers.
+  // Replaces the slow std::ldexp if 2^n and the product are normal numbers.
   return std::abs(power) <= 1020
              ? part * std::bit_cast<double>(static_cast<uint64_t>(power + 1023) << 52)
              : std::ldexp(part, power);

@@ -43,8 +43,8 @@ std::string bytes_text(double bytes) {
 
 namespace {
 
-/// Bytes that a line "KEY: NUMBER kB" tells; `otherwise` where there is none.
-uint64_t told_by(const char* file, const char* wanted, uint64_t otherwise) {
+/// The bytes in the line "KEY: NUMBER kB" of a file; `otherwise` if there is no such line.
+uint64_t read_proc_bytes(const char* file, const char* wanted, uint64_t otherwise) {
   std::ifstream info(file);
   for (std::string line; std::getline(info, line);)
     if (line.rfind(wanted, 0) == 0)
@@ -54,9 +54,11 @@ uint64_t told_by(const char* file, const char* wanted, uint64_t otherwise) {
 
 }  // namespace
 
-uint64_t available_memory() { return told_by("/proc/meminfo", "MemAvailable:", uint64_t{8} << 30); }
+uint64_t available_memory() {
+  return read_proc_bytes("/proc/meminfo", "MemAvailable:", uint64_t{8} << 30);
+}
 
-uint64_t resident_memory() { return told_by("/proc/self/status", "VmRSS:", 0); }
+uint64_t resident_memory() { return read_proc_bytes("/proc/self/status", "VmRSS:", 0); }
 
 void require_memory(double estimate, uint64_t limit, const std::string& what,
                     const std::string& remedy) {

@@ -18,8 +18,8 @@ int all_cores() { return tbb::info::default_concurrency(); }
 
 namespace {
 
-/// Tasks of the libraries that we call stay on the thread that calls, because the sanitizer cannot
-/// see how TBB, which is not built for it, hands them over. Our own loops run on plain threads.
+/// Tasks of external libraries stay on the calling thread, because the sanitizer cannot follow the
+/// synchronization of TBB, which is not instrumented. Own loops run on plain threads.
 const global_control no_workers(global_control::max_allowed_parallelism, 1);
 
 std::atomic<int> limit{0};  // 0: none

@@ -19,7 +19,7 @@ std::string after_process(const std::string& extension) {
   return fmt::format(".part{}", extension);
 }
 
-/// Of a whole positive number; 0 for any other text.
+/// Parses a positive process id; 0 for any other text.
 pid_t process_of(std::string_view text) {
   pid_t process = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), process);

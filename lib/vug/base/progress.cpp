@@ -7,7 +7,7 @@ namespace vug {
 
 void Progress::begin(std::string stage, uint64_t total) {
   check();
-  if (!watcher_) return;  // Nothing to keep: `none` is shared by everyone who watches nothing.
+  if (!watcher_) return;  // no state: all work without a watcher shares `none`
   stage_ = std::move(stage);
   total_ = std::max<uint64_t>(total, 1);
   done_ = 0;
@@ -20,7 +20,7 @@ void Progress::advance(uint64_t units) {
   const uint64_t done = done_.fetch_add(units, std::memory_order_relaxed) + units;
   const int percent = static_cast<int>(std::min<uint64_t>(100, 100 * done / total_));
   int seen = percent_.load(std::memory_order_relaxed);
-  // Whoever moves the percentage forward reports it.
+  // The thread that increments the percentage reports it.
   while (percent > seen && !percent_.compare_exchange_weak(seen, percent)) {
   }
   if (percent > seen)
@@ -29,7 +29,7 @@ void Progress::advance(uint64_t units) {
 
 void Progress::report(int percent, double fraction) {
   const std::lock_guard<std::mutex> one_at_a_time(reporting_);
-  // Who waited here may have been overtaken.
+  // Another thread may have reported more in the meantime.
   if (percent == percent_.load(std::memory_order_relaxed)) watcher_(stage_, fraction);
 }
 

@@ -19,7 +19,7 @@ std::array<uint32_t, 4> philox4x32(std::array<uint32_t, 4> c, std::array<uint32_
 
 namespace {
 
-/// One Philox block as a mixing function: two 64-bit words in, one out.
+/// One Philox block as a mixing function of two 64-bit words.
 uint64_t mix(uint64_t state, uint64_t word, uint32_t tag) {
   const auto out =
       philox4x32({static_cast<uint32_t>(word), static_cast<uint32_t>(word >> 32), tag, 0x766d6978},

@@ -48,7 +48,7 @@ std::vector<int> match_arguments(const KindInfo& kind, const Arguments& argument
 
 namespace {
 
-/// "a number", "a list of fields", "true or false": the type with what stands before it.
+/// The type with its article: "a number", "a list of fields", "true or false".
 std::string with_article(const std::string& type) {
   const std::string list = "list of ";
   if (type == "true or false") return type;
@@ -56,13 +56,14 @@ std::string with_article(const std::string& type) {
   return fmt::format("a {}", type);
 }
 
-/// Type and value where the type alone would say nothing: 5.5 is a number and yet not whole.
+/// The type of the given value, or the value itself if the type is not informative: 5.5 is a
+/// number, but not a whole one.
 std::string given_text(const Value& value, const std::string& expected) {
   const bool tells = expected.find("number") == std::string::npos || !value.get<Number>();
   return tells ? value.type_name() : to_string(value);
 }
 
-/// "1st", "2nd", "11th", from the index.
+/// "1st", "2nd", "11th" for a 0-based index.
 std::string ordinal(size_t index) {
   const size_t n = index + 1, last = n % 10;
   const bool teen = n / 10 % 10 == 1;
@@ -73,7 +74,7 @@ std::string ordinal(size_t index) {
                                                    : "rd");
 }
 
-/// One number of what messages call `what`.
+/// Checks one number, called `what` in messages.
 bool check_number(const ParamInfo& info, const std::string& what, double value, Dimension dimension,
                   const SourceLocation& where, Diagnostics& diagnostics) {
   if (!std::isfinite(value)) {

@@ -4,13 +4,13 @@ namespace vug::facade {
 
 namespace {
 
-/// The last part of "Facade/0/1/columns", which is what a split inside a split is called.
+/// The last part of "Facade/0/1/columns", the form of the names of splits inside splits.
 std::string plain(const std::string& name) {
   const size_t slash = name.rfind('/');
   return slash == std::string::npos ? name : name.substr(slash + 1);
 }
 
-/// What the children's splits settled on belongs to the node that they divide.
+/// Moves the numbers of the children's splits to the node that they divide.
 void read_splits(const grammar::Tree& derivation, const grammar::Node& from, Node& to) {
   const Layout* last = nullptr;
   int splits = 0;

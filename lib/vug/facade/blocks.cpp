@@ -90,7 +90,7 @@ Solids Opening::around(double width, double height, double depth) const {
   const double out_most = std::max({frame > 0 ? frame_depth : 0, kCutMargin});
   out.cut.push_back(arched_block(hole, head, rise, -depth, out_most));
   if (frame > 0) {
-    // The moulding steps back once towards the opening.
+    // The moulding has one step towards the opening.
     const auto ring = [&](double outer, double inner, double front) {
       const auto grown = [&](double by, double from, double to) {
         return arched_block({-by, 0, width + 2 * by, height + by}, head, rise > 0 ? rise + by : 0,

@@ -10,7 +10,7 @@
 namespace vug::facade {
 namespace {
 
-/// How far what is joined reaches into the wall behind it.
+/// Overlap of added solids with the wall behind them, metres.
 constexpr double kJoin = 0.1;
 
 class Carver {
@@ -29,7 +29,7 @@ class Carver {
   }
 
  private:
-  /// Where the node's plane is not its parent's.
+  /// Adds or removes the slab between a node's plane and its parent's.
   void plane(int index) {
     const Node& node = tree_.nodes[static_cast<size_t>(index)];
     const double from = node.parent < 0 ? 0 : tree_.nodes[static_cast<size_t>(node.parent)].depth;
@@ -49,7 +49,7 @@ class Carver {
   void element(int index) {
     const Node& node = tree_.nodes[static_cast<size_t>(index)];
     Solids one = solids_of(node);
-    // What belongs to one element is one operand, so that it is looked at as a whole.
+    // The solids of an element are combined into one operand, so that they are evaluated together.
     const auto put = [&](std::vector<field::Field>& parts, std::vector<field::Field>& to) {
       if (parts.empty()) return;
       const field::Field whole = parts.size() == 1 ? parts[0] : field::unite(std::move(parts));
@@ -67,7 +67,7 @@ class Carver {
   std::vector<field::Field> planes_, cuts_, adds_, fills_;
 };
 
-/// A field that passes everything on and remembers what it was made of.
+/// A field that forwards to another field and stores the carved facade.
 class FacadeNode final : public field::Node {
  public:
   FacadeNode(FacadeInstance placed, field::NodePtr child)

@@ -1,6 +1,6 @@
-// Rules become productions of the shared engine: each part of a split is a part of the production,
-// its count the number of places that the split gives it. A split inside a split is a symbol of its
-// own with one production.
+// Conversion of rules into productions of the shared engine: each part of a split becomes an item
+// of the successor whose count is the number of its cells. A split inside a split becomes a
+// separate symbol with one production.
 #include <vug/facade/derive.h>
 #include <vug/facade/scope_evaluator.h>
 
@@ -56,7 +56,7 @@ class Divider {
     }
   }
 
-  /// What the splits of a symbol asked for, after run().
+  /// The free numbers requested by the splits of a symbol; valid after run().
   PlannedNode planned(const grammar::Symbol& symbol) const {
     const Scope& scope = scope_of(symbol);
     PlannedNode out{scope.place, scope.plan, {}, scope.mirrored};
@@ -74,7 +74,7 @@ class Divider {
     return scope ? *scope : root_;
   }
 
-  /// Every rule of the plan has been applied.
+  /// Throws InfeasiblePlan if a rule of the plan was not applied.
   void check_followed(const FacadeDerivation& made) const {
     for (const grammar::Node& node : made.derivation.nodes) {
       const Scope& scope = scope_of(node.symbol);
@@ -88,7 +88,7 @@ class Divider {
     }
   }
 
-  /// One warning for each symbol that was left over.
+  /// Adds one warning per symbol to which no rule applied.
   void warn_of_stuck(const FacadeDerivation& made) {
     std::set<std::string> told;
     for (size_t i = 0; i < made.tree.nodes.size(); ++i) {
@@ -104,7 +104,7 @@ class Divider {
     }
   }
 
-  /// Names that expressions of a rule see: its formals, then those of the scope.
+  /// Names available in expressions of a rule: its formals, then those of the scope.
   scene::Scope names(const Formals& formals, const grammar::Symbol& symbol) const {
     return names(formals, symbol, scope_of(symbol));
   }
@@ -120,7 +120,7 @@ class Divider {
     return names;
   }
 
-  /// Runs the work; what it reports says for which scope.
+  /// Runs the work and adds the scope to its error messages.
   template <class Work>
   auto doing(const grammar::Symbol& symbol, const SourceLocation& where, const Work& work) {
     Diagnostics& diagnostics = evaluator_.diagnostics();
@@ -154,7 +154,7 @@ class Divider {
                                  "a guard must be true or false, not " + holds.type_name());
   }
 
-  /// Whether the plan has the rule for this symbol.
+  /// Whether the plan selects the rule for this symbol.
   bool chosen(const Rule& rule, int number, const grammar::RewriteSite& site) {
     const Scope& scope = scope_of(site.symbol);
     if (!scope.plan || scope.plan->rule != number) return false;
@@ -195,7 +195,7 @@ class Divider {
     grammar_.productions.push_back(std::move(production));
   }
 
-  /// Free numbers of the first split have plain names.
+  /// Adds items; names of free numbers get a prefix for all splits but the first.
   void add(const std::vector<Item>& items, const Formals& formals, const std::string& name,
            std::vector<grammar::SuccessorItem>& parts) {
     int splits = 0;
@@ -206,7 +206,7 @@ class Divider {
     }
   }
 
-  /// An item that has the whole scope, or all parts of a split of it.
+  /// Adds an item that fills the whole scope, or all parts of a split.
   void add(const Item& item, const Formals& formals, const std::string& name,
            std::vector<grammar::SuccessorItem>& parts) {
     if (item.kind != ItemKind::split) {
@@ -217,7 +217,7 @@ class Divider {
       parts.push_back(part(item.parts[i], formals, fmt::format("{}/{}", name, i), &item, i));
   }
 
-  /// `split` is what places it; null: it has the whole scope.
+  /// `split` is the split that places the item; null: the item fills the whole scope.
   grammar::SuccessorItem part(const Item& item, const Formals& formals, const std::string& name,
                               const Item* split, size_t number) {
     grammar::SuccessorItem out;
@@ -269,7 +269,7 @@ class Divider {
       const auto part = scope.plan->parts.find(scope.place);
       scope.plan = part == scope.plan->parts.end() ? nullptr : part->second;
     }
-    // Arguments see the place that the part has been given.
+    // Arguments are evaluated with the names of the part's own cell.
     const scene::Scope known = names(formals, site.symbol, scope);
     grammar::Content out;
     if (item.kind == ItemKind::symbol) {
@@ -291,7 +291,7 @@ class Divider {
     return out;
   }
 
-  /// Puts the scope where the layout has the part for the `repetition`th time.
+  /// Moves the scope to the cell number `repetition` of the part.
   static void place(const Layout& layout, int which, int64_t repetition, const Rect& whole,
                     Scope& scope) {
     for (const Cell& cell : layout.cells) {
@@ -315,7 +315,8 @@ class Divider {
     }
   }
 
-  /// The split in the symbol's scope. One is kept, as all parts ask for it one after the other.
+  /// The split in the symbol's scope. The last result is cached, because all parts request it in
+  /// turn.
   const EvaluatedSplit& evaluated(const Item& split, const Formals& formals,
                                   const grammar::Symbol& symbol) {
     const Scope& scope = scope_of(symbol);
@@ -343,7 +344,7 @@ class Divider {
   EvaluatedSplit evaluated_;
   std::map<const Item*, std::string> prefixes_;
   std::map<std::pair<uint64_t, size_t>, std::vector<FreeNumber>>
-      requested_;  ///< By scope and item.
+      requested_;  ///< Indexed by scope and item.
 };
 
 }  // namespace

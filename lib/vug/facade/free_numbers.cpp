@@ -12,7 +12,7 @@ namespace vug::facade {
 
 namespace {
 
-/// What rounding may add up to, of a length.
+/// Relative tolerance of lengths for rounding.
 constexpr double kTiny = 1e-9;
 
 std::string length_text(double metres) { return quantity_text(metres, Dimension::length); }

@@ -16,18 +16,18 @@ bool same(double a, double b) { return std::abs(a - b) < kSame; }
 
 std::string length(double metres) { return fmt::format("{}m", std::round(metres * 1e4) / 1e4); }
 
-/// Begins, how many, and from one to the next: numbers with one distance.
+/// An arithmetic progression of positions: start, number and distance.
 struct Series {
   size_t count = 0;
   double first = 0, step = 0;
 };
 
-/// Between two of that size.
+/// The gap between two cells of that size.
 std::string gap(const Series& line, double size) {
   return length(line.count > 1 ? std::max(0.0, line.step - size) : 0);
 }
 
-/// Nothing where the distances differ. Sorts them and drops those that are told twice.
+/// The progression of the sorted positions without duplicates; nothing if the distances differ.
 std::optional<Series> series(std::vector<double> at) {
   std::sort(at.begin(), at.end());
   at.erase(std::unique(at.begin(), at.end(), same), at.end());
@@ -51,7 +51,7 @@ class Writer {
                                   length(tree_.width), length(tree_.height));
     if (options_.thickness > 0) out += fmt::format("  thickness {}\n", length(options_.thickness));
     out += fmt::format("  axiom{}\n", axiom);
-    // Written from the leaves up; read from the axiom down.
+    // Written from the leaves to the root, printed from the axiom down.
     for (size_t i = rules_.size(); i-- > 0;) out += fmt::format("\n  {}\n", rules_[i]);
     return out + "}\n";
   }
@@ -59,7 +59,7 @@ class Writer {
  private:
   const Node& node(int i) const { return tree_.nodes[static_cast<size_t>(i)]; }
 
-  /// What stands for the node in a rule: an element, or a symbol whose rule is written.
+  /// The text of the node in a rule: an element, or a symbol whose rule is written as well.
   std::string part(int i) {
     const Node& it = node(i);
     if (it.element) return it.element->text();
@@ -75,7 +75,7 @@ class Writer {
     return name;
   }
 
-  /// The child as a part, in a plane of its own where it has one.
+  /// The child as a part, with the offset of its plane, if any.
   std::string part_in_plane(int parent, int child) {
     const double depth = node(child).depth - node(parent).depth;
     if (same(depth, 0)) return part(child);
@@ -94,7 +94,7 @@ class Writer {
     return items;
   }
 
-  /// rows(...) or columns(...), where the children fill their parent so.
+  /// rows(...) or columns(...) if the children fill their parent in that way.
   std::string lay_out_row(int i) {
     const std::vector<int>& children = node(i).children;
     if (children.size() < 2) return "";
@@ -113,7 +113,7 @@ class Writer {
       std::string parts;
       for (const int child : children) {
         const Rect& r = node(child).rect;
-        const bool last = child == children.back();  // takes what rounding leaves
+        const bool last = child == children.back();  // absorbs rounding errors
         parts +=
             fmt::format("{}{}, {}", parts.empty() ? "" : ", ",
                         last ? "1" : length(upright ? r.height : r.width), part_in_plane(i, child));
@@ -123,7 +123,7 @@ class Writer {
     return "";
   }
 
-  /// repeat(...), where one child and its copies fill the parent along x or y.
+  /// repeat(...) if one child and its copies fill the parent along x or y.
   std::string repeated(int i) {
     if (node(i).children.size() != 1 || node(node(i).children[0]).copies.empty()) return "";
     const int child = node(i).children[0];
@@ -148,7 +148,7 @@ class Writer {
     return "";
   }
 
-  /// mirror(...): a side at both borders, one mirrored, and what is between them.
+  /// mirror(...): a side at both borders, one of them mirrored, and the middle.
   std::string mirrored(int i) {
     const std::vector<int>& children = node(i).children;
     if (children.empty() || children.size() > 2) return "";
@@ -170,12 +170,12 @@ class Writer {
     return fmt::format("mirror({}, {}, {})", text, length(rest), part_in_plane(i, children[1]));
   }
 
-  /// A child by itself: as a grid where its places make one, else each with its margins.
+  /// A single child: a grid if its placements form one, else each with its margins.
   std::string free(int i, int child) {
     std::vector<Rect> rects = {node(child).rect};
     std::vector<double> x = {rects[0].x}, y = {rects[0].y};
     for (const Placement& copy : node(child).copies) {
-      // Only a mirror's copies are mirrored, and elements that are alike on both sides.
+      // Only copies of a mirror and symmetric elements are mirrored.
       rects.push_back(copy(rects[0]));
       x.push_back(rects.back().x), y.push_back(rects.back().y);
     }
@@ -202,7 +202,7 @@ class Writer {
            same(r.height, all.height);
   }
 
-  /// Left, right, below and above.
+  /// The margins left, right, below and above.
   std::string margins(int i, const Rect& r) const {
     const Rect& all = node(i).rect;
     const auto margin = [](double size) { return length(std::max(0.0, size)); };

@@ -1,6 +1,6 @@
-// The distance to a polygon: at its nearest edge the signed distance to the edge's line, at a
-// corner the distance with the sign of the crossing number (quilez2008distance). As on the surface
-// the nearest feature is nearly always an edge, gradients hold there.
+// Signed distance to a polygon: for a nearest edge the signed distance to the edge's line, for a
+// nearest corner the distance with the sign of the crossing number (quilez2008distance). On the
+// surface the nearest feature is almost always an edge, so gradients are correct there.
 #include <vug/base/maths.h>
 #include <vug/facade/outline.h>
 #include <vug/field/affine.h>
@@ -22,7 +22,7 @@ using field::square;
 
 struct Polygon {
   struct Edge {
-    Vec2d a, along;  ///< A corner and the unit vector to the next.
+    Vec2d a, along;  ///< A corner and the unit vector to the next one.
     double length, low, high, slope;
   };
   std::vector<Edge> edges;
@@ -30,7 +30,7 @@ struct Polygon {
   explicit Polygon(const Outline& corners, bool turned) {
     for (size_t i = 0; i < corners.size(); ++i) {
       const Vec2d a = corners[i], b = corners[(i + 1) % corners.size()];
-      if (turned && a.x <= 0 && b.x <= 0) continue;  // the axis is no surface
+      if (turned && a.x <= 0 && b.x <= 0) continue;  // the axis is not a surface
       const double length = (b - a).length();
       if (length < 1e-9) continue;
       const double rise = b.y - a.y;
@@ -42,7 +42,7 @@ struct Polygon {
   template <class T>
   T distance(const T& x, const T& y) const {
     T least = T(1e30), height = T(0.0), sign = T(1.0);
-    T corner = T(0.0);  // 1 where a corner is nearest
+    T corner = T(0.0);  // 1 if a corner is nearest
     for (const Edge& e : edges) {
       const T dx = x - T(e.a.x), dy = y - T(e.a.y);
       const T along = dx * T(e.along.x) + dy * T(e.along.y);

@@ -50,8 +50,8 @@ class Reader {
     if (read(source.shape, item, true)) out.push_back(std::move(item));
   }
 
-  /// What the expression is; false where it is none of what stands in a scope. Names that must be
-  /// something are reported.
+  /// Classifies the expression as an item; returns false if it is not one. With `must`, unknown
+  /// names are reported.
   bool read(const scene::ExprPtr& expr, Item& item, bool must) {
     const bool call = expr->kind == scene::ExprKind::call && !expr->method;
     if (!call && expr->kind != scene::ExprKind::name) {
@@ -100,7 +100,7 @@ class Reader {
     return true;
   }
 
-  /// Names that are numbers wherever they stand.
+  /// Names that always denote numbers.
   static bool is_word(const std::string& name) {
     static const std::set<std::string> words = {"width", "height", "index", "total", "pi", "frame"};
     return words.count(name) > 0;

@@ -23,7 +23,7 @@ void check_sizes(const Layout& layout, double least, const Item& split) {
                                        size_text(cell.rect), metres(least)));
 }
 
-/// Those of the numbers whose names begin so, without it.
+/// The numbers whose names start with the prefix, which is removed.
 NumberValues numbers_of(const NumberValues& all, const std::string& prefix) {
   NumberValues out;
   for (const auto& [name, values] : all)
@@ -95,7 +95,7 @@ SplitPtr ScopeEvaluator::split(const Item& split, RandomKey key, const scene::Sc
       std::find_if(params.begin(), params.end(),
                    [](const ParamInfo& p) { return p.type.rfind("list of", 0) == 0; }) -
       params.begin());
-  const bool packs = list < 2;  // a list that comes first takes all that has no name
+  const bool packs = list < 2;  // a leading list parameter takes all positional arguments
   SourceLocation packed_where;
   for (size_t i = 0; i < split.expr->operands.size(); ++i) {
     const scene::Operand& operand = split.expr->operands[i];
@@ -120,8 +120,8 @@ SplitPtr ScopeEvaluator::split(const Item& split, RandomKey key, const scene::Sc
   return *made;
 }
 
-/// A part as a reference to it (an element that a name stands for goes to `named`), a choice as
-/// itself, anything else by its value.
+/// Evaluates an argument: a part becomes a reference (`named` receives the element that a name
+/// refers to), a choice is kept as a name, everything else is evaluated.
 Value ScopeEvaluator::argument(const Item& split, size_t i, RandomKey key,
                                const scene::Scope& known, Value& named) {
   const scene::Expr& expr = *split.expr->operands[i].value;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kNode = "node";
 constexpr const char* kWall = "wall";
-/// Nearer than that is equally near, metres: rounding of coordinates.
+/// Distances that differ by less, in metres, are equal: rounding of coordinates.
 constexpr double kSame = 1e-7;
 
 Box3d flat_box(const Rect& rect, double depth) {
@@ -29,14 +29,14 @@ const std::string& kind_of(const Node& node) {
 Semantics::Semantics(FacadeInstance placed)
     : placed_(std::move(placed)),
       to_facade_(placed_.frame.transform(placed_.tree->width).inverse()) {
-  element_instances(tree());  // refuses too many
+  element_instances(tree());  // throws if there are too many
   for (size_t i = 0; i < tree().nodes.size(); ++i) {
     const Node& node = tree().nodes[i];
     const int index = static_cast<int>(i);
     const double from = node.parent < 0 ? 0 : tree().nodes[static_cast<size_t>(node.parent)].depth;
     Solids one;
     if (node.element) one = solids_of(node);
-    // Of a hole's rectangle only corners are left, beside an arch; they are of the wall around.
+    // Only the corners next to an arch remain of a hole's rectangle; they belong to the wall.
     const bool has_face = one.cut.empty() || kind_of(node) == kWall;
     for (const Placement& place : placements(tree(), index)) {
       const Rect rect = place(node.rect);

@@ -9,14 +9,14 @@ namespace vug::facade {
 
 namespace {
 
-/// What rounding may add up to, of an extent.
+/// Relative tolerance of an extent for rounding.
 constexpr double kTiny = 1e-9;
-/// The usual height of a ground floor, metres.
+/// Default height of a ground floor, metres.
 constexpr double kStorey = 3.5;
 
 std::string length_text(double metres) { return quantity_text(metres, Dimension::length); }
 
-/// "'Base' 4m, 'Cornice' 60cm"
+/// The parts with their sizes, e.g. "'Base' 4m, 'Cornice' 60cm".
 std::string listed(const std::vector<SizedPart>& parts, const std::vector<double>& sizes) {
   std::string out;
   for (size_t i = 0; i < parts.size(); ++i)
@@ -70,7 +70,7 @@ Layout lay_out_row(const std::vector<SizeOrPart>& steps, bool along_x, double wi
   const std::vector<SizedPart> all = sized_parts(steps, none);
   const double extent = along_x ? width : height;
   std::vector<double> usual;
-  // Of two rows the lower is mostly a ground floor.
+  // The lower of two rows is usually a ground floor.
   if (!along_x && all.size() == 2 && extent > 2 * kStorey) usual = {kStorey, extent - kStorey};
   const std::vector<double> sizes =
       all_free(all) && all.size() > 1

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// To a tenth of a millimetre, so that sums of sizes show no rounding.
+/// Rounds to a tenth of a millimetre to hide rounding errors of sums.
 double rounded(double value) { return std::round(value * 1e4) / 1e4 + 0.0; }
 
 Json json_of(const Rect& r) {
@@ -65,7 +65,7 @@ void append(const Numbers& numbers, std::string& out) {
   for (const auto& [name, value] : numbers) out += number_text(value) + ", ";
 }
 
-/// Everything of a node but its parts and the closing bracket.
+/// The text of a node without its parts and the closing bracket.
 std::string theta_head(const Tree& tree, const Node& node) {
   std::string out = node.symbol + '(';
   if (node.parent < 0)
@@ -79,14 +79,14 @@ std::string theta_head(const Tree& tree, const Node& node) {
   return out;
 }
 
-/// Its symbol and size; what divided it stands in a second line.
+/// Tooltip: symbol and size, and the rule in a second line.
 std::string title_of(const Node& node, const Rect& r) {
   const std::string rule = node.stuck ? "open" : xml_text(node.rule);
   return fmt::format("{} {} x {} m{}{}", xml_text(node.text), number_text(r.width),
                      number_text(r.height), rule.empty() ? "" : "\n", rule);
 }
 
-/// A colour of its own for each kind of element; the same for the same name.
+/// The colour of a kind of element; it depends only on the name.
 std::string color_of(const std::string& name) {
   unsigned hash = 2166136261u;
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
@@ -117,7 +117,7 @@ std::string tree_json(const Tree& tree) {
 std::string theta(const Tree& tree) {
   std::string out;
   struct Entry {
-    int node;  ///< -1: a closing.
+    int node;  ///< -1: a closing bracket.
     std::string text;
   };
   std::vector<Entry> stack;
@@ -186,7 +186,7 @@ std::string elevation_svg(const Tree& tree, const SvgOptions& options) {
   for (size_t i = 0; i < tree.nodes.size(); ++i) {
     const Node& node = tree.nodes[i];
     if (node.element) continue;
-    // What no rule has divided yet shows.
+    // Mark nodes that no rule has divided yet.
     const char* style =
         node.stuck
             ? "fill=\"#ff9000\" fill-opacity=\"0.25\" stroke=\"#ff9000\" stroke-width=\"2\""

@@ -114,7 +114,7 @@ Tree derive(const Grammar& grammar, RandomKey key, const Limits& limits,
 
 Tree derive_parallel(const Grammar& grammar, RandomKey key, int generations, const Limits& limits,
                      Progress& progress) {
-  // Expansions are made in blocks, so that a generation that explodes stops near the limit.
+  // Expand in blocks, so that an exploding generation stops near the limit.
   constexpr size_t kBlock = 4096;
   Builder builder(grammar, key, limits);
   std::vector<int> frontier = builder.tree().nodes[0].children;

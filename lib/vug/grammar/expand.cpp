@@ -6,7 +6,7 @@
 namespace vug::grammar {
 namespace {
 
-/// Weight of a production at the node: 0 when it does not apply.
+/// Weight of a production at the node; 0 if it does not apply.
 double weight_at(const Production& production, const Node& node, uint64_t index) {
   const auto arity = static_cast<int64_t>(node.symbol.content.params.size());
   if (production.arity >= 0 && production.arity != arity) return 0;
@@ -24,7 +24,7 @@ double weight_at(const Production& production, const Node& node, uint64_t index)
   return weight;
 }
 
-/// Children that `parts` make under `node`.
+/// The children of `node` produced by `parts`.
 std::vector<Node> apply(const std::vector<SuccessorItem>& parts, const Node& node, int64_t room) {
   std::vector<Node> children;
   std::map<std::string, int64_t> ordinals;
@@ -66,7 +66,7 @@ Expansion expand(const Grammar& grammar, const Node& node, int64_t room) {
   if (node.terminal) return out;
   std::vector<std::pair<int, double>> candidates;
   double total = 0;
-  uint64_t index = 0;  // counts the productions of this symbol: others do not shift their keys
+  uint64_t index = 0;  // among the productions of this symbol, so that others do not change keys
   for (size_t p = 0; p < grammar.productions.size(); ++p) {
     const Production& production = grammar.productions[p];
     if (production.symbol != node.symbol.name) continue;

@@ -5,8 +5,8 @@
 namespace vug::grammar {
 namespace {
 
-/// One side of a subtree: the extreme coordinate at each level, deepest level first, all to be
-/// read plus `shift`.
+/// The contour of one side of a subtree: the extreme coordinate at each level minus `shift`,
+/// deepest level first.
 struct Side {
   std::vector<double> levels;
   double shift = 0;
@@ -17,7 +17,8 @@ struct Side {
   void push_root(double value) { levels.push_back(value - shift); }
 };
 
-/// `upper` where it has levels, below that `other`; costs the depth of the shallower one.
+/// Merges two contours: `upper` at its levels, below them `other`. Costs the depth of the shallower
+/// one.
 Side overlaid(Side upper, Side other) {
   if (upper.depth() >= other.depth()) return upper;
   for (size_t level = 0; level < upper.depth(); ++level) other.set(level, upper.at(level));
@@ -28,7 +29,7 @@ struct Contour {
   Side low, high;
 };
 
-/// How far `next` must move up to stand clear of `placed`.
+/// The shift by which `next` must move to keep its distance from `placed`.
 double clearance(const Contour& placed, const Contour& next) {
   const size_t levels = std::min(placed.high.depth(), next.low.depth());
   double shift = -1e300;
@@ -41,7 +42,7 @@ double clearance(const Contour& placed, const Contour& next) {
 
 std::vector<double> tidy_layout(const Tree& tree) {
   const size_t count = tree.nodes.size();
-  std::vector<double> place(count, 0);  // first relative to the parent, at the end absolute
+  std::vector<double> place(count, 0);  // relative to the parent, finally absolute
   std::vector<Contour> contours(count);
   for (size_t i = count; i-- > 0;) {  // children come after their parents
     const auto& children = tree.nodes[i].children;

@@ -22,7 +22,7 @@ std::vector<int> Tree::leaves() const {
     const int node = stack.back();
     stack.pop_back();
     const Node& at = nodes[static_cast<size_t>(node)];
-    // A symbol that a production erased has no children, but is no leaf of the word either.
+    // A symbol erased by a production has no children, but it is not a leaf of the word.
     if (at.children.empty() && at.production < 0 && at.parent >= 0) out.push_back(node);
     stack.insert(stack.end(), at.children.rbegin(), at.children.rend());
   }

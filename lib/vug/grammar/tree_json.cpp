@@ -6,7 +6,7 @@
 namespace vug::grammar {
 namespace {
 
-// ordered_json keeps the members in the order that a reader expects.
+// JSON output of derivation trees; ordered_json keeps the order of the members.
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Value& value) {
@@ -59,7 +59,7 @@ std::string tree_json(const Tree& tree) {
   out["nodes"] = Json::array();
   for (size_t i = 0; i < tree.nodes.size(); ++i)
     out["nodes"].push_back(json_of(tree, static_cast<int>(i)));
-  // Bytes of a scene that are no UTF-8 become replacement characters instead of an exception.
+  // Invalid UTF-8 from a scene is replaced by replacement characters instead of throwing.
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
-/// At most `limit` characters of UTF-8 text, the last an ellipsis when something was cut.
+/// At most `limit` characters of UTF-8 text; a truncated text ends in an ellipsis.
 std::string shortened(const std::string& text, double limit) {
   double seen = 0;
   for (size_t i = 0; i < text.size(); ++i) {
@@ -36,13 +36,13 @@ std::string hover(const Tree& tree, int id) {
   return node.stuck ? out + "; no production applies" : out;
 }
 
-constexpr double kPadding = 6;  // of a label's box, left and right
+constexpr double kPadding = 6;  // left and right of a label
 
-/// Pale, so that dark text reads on each; symbols take them in order of appearance.
+/// Pale colours for dark text, assigned to symbols in order of appearance.
 constexpr const char* kFills[] = {"#ece7df", "#dfe9f4", "#e3f0dc", "#f9e3dc", "#f8efcf",
                                   "#ebe3f5", "#dcf0ee", "#f6e0ec", "#e6e6e6"};
 
-/// The fill of every node's box: one for each name of a symbol.
+/// The fill colour of every node's box: one per symbol name.
 std::vector<const char*> fills(const Tree& tree) {
   std::map<std::string, size_t> order;
   std::vector<const char*> out;
@@ -59,8 +59,8 @@ std::string tree_svg(const Tree& tree, const SvgOptions& options) {
   const std::vector<double> place = tidy_layout(tree);
   const double margin = options.row;
   std::vector<std::string> labels;
-  std::vector<double> widths;  // of boxes, by a glyph of 0.61 em
-  std::vector<double> column;  // widest label of a generation, then its left edge
+  std::vector<double> widths;  // of boxes, for glyphs of 0.61 em
+  std::vector<double> column;  // first the widest label of a generation, then its left edge
   for (const Node& node : tree.nodes) {
     labels.push_back(shortened(to_string(node.symbol), options.max_label));
     const auto glyphs = std::count_if(labels.back().begin(), labels.back().end(), starts_character);
@@ -102,7 +102,7 @@ std::string tree_svg(const Tree& tree, const SvgOptions& options) {
                    "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
                    "rx=\"4\" fill=\"{}\"/>\n",
                    x(i), y(i) - 0.5 * box, widths[i], box, fill[i]);
-  // Not dominant-baseline, which some programs do not know: 0.35 em is half a capital's height.
+  // Avoids dominant-baseline, which some programs do not support: 0.35 em is half the cap height.
   fmt::format_to(to, "</g>\n<g fill=\"#2b241c\">\n");
   for (size_t i = 0; i < tree.nodes.size(); ++i)
     fmt::format_to(to, "<text x=\"{:.1f}\" y=\"{:.1f}\"{}><title>{}</title>{}</text>\n",

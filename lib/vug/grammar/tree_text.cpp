@@ -5,8 +5,8 @@ namespace vug::grammar {
 std::string tree_text(const Tree& tree, const TextOptions& options) {
   struct Entry {
     int node;
-    std::string prefix;  ///< What the lines of this node's children begin with.
-    std::string branch;  ///< What the node's own line begins with.
+    std::string prefix;  ///< Start of the lines of this node's children.
+    std::string branch;  ///< Start of the node's own line.
   };
   std::string out;
   std::vector<Entry> stack;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kImpossible = -std::numeric_limits<double>::infinity();
 
-/// ln of small whole numbers, which nearly all choices are among.
+/// The logarithm of a whole number; a table covers almost all choices.
 double ln_of(int count) {
   static const std::array<double, 1024> table = [] {
     std::array<double, 1024> out{};

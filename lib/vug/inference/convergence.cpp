@@ -14,7 +14,7 @@ double mean_of(const Trace& trace, size_t begin, size_t end) {
   return sum / static_cast<double>(end - begin);
 }
 
-/// The sum of products of deviations `lag` apart.
+/// The sum of products of deviations at distance `lag`.
 double covariance(const Trace& trace, double mean, size_t lag) {
   double sum = 0;
   for (size_t i = 0; i + lag < trace.size(); ++i)
@@ -60,7 +60,7 @@ double scale_reduction(const std::vector<Trace>& traces) {
   const double middle = mean_of(means, 0, means.size());
   double between = 0;
   for (const double mean : means) between += (mean - middle) * (mean - middle);
-  between /= count - 1;  // of the halves' means
+  between /= count - 1;  // variance of the halves' means
   if (!(within > 0)) return between > 0 ? std::numeric_limits<double>::infinity() : 1;
   const auto n = static_cast<double>(half);
   return std::sqrt(((n - 1) / n * within + between) / within);

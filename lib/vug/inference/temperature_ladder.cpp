@@ -36,7 +36,7 @@ void TemperatureLadder::count(int i, double acceptance, bool swapped) {
 }
 
 void TemperatureLadder::adapt() {
-  constexpr double kLag = 200;  // calls until the steps have halved
+  constexpr double kLag = 200;  // number of calls after which the step has halved
   const double rate = 0.3 * kLag / (kLag + static_cast<double>(adapted_++));
   const size_t pairs = swaps_.size();
   std::vector<double> gaps(pairs), mean(pairs);
@@ -44,13 +44,14 @@ void TemperatureLadder::adapt() {
     gaps[i] = temperatures_[i + 1] - temperatures_[i];
     mean[i] = terms_[i] > 0 ? sums_[i] / terms_[i] : 0.5;
   }
-  // The logarithm of a gap grows with how much more is exchanged across it than across the next.
+  // The logarithm of a gap grows with the difference between its acceptance and that of the next
+  // gap.
   for (size_t i = 0; i + 1 < pairs; ++i) {
     gaps[i] *= maths::exp(rate * (mean[i] - mean[i + 1]));
     temperatures_[i + 1] = temperatures_[i] + gaps[i];
   }
-  // The hottest goes where the last pair exchanges as often as the others do.
-  // Where hot states are all alike nothing holds it back.
+  // The hottest temperature moves until the last pair swaps as often as the others. It is bounded,
+  // because equal hot states would let it grow without limit.
   if (pairs > 0)
     temperatures_[pairs] =
         std::min(4 * hottest_, temperatures_[pairs - 1] +

@@ -66,7 +66,7 @@ class Compiler {
           RandomKey(static_cast<uint64_t>(*options_.seed)).at("grammar").at(grammar_.name).state();
   }
 
-  /// Where the block sets the option; an unknown place where it does not.
+  /// The location at which the block sets the option; unknown if it does not.
   SourceLocation where_set(const char* option) const {
     for (const scene::Entry& entry : grammar_.options)
       if (entry.key == option) return entry.where;
@@ -105,7 +105,7 @@ class Compiler {
     return name.size() == 1 && std::string_view(kTurns).find(name[0]) != std::string_view::npos;
   }
 
-  /// +(60) would be sixty radians.
+  /// Rejects plain numbers as angles: +(60) would be sixty radians.
   void check_turn(const scene::Expr& argument, Expressions& expressions) {
     const std::optional<Value> value = expressions.constant(argument);
     const Number* n = value ? value->get<Number>() : nullptr;
@@ -236,7 +236,7 @@ class Compiler {
     return std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
   }
 
-  /// What the symbols are to the engine.
+  /// Sets the properties of symbols: brackets, cuts, ignored symbols, ages, queries.
   void marks() {
     Alphabet& alphabet = system_.alphabet;
     system_.open = alphabet.find("[", 0);
@@ -299,7 +299,7 @@ class Compiler {
       system_.random = system_.random || inner->random;
       system_.subsystems.emplace(id, std::move(sub));
     }
-    // Symbols that came with them are constants here.
+    // Symbols added by subsystems are constants in this system.
     for (size_t i = own; i < system_.alphabet.size(); ++i) {
       system_.ignored.push_back(false);
       system_.ages.push_back(false);
@@ -326,7 +326,7 @@ class Compiler {
   scene::Evaluator& evaluator_;
   const FindSystem& find_;
   System system_;
-  std::vector<std::vector<uint16_t>> pending_;  ///< Of each table.
+  std::vector<std::vector<uint16_t>> pending_;  ///< Rules of each table.
   std::vector<uint16_t> decompose_, interpret_;
   std::set<SymbolId> aged_;
   std::set<uint16_t> warned_;

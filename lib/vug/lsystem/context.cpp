@@ -11,7 +11,7 @@ ContextMatcher::ContextMatcher(const System& system, const Word& word, bool cont
   const auto nothing = static_cast<uint32_t>(size);
   partner_.assign(size, nothing);
   left_.resize(size);
-  std::vector<std::pair<uint32_t, uint32_t>> open;  // brackets, and what is to the left of them
+  std::vector<std::pair<uint32_t, uint32_t>> open;  // brackets with their left neighbours
   uint32_t last = nothing;
   for (uint32_t i = 0; i < size; ++i) {
     left_[i] = last;
@@ -21,7 +21,7 @@ ContextMatcher::ContextMatcher(const System& system, const Word& word, bool cont
       if (open.empty()) continue;
       partner_[i] = open.back().first;
       partner_[open.back().first] = i;
-      last = open.back().second;  // past the side branch
+      last = open.back().second;  // skips the side branch
       open.pop_back();
     } else if (!ignored(i)) {
       last = i;
@@ -42,7 +42,7 @@ double* ContextMatcher::put(size_t i, double* formals) const {
 }
 
 bool ContextMatcher::left(const Production& production, size_t i, double*& formals) const {
-  // Found from right to left, but numbered from left to right.
+  // Matched from right to left, but numbered from left to right.
   size_t values = 0;
   for (const ContextModule& wanted : production.left)
     values += system_.alphabet.parameters(wanted.symbol);
@@ -58,12 +58,12 @@ bool ContextMatcher::left(const Production& production, size_t i, double*& forma
   return true;
 }
 
-/// The pattern from `from` up to `to` against what follows from module `at` on.
+/// Matches the pattern [from, to) against the modules starting at `at`.
 bool ContextMatcher::right(const std::vector<ContextModule>& pattern, size_t from, size_t to,
                            size_t at, double*& formals) const {
   for (size_t k = from; k < to;) {
     if (pattern[k].kind == ContextModule::Kind::open) {
-      size_t end = k + 1;  // of the pattern's branch
+      size_t end = k + 1;  // end of the pattern's branch
       for (int depth = 1; depth > 0; ++end)
         depth += pattern[end].kind == ContextModule::Kind::open    ? 1
                  : pattern[end].kind == ContextModule::Kind::close ? -1

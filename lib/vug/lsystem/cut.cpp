@@ -12,7 +12,7 @@ void cut_branches(const System& system, Derivation& derivation) {
   kept.key = derivation.key;
   for (size_t i = 0; i < word.size(); ++i) {
     if (word.symbol(i) == system.cut) {
-      // To the bracket that closes this branch, which stays.
+      // Skip to the bracket that closes this branch, which is kept.
       for (int depth = 0; i < word.size(); ++i) {
         if (word.symbol(i) == system.open) ++depth;
         if (word.symbol(i) == system.close && --depth < 0) break;

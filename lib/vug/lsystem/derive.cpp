@@ -11,12 +11,12 @@ namespace vug::lsystem {
 
 namespace {
 
-/// Rounds after which rules without an end are given up, and all modules that they look at: with
-/// large words that many rounds would take minutes.
+/// Maximum number of rounds of non-terminating rules, and of modules that they visit: with large
+/// words that many rounds would take minutes.
 constexpr int kMaxRounds = 10000;
 constexpr size_t kMaxModulesVisited = 2'000'000'000;
 
-/// Counts what rules without an end take.
+/// Counts the rounds and the visited modules of rules that may not terminate.
 class RoundLimit {
  public:
   bool allows(const Derivation& word) {
@@ -57,7 +57,7 @@ void pass(const System& system, const Stage& stage, Rewriter& rewriter, Derivati
   }
 }
 
-/// Lets time go by at once, then catches up with what should have been replaced by then.
+/// Adds the whole time to all ages, then replaces all modules that are due.
 void age(const System& system, Rewriter& rewriter, Derivation& word, double time,
          Progress& progress) {
   if (!(time >= 0) || std::isinf(time))
@@ -100,10 +100,10 @@ void answer_queries(const System& system, const DeriveOptions& options, Derivati
   }
 }
 
-/// Steps that a module may ask for.
+/// Maximum number of steps that a module may request.
 constexpr double kMaxSteps = 1e6;
 
-/// The words of the systems that modules stand for, made once each where chance has no part.
+/// The words of the systems that modules refer to, cached if they are not random.
 class SubWords {
  public:
   SubWords(const System& outer, std::optional<uint64_t> memory, Progress& progress)

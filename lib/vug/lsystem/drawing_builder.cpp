@@ -13,7 +13,7 @@ Station station(const TurtleState& state, double radius, double along) {
 
 void DrawingBuilder::begin(TurtleState& state, double radius) {
   if (state.axis != Axis::kNone) {
-    // A node may stand where a stem begins, before anything says how thick that is.
+    // A node may precede the stem's first segment, which sets the radius.
     Axis& begun = drawing_.axes[state.axis];
     if (begun.stations.size() == 1) begun.stations[0].radius = radius;
     return;
@@ -77,7 +77,7 @@ void DrawingBuilder::close() {
   Polygon polygon = std::move(open_.back());
   open_.pop_back();
   std::vector<Vec3d>& corners = polygon.corners;
-  // An outline that comes back to where it began, up to rounding, has that corner once.
+  // Drop the last corner if the outline returns to its start, up to rounding.
   if (corners.size() > 1) {
     const double size = (corners[1] - corners[0]).length();
     if ((corners.back() - corners.front()).length() <= 1e-9 * size) corners.pop_back();

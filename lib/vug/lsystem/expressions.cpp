@@ -12,7 +12,7 @@ namespace {
 using scene::Expr;
 using scene::ExprKind;
 
-/// How many numbers more there are on the stack after the operation.
+/// Change of the stack height by the operation.
 int growth(Op op) {
   switch (op) {
     case Op::constant:
@@ -153,7 +153,7 @@ Expressions::Type Expressions::unary(const Expr& expr, Program& program) {
   return Type::number;
 }
 
-/// One instruction where a formal and a constant meet.
+/// Fuses an operation on a formal and a constant into one instruction.
 bool Expressions::fuse(Program& program, Op op, size_t left, size_t right) const {
   std::vector<Instruction>& code = program.code;
   if (right - left != 1 || code.size() - right != 1) return false;
@@ -216,7 +216,7 @@ Expressions::Type Expressions::choose(const Expr& expr, Program& program) {
   return type;
 }
 
-/// pick(a, b, c): the first with a chance of 1 in 3, else the second with 1 in 2, else the third.
+/// pick(a, b, c): a with probability 1/3, else b with probability 1/2, else c.
 Expressions::Type Expressions::pick(const Expr& expr, Program& program) {
   std::vector<const Expr*> from;
   const bool list = expr.operands.size() == 1 && expr.operands[0].value->kind == ExprKind::list;
@@ -256,7 +256,7 @@ Expressions::Type Expressions::call(const Expr& expr, Program& program) {
     return Type::number;
   }
   const bool extreme = count > 2 && (expr.text == "min" || expr.text == "max");
-  if (extreme) {  // of more than two numbers
+  if (extreme) {  // min or max of more than two numbers
     for (size_t i = 0; i < count; ++i) {
       number(*expr.operands[i].value, program);
       if (i > 0) put(program, Op::call2, *place_of(functions2(), expr.text));

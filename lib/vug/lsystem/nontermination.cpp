@@ -8,8 +8,8 @@ namespace vug::lsystem {
 
 namespace {
 
-/// Symbols that the stage makes out of `symbol` whatever chance and parameters say: those that each
-/// rule makes which may be taken, if one is taken for certain.
+/// Symbols that the stage produces from `symbol` regardless of random choices and parameters: the
+/// intersection of the successors of all applicable rules, if one of them certainly applies.
 std::vector<SymbolId> certain_successors(const System& system, const RuleBook& book,
                                          SymbolId symbol) {
   std::vector<SymbolId> made;
@@ -24,16 +24,16 @@ std::vector<SymbolId> certain_successors(const System& system, const RuleBook& b
                           std::back_inserter(both));
     made = r == rules.first ? own : both;
     certain = certain || p.guard.empty();
-    if (p.guard.empty() && p.weight.empty()) break;  // the next ones are never taken
+    if (p.guard.empty() && p.weight.empty()) break;  // later rules are never applied
   }
   return certain ? made : std::vector<SymbolId>();
 }
 
-/// A symbol that makes the next, and so on, and the last the first; empty where there is none.
+/// A cycle of symbols in which each one produces the next; empty if there is none.
 std::vector<SymbolId> cycle(const System& system, const RuleBook& book) {
   const size_t count = system.alphabet.size();
   std::vector<std::vector<SymbolId>> makes(count), made_by(count);
-  std::vector<size_t> left(count);  // how many of those it makes may go on for ever
+  std::vector<size_t> left(count);  // number of its products that may not terminate
   for (size_t s = 0; s < count; ++s) {
     makes[s] = certain_successors(system, book, static_cast<SymbolId>(s));
     left[s] = makes[s].size();

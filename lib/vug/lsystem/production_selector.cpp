@@ -106,7 +106,7 @@ uint16_t ProductionSelector::select_first_match(const RuleSelection& symbol, siz
     const Production& p = system_.productions[book_.rules[r]];
     if (!fits(p, i, numbers)) continue;
     if (p.weight.empty()) return static_cast<uint16_t>(book_.rules[r] + 1);
-    if (weight(p, i, numbers) == 0) continue;  // as if it did not fit
+    if (weight(p, i, numbers) == 0) continue;  // as if it did not match
     const double total = collect_weights(symbol, r, i, numbers);
     const double target = numbers[0] * total;
     for (const auto& [choice, upto] : weighted_)
@@ -116,7 +116,8 @@ uint16_t ProductionSelector::select_first_match(const RuleSelection& symbol, siz
   return 0;
 }
 
-/// The lots of all that fit from rule `r` on and look around as it does; their weights' sum.
+/// Collects the cumulative weights of all matching rules from rule `r` on that have a context if
+/// and only if it has one; returns their sum.
 double ProductionSelector::collect_weights(const RuleSelection& symbol, uint32_t r, size_t i,
                                            const double* numbers) {
   const bool looks = system_.productions[book_.rules[r]].has_context();

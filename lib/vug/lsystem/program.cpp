@@ -21,10 +21,10 @@ double least(double a, double b) { return std::min(a, b); }
 double most(double a, double b) { return std::max(a, b); }
 double clamped(double x, double low, double high) { return std::min(std::max(x, low), high); }
 double mixed(double a, double b, double t) { return a + (b - a) * t; }
-/// Of the divisor's sign, as in the scene's `mod`.
+/// The remainder with the divisor's sign, like `mod` in scenes.
 double modulo(double a, double b) { return a - b * std::floor(a / b); }
 
-/// Whole powers by multiplication, as in the scene's expressions: exact where the result is.
+/// Whole powers are computed by multiplication, as in scene expressions: exact if representable.
 double power(double base, double exponent) {
   if (exponent == std::floor(exponent) && std::fabs(exponent) <= 64) {
     double result = 1;
@@ -34,7 +34,7 @@ double power(double base, double exponent) {
   return base == 0 ? 0 : maths::pow(base, exponent);
 }
 
-/// Leaves at top[-1] whether `holds` for it and *top.
+/// Replaces top[-1] by holds(top[-1], *top).
 template <class Holds>
 void compare(double* top, const Holds& holds) {
   const double a = top[-1], b = *top;
@@ -67,7 +67,7 @@ const std::vector<Function3>& functions3() {
 double* run(const Program& program, const double* formals, double* top, const double* numbers) {
   const Instruction* const begin = program.code.data();
   const Instruction* const end = begin + program.code.size();
-  // `top` is one past the topmost number.
+  // `top` points past the topmost number.
   for (const Instruction* at = begin; at != end; ++at) {
     switch (at->op) {
       case Op::constant:

@@ -6,8 +6,8 @@ namespace vug::lsystem {
 
 namespace {
 
-/// Four blocks side by side, in each 64-bit lane one of the 32-bit words. What stands in the upper
-/// halves is rubbish: multiplication does not see it.
+/// Four blocks in parallel; each 64-bit lane contains a 32-bit word. The upper halves are
+/// undefined, but multiplication ignores them.
 struct Lanes {
   __m256i a, b, c, d;
 };
@@ -30,7 +30,7 @@ void round(Lanes& x, __m256i key0, __m256i key1) {
   x.d = p0;
 }
 
-/// 52 of 64 random bits as the digits of a number in [1, 2), less 1.
+/// Uses 52 of 64 random bits as the mantissa of a number in [1, 2) and subtracts 1.
 __m256d uniform(__m256i high, __m256i low) {
   const __m256i bits = _mm256_blend_epi32(_mm256_slli_epi64(high, 32), low, 0b01010101);
   const __m256i one = both(0x3FF0000000000000);

@@ -16,10 +16,10 @@ namespace vug::lsystem {
 
 namespace {
 
-/// Modules of one task; fixed, as the results of faults depend on it.
+/// Modules per task; fixed, because reported errors depend on it.
 constexpr size_t kChunk = 4096;
 
-/// Modules whose random numbers are made at once: a few kilobytes.
+/// Modules per batch of random numbers: a few kilobytes.
 constexpr size_t kBatch = 256;
 
 void check_finite(const Production& p, const double* values, size_t count) {
@@ -33,7 +33,7 @@ void check_finite(const Production& p, const double* values, size_t count) {
   }
 }
 
-/// All values of the successor, each from one instruction.
+/// Computes all values of a simple successor, with one instruction per value.
 void write_simple(const Production& p, const double* formals, double* out) {
   for (const Instruction& make : p.values.code) {
     switch (make.op) {
@@ -54,11 +54,11 @@ void write_simple(const Production& p, const double* formals, double* out) {
 
 }  // namespace
 
-/// A part of the word, and what comes of it.
+/// A part of the word and the position of its output.
 struct Rewriter::Chunk {
   size_t begin = 0, end = 0;
-  size_t modules = 0, values = 0;      ///< How many it makes.
-  size_t to_module = 0, to_value = 0;  ///< Where they go.
+  size_t modules = 0, values = 0;      ///< Size of its output.
+  size_t to_module = 0, to_value = 0;  ///< Start of its output.
   bool applied = false;
 };
 
@@ -132,7 +132,7 @@ void Rewriter::write(const RuleBook& book, const ContextMatcher& around, const C
       compute(p, p.values, formals, scratch.values(), numbers);
       for (size_t k = 0; k < count; ++k) value[k] = scratch.values()[k];
     }
-    double sum = 0;  // finite numbers less themselves are 0
+    double sum = 0;  // x - x is 0 only for finite numbers
     for (size_t k = 0; k < count; ++k) sum += value[k] - value[k];
     if (sum != 0) check_finite(p, value, count);
     if (!p.after.empty()) {
@@ -150,7 +150,7 @@ void Rewriter::write(const RuleBook& book, const ContextMatcher& around, const C
   }
 }
 
-/// Names the production that makes most of a word that is too large, by modules or by their values.
+/// Throws an error that names the production with the largest output, by modules or by values.
 void Rewriter::refuse(const std::string& what, bool by_values) const {
   const auto size_of = [&](const Production& p) {
     return by_values ? p.value_count() : p.symbols.size();
@@ -170,7 +170,7 @@ void Rewriter::require_capacity(size_t modules, size_t values) const {
   if (static_cast<int64_t>(modules) > system_.limit)
     refuse(fmt::format("its limit of {} modules: the next step makes {}", system_.limit, modules),
            false);
-  constexpr uint64_t kLittle = uint64_t{256} << 20;  // not worth asking the machine
+  constexpr uint64_t kLittle = uint64_t{256} << 20;  // no check of the available memory below
   const uint64_t each = sizeof(SymbolId) + sizeof(uint32_t) + sizeof(uint16_t) +
                         (system_.random ? sizeof(uint64_t) : 0);
   const uint64_t bytes = modules * each + values * sizeof(double);

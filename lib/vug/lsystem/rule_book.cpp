@@ -10,14 +10,14 @@ namespace {
 
 bool is_draw(const Instruction& one) { return one.op == Op::draw || one.op == Op::choose; }
 
-/// Numbers the draws of a program behind number `last`; the last one it has.
+/// Numbers the draws of a program, starting after `last`; returns the last number used.
 uint32_t numbered(Program& program, uint32_t last) {
   for (Instruction& one : program.code)
     if (is_draw(one)) one.index = ++last;
   return last;
 }
 
-/// Blocks that the program's draws lie in.
+/// Number of blocks that contain the program's draws.
 uint32_t blocks_of(const Program& program) {
   uint32_t blocks = 0;
   for (const Instruction& one : program.code)
@@ -25,7 +25,7 @@ uint32_t blocks_of(const Program& program) {
   return blocks;
 }
 
-/// A weight that is the same for all modules, in a rule that always fits.
+/// The constant weight of a rule that always matches, or nothing.
 std::optional<double> plain_weight(const Production& p) {
   const bool plain = p.guard.empty() && p.after.empty() && !p.has_context() &&
                      p.weight.code.size() == 1 && p.weight.code[0].op == Op::constant;
@@ -41,7 +41,7 @@ RuleSelection rule_selection(const System& system, RuleBook& book, uint32_t firs
   const auto rule = [&](uint32_t r) -> const Production& {
     return system.productions[book.rules[r]];
   };
-  uint32_t leads = first;  // the first that can be taken
+  uint32_t leads = first;  // the first applicable rule
   while (leads + 1 < end && plain_weight(rule(leads)) == 0.0) ++leads;
   bool lottery = !rule(leads).weight.empty();
   double total = 0;

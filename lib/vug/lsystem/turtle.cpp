@@ -145,7 +145,7 @@ void TurtleInterpreter::execute(const SymbolAction& action, Parameters p) {
 }
 
 void TurtleInterpreter::turn(const Vec3d& axis, double angle) {
-  constexpr double kExact = 1e5;  // of the sine: see base/maths.h
+  constexpr double kExact = 1e5;  // range of the accurate sine: see base/maths.h
   if (!std::isfinite(angle)) fail("the angle of a rotation is not finite");
   if (std::fabs(angle) > kExact) angle = std::remainder(angle, 2 * kPi);
   state_.pose.frame = state_.pose.frame.rotated(axis, angle);
@@ -160,7 +160,7 @@ void TurtleInterpreter::set_radius(double radius) {
 void TurtleInterpreter::level() {
   Frame& frame = state_.pose.frame;
   const Vec3d left = Vec3d(0, 1, 0).cross(frame.tangent);
-  if (left.length() < 1e-9) return;  // plumb: every roll is level
+  if (left.length() < 1e-9) return;  // vertical heading: its left is always horizontal
   frame.normal = left.normalized();
   frame = frame.orthonormalized();
 }
@@ -175,7 +175,7 @@ void TurtleInterpreter::push() {
     state_.axis = Axis::kNone;
     state_.radius_set = false;
   }
-  state_.guide = -1;  // a branch goes its own way
+  state_.guide = -1;  // a branch does not follow the guide
 }
 
 void TurtleInterpreter::pop() {

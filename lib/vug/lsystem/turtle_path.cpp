@@ -1,4 +1,4 @@
-// Where a turtle goes: straight, along a guide, and how stems bend to the tropism.
+// Motion of the turtle: straight, along a guide, and bending of stems by tropism.
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
 #include <vug/lsystem/turtle_interpreter.h>
@@ -11,7 +11,7 @@
 namespace vug::lsystem {
 namespace {
 
-/// v under the least turn that takes one direction to another.
+/// v under the smallest rotation that maps one direction to another.
 Vec3d rotate_with(const Vec3d& v, const Vec3d& from, const Vec3d& to) {
   const Vec3d axis = from.cross(to);
   const double sine = axis.length();
@@ -46,7 +46,7 @@ void TurtleInterpreter::advance(double length, double begun, double radius, bool
     const double whole = guides_[static_cast<size_t>(state_.guide)].length() * state_.guide_scale;
     const double bent = std::min(length, whole - state_.guide_along);
     if (bent > 1e-9 * whole) {
-      // What is left beyond the guide's end by rounding is no stem of its own.
+      // A remainder beyond the guide's end caused by rounding does not become a separate segment.
       const bool all = length - bent <= 1e-9 * whole;
       const double between = all ? radius : begun + (radius - begun) * bent / length;
       follow(all ? length : bent, begun, between, drawn);
@@ -58,7 +58,7 @@ void TurtleInterpreter::advance(double length, double begun, double radius, bool
   step(length, radius, drawn);
 }
 
-/// Bends as the guide does on this stretch: both keep the angle that is between them.
+/// Bends like the guide on this stretch: the angle between both stays constant.
 void TurtleInterpreter::follow(double length, double begun, double radius, bool drawn) {
   const ArcBezier& guide = guides_[static_cast<size_t>(state_.guide)];
   const double scale = state_.guide_scale, from = state_.guide_along;
@@ -79,7 +79,7 @@ void TurtleInterpreter::follow(double length, double begun, double radius, bool 
     const Vec3d to = pose.position + rotate_with(to_world(next - point) * scale, tangent, heading);
     pose.frame = transported(pose.frame, pose.position, to, rotate_with(ahead, tangent, heading));
     pose.position = to;
-    // The last is the radius itself: by rounding 0 could come out below 0.
+    // The last step uses the exact radius: rounding could make 0 negative.
     step(length / steps, i == steps ? radius : begun + (radius - begun) * i / steps, drawn);
     point = next;
     tangent = ahead;

@@ -14,7 +14,7 @@ std::optional<double> constant_of(const Program& program) {
   return constant ? std::optional(program.code[0].value) : std::nullopt;
 }
 
-/// Whether `first` fits wherever `other` does, two rules of one symbol.
+/// Whether `first` matches wherever `other` does; both are rules of the same symbol.
 bool fits_before(const Production& first, const Production& other) {
   if (first.has_context()) return false;
   if (!first.guard.empty() && constant_of(first.guard).value_or(0) == 0) return false;
@@ -25,9 +25,9 @@ bool fits_before(const Production& first, const Production& other) {
 
 bool never_weighs(const Production& p) { return constant_of(p.weight) == 0.0; }
 
-/// The first of `before`, in their order, that always goes before `p`; null where there is none.
+/// The first rule in `before` that always takes precedence over `p`, or null.
 const Production* what_hides(const Production& p, const std::vector<const Production*>& before) {
-  bool joins = false;  // a lottery that may be drawn before the ones that are looked at
+  bool joins = false;  // an earlier weighted choice may include `p`
   for (const Production* each : before) {
     const bool lot = !each->weight.empty();
     const bool alone = lot ? p.weight.empty() && constant_of(each->weight).value_or(0) > 0
@@ -43,7 +43,7 @@ const Production* what_hides(const Production& p, const std::vector<const Produc
 void warn_unreachable_rules(const System& system, const RuleBook& book, Diagnostics& diagnostics,
                             std::set<uint16_t>& reported) {
   for (const RuleSelection& symbol : book.symbols) {
-    std::vector<const Production*> before;  // those that are taken somewhere
+    std::vector<const Production*> before;  // reachable rules
     for (uint32_t r = symbol.first; r < symbol.end; ++r) {
       const Production& p = system.productions[book.rules[r]];
       const Production* hides = what_hides(p, before);

@@ -124,7 +124,7 @@ TEST(Splits, WhatDoesNotFitIsTold) {
       << inner.said;
   EXPECT_EQ(inner.where.line, 4);
   EXPECT_EQ(inner.where.column, 7);
-  EXPECT_NE(facade_of("axiom A\n A -> inset(7m, window)").said.find("leave nothing of 12m x 9m"),
+  EXPECT_NE(facade_of("axiom A\n A -> inset(7m, window)").said.find("leave no space of 12m x 9m"),
             std::string::npos);
   EXPECT_NE(facade_of("axiom A\n A -> grid(window, columns: 3, rows: 1, size: 5m)")
                 .said.find("3 columns do not fit into 12m"),

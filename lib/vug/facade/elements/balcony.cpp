@@ -19,11 +19,11 @@ struct Balcony {
   double bar = 0.025;
 
   static void describe(Schema<Balcony>& s) {
-    s.doc("A slab before the foot of its rectangle, with brackets and a railing of bars.")
-        .param("projection", &Balcony::projection, positive_length("how far the slab stands out"))
-        .param("slab", &Balcony::slab, positive_length("its thickness"))
-        .param("rail", &Balcony::rail, positive_length("height of the railing above it"))
-        .param("spacing", &Balcony::spacing, positive_length("from bar to bar"))
+    s.doc("A slab in front of the foot of its rectangle, with brackets and a railing of bars.")
+        .param("projection", &Balcony::projection, positive_length("projection of the slab"))
+        .param("slab", &Balcony::slab, positive_length("thickness of the slab"))
+        .param("rail", &Balcony::rail, positive_length("height of the railing above the slab"))
+        .param("spacing", &Balcony::spacing, positive_length("distance between bars"))
         .param("bar", &Balcony::bar, positive_length("thickness of the bars"));
   }
 
@@ -31,7 +31,7 @@ struct Balcony {
     Solids out;
     const double front = projection - 0.05, count = std::floor(width / spacing);
     if (count > 2000)
-      throw Error(ErrorCode::too_large, fmt::format("a railing would have {:.3g} bars", count));
+      throw Error(ErrorCode::too_large, fmt::format("too many bars of a railing: {:.3g}", count));
     out.add.push_back(moulding({{-0.1, -slab},
                                 {0.9 * projection, -slab},
                                 {projection, -0.6 * slab},

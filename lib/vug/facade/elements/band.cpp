@@ -11,12 +11,14 @@ struct Band {
   double rounding = 0.01;
 
   static void describe(Schema<Band>& s) {
-    s.doc("A straight ledge as high as its rectangle: a string course, a step, a lintel, a sill.")
-        .param("projection", &Band::projection, positive_length("how far it stands out"))
+    s.doc(
+         "A straight ledge of the height of its rectangle: a string course, a step, a lintel, a "
+         "sill.")
+        .param("projection", &Band::projection, positive_length("projection of the ledge"))
         .param("past", &Band::past,
-               {.doc = "how far it goes past both ends", .dimension = Dimension::length, .min = 0})
+               {.doc = "overhang at both ends", .dimension = Dimension::length, .min = 0})
         .param("rounding", &Band::rounding,
-               {.doc = "radius of its edges", .dimension = Dimension::length, .min = 0});
+               {.doc = "radius of the edges", .dimension = Dimension::length, .min = 0});
   }
 
   Solids solids(double width, double height) const {

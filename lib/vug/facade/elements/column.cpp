@@ -1,5 +1,5 @@
-// A shaft that swells and narrows (entasis), between base and capital. Measures are shares of the
-// diameter, as in the orders.
+// A column: a shaft with entasis between base and capital. Proportions are relative to the
+// diameter, as in the classical orders.
 #include <vug/base/maths.h>
 #include <vug/facade/blocks.h>
 #include <vug/facade/outline.h>
@@ -24,26 +24,26 @@ struct Column {
   double set_back = 0;
 
   static void describe(Schema<Column>& s) {
-    s.doc("A round column in the middle of its rectangle, over its whole height.")
+    s.doc("A round column in the middle of its rectangle, over the whole height.")
         .param("diameter", &Column::diameter,
-               {.doc = "at the foot of the shaft; 0: two thirds of the width",
+               {.doc = "diameter at the foot of the shaft; 0: two thirds of the width",
                 .dimension = Dimension::length,
                 .min = 0})
         .choice("order", &Column::order,
                 {{"plain", Order::plain}, {"doric", Order::doric}, {"ringed", Order::ringed}},
                 "plain: blocks at both ends; doric: a cushion under a block; ringed: three rings")
-        .param("base", &Column::base,
-               {.doc = "height, of the diameter; 0: none", .min = 0, .max = 3})
+        .param("base", &Column::base, {.doc = "height in diameters; 0: none", .min = 0, .max = 3})
         .param("capital", &Column::capital,
-               {.doc = "height, of the diameter; 0: none", .min = 0, .max = 3})
+               {.doc = "height in diameters; 0: none", .min = 0, .max = 3})
         .param("taper", &Column::taper,
-               {.doc = "share by which it is thinner at its top", .min = 0, .max = 0.6})
-        .param("flutes", &Column::flutes, {.doc = "hollows around the shaft", .min = 0, .max = 64})
+               {.doc = "relative reduction of the diameter at the top", .min = 0, .max = 0.6})
+        .param("flutes", &Column::flutes,
+               {.doc = "number of flutes around the shaft", .min = 0, .max = 64})
         .param("set_back", &Column::set_back,
-               any_length("how far its axis stands behind the face; below 0: before it"));
+               any_length("distance of the axis behind the face; negative: in front of it"));
   }
 
-  /// Radius of the shaft at a share of its height: straight for a third, then a curve.
+  /// Radius of the shaft at a fraction of its height: constant for a third, then curved.
   double radius(double at, double foot) const {
     const double t = std::max(0.0, (at - 0.25) / 0.75);
     return foot * (1 - taper * t * t * (1.6 - 0.6 * t));
@@ -64,7 +64,7 @@ struct Column {
     const double across = diameter > 0 ? diameter : width * 2 / 3;
     const double foot = across / 2, low = base * across, high = height - capital * across;
     if (!(high - low > 0.2 * across))
-      throw Error(ErrorCode::bad_input, "the base and the capital leave nothing of the shaft");
+      throw Error(ErrorCode::bad_input, "the base and the capital leave no space for the shaft");
     const double top = radius(1, foot), plinth = low / 2;
     std::vector<field::Field> parts;
     const auto square = [&](double half, double from, double to) {

@@ -22,16 +22,18 @@ struct Cornice {
     s.doc(
          "A moulding along the wall as high as its rectangle: a hollow, a drip and a wave above "
          "it.")
-        .param("projection", &Cornice::projection, length("how far it stands out; 0: its height"))
-        .param("dentils", &Cornice::dentils, length("distance of the teeth below it; 0: none"))
-        .param("past", &Cornice::past, length("how far it goes past both ends"));
+        .param("projection", &Cornice::projection,
+               length("projection of the cornice; 0: its height"))
+        .param("dentils", &Cornice::dentils,
+               length("distance between the dentils below it; 0: none"))
+        .param("past", &Cornice::past, length("overhang at both ends"));
   }
 
   Solids solids(double width, double height) const {
     const double out_most = projection > 0 ? projection : height;
     const double h = height, p = out_most;
     Outline outline{{-0.1, 0}, {0.12 * p, 0}, {0.12 * p, 0.3 * h}};
-    // A quarter hollow up to the drip, then a wave.
+    // A quarter-circle cove up to the drip, then an S-curve.
     for (int i = 1; i <= 6; ++i) {
       const double t = i / 6.0 * kPi / 2;
       outline.push_back({(0.12 + 0.5 * (1 - maths::cos(t))) * p, (0.3 + 0.22 * maths::sin(t)) * h});
@@ -50,7 +52,7 @@ struct Cornice {
       const double count = std::floor(width / dentils);
       if (count > 5000)
         throw Error(ErrorCode::too_large,
-                    fmt::format("a cornice would have {:.3g} dentils", count));
+                    fmt::format("too many dentils of a cornice: {:.3g}", count));
       const double step = width / std::max(1.0, count);
       for (int i = 0; i < static_cast<int>(count); ++i)
         out.add.push_back(

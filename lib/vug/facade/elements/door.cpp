@@ -11,11 +11,12 @@ struct Door : Opening {
   int panels = 3;
 
   static void describe(Schema<Door>& s) {
-    s.doc("A door: a hole with one leaf or two, each with sunk panels.")
+    s.doc("A door: a hole with one or more leaves, each with sunk panels.")
         .cite("ripperda2009")
-        .param("leaves", &Door::leaves, {.doc = "side by side", .min = 1, .max = 4})
+        .param("leaves", &Door::leaves,
+               {.doc = "number of leaves side by side", .min = 1, .max = 4})
         .param("panels", &Door::panels,
-               {.doc = "one above the other in a leaf", .min = 0, .max = 20});
+               {.doc = "number of panels one above the other in a leaf", .min = 0, .max = 20});
     describe_opening(s);
   }
   std::string fault() const { return opening_fault(); }

@@ -7,9 +7,9 @@ struct Doorway : Opening {
   double depth = 1.5;
 
   static void describe(Schema<Doorway>& s) {
-    s.doc("A way in without a leaf: a passage into the dark, of any depth.")
+    s.doc("An entrance without a leaf: a dark passage of any depth.")
         .cite("ripperda2009")
-        .param("depth", &Doorway::depth, positive_length("of the passage"));
+        .param("depth", &Doorway::depth, positive_length("depth of the passage"));
     describe_opening(s);
   }
   std::string fault() const { return opening_fault(); }

@@ -14,9 +14,10 @@ struct Niche : Opening {
   double plinth = 0;
 
   static void describe(Schema<Niche>& s) {
-    s.doc("A niche: half of a round shaft under a quarter of a ball, perhaps with a plinth in it.")
+    s.doc(
+         "A niche: half of a cylinder under a quarter of a sphere, optionally with a plinth in it.")
         .param("depth", &Niche::depth,
-               {.doc = "at its deepest; 0: half of the width",
+               {.doc = "maximum depth; 0: half of the width",
                 .dimension = Dimension::length,
                 .min = 0})
         .param("plinth", &Niche::plinth,
@@ -34,7 +35,7 @@ struct Niche : Opening {
     Solids out = edge.around(width, height, std::max(0.02, std::min(reveal, 0.04)));
     const double radius = width / 2, shaft = std::max(0.01, height - radius);
     const double deep = depth > 0 ? depth : radius;
-    // A shaft with a round end, pressed to the depth.
+    // A cylinder with a spherical end, scaled to the depth.
     const field::Field round = field::unite(
         {field::transformed(field::make("cylinder", {{"radius", radius}, {"height", shaft}}),
                             Transform::translation({radius, shaft / 2, 0})),

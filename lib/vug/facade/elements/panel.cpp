@@ -12,18 +12,18 @@ struct Panel {
   Head head = Head::flat;
 
   static void describe(Schema<Panel>& s) {
-    s.doc("A sunk field within a margin, or a raised one where the depth is below 0.")
-        .param("depth", &Panel::depth, any_length("of the field behind the face"))
+    s.doc("A sunk field within a margin, or a raised one if the depth is negative.")
+        .param("depth", &Panel::depth, any_length("depth of the field behind the face"))
         .param("margin", &Panel::margin,
-               {.doc = "around the field", .dimension = Dimension::length, .min = 0})
+               {.doc = "margin around the field", .dimension = Dimension::length, .min = 0})
         .choice("head", &Panel::head,
                 {{"flat", Head::flat},
                  {"segmental", Head::segmental},
                  {"round", Head::round},
                  {"pointed", Head::pointed}},
-                "how the field ends above");
+                "shape of the field's top");
   }
-  std::string fault() const { return depth == 0 ? "a panel's depth is not 0" : ""; }
+  std::string fault() const { return depth == 0 ? "the depth of a panel must not be 0" : ""; }
 
   Solids solids(double width, double height) const {
     Solids out;

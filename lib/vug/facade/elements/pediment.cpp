@@ -13,16 +13,15 @@ struct Pediment {
   double border = 0.2;
 
   static void describe(Schema<Pediment>& s) {
-    s.doc("A gable as wide and high as its rectangle: a flat field within a moulding.")
-        .param("projection", &Pediment::projection,
-               positive_length("how far the moulding stands out"))
-        .param("border", &Pediment::border, positive_length("its width"));
+    s.doc("A gable of the size of its rectangle: a flat field within a moulding.")
+        .param("projection", &Pediment::projection, positive_length("projection of the moulding"))
+        .param("border", &Pediment::border, positive_length("width of the moulding"));
   }
 
   Solids solids(double width, double height) const {
     const double edge = std::min({border, width / 5, height / 3});
     const auto gable = [&](double inset, double back, double front) {
-      // Inside by `inset` on all three sides.
+      // Inset on all three sides.
       const double slope = height / (width / 2), along = std::sqrt(1 + slope * slope);
       const double up = inset * along, side = inset * (1 + along) / slope;
       return extruded({{side, inset}, {width - side, inset}, {width / 2, height - up}}, back,

@@ -15,15 +15,15 @@ struct Pilaster {
     const auto length = [](std::string doc) {
       return ParamSpec{.doc = std::move(doc), .dimension = Dimension::length, .min = 0};
     };
-    s.doc("A flat pier before the wall, as wide as its rectangle.")
-        .param("relief", &Pilaster::relief, positive_length("how far it stands out"))
-        .param("base", &Pilaster::base, length("height of its base; 0: none"))
-        .param("capital", &Pilaster::capital, length("height of its capital; 0: none"));
+    s.doc("A flat pier in front of the wall, of the width of its rectangle.")
+        .param("relief", &Pilaster::relief, positive_length("projection of the pier"))
+        .param("base", &Pilaster::base, length("height of the base; 0: none"))
+        .param("capital", &Pilaster::capital, length("height of the capital; 0: none"));
   }
 
   Solids solids(double width, double height) const {
     if (!(base + capital < height))
-      throw Error(ErrorCode::bad_input, "the base and the capital leave nothing of the pilaster");
+      throw Error(ErrorCode::bad_input, "the base and the capital leave no space for the pilaster");
     Solids out;
     const double past = std::min(0.06, 0.15 * width), back = -0.1;
     out.add.push_back(block({past, 0, width - 2 * past, height}, back, relief));

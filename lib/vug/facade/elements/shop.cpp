@@ -20,8 +20,10 @@ struct Shop : Opening {
                 .dimension = Dimension::length,
                 .min = 0})
         .param("sign", &Shop::sign,
-               {.doc = "height of the board above them", .dimension = Dimension::length, .min = 0})
-        .param("bays", &Shop::bays, {.doc = "panes side by side", .min = 1, .max = 100});
+               {.doc = "height of the sign board above the panes",
+                .dimension = Dimension::length,
+                .min = 0})
+        .param("bays", &Shop::bays, {.doc = "number of panes side by side", .min = 1, .max = 100});
     describe_opening(s);
   }
   std::string fault() const { return opening_fault(); }

@@ -13,14 +13,15 @@ struct Stairs {
   double riser = 0.16;
 
   static void describe(Schema<Stairs>& s) {
-    s.doc("Steps before the wall that rise to it, as wide and high as their rectangle.")
+    s.doc("Steps in front of the wall that rise to it, of the size of their rectangle.")
         .param("going", &Stairs::going, positive_length("depth of a step"))
-        .param("riser", &Stairs::riser, positive_length("height of a step, about"));
+        .param("riser", &Stairs::riser, positive_length("approximate height of a step"));
   }
 
   Solids solids(double width, double height) const {
     const double steps = std::max(1.0, std::round(height / riser));
-    if (steps > 2000) throw Error(ErrorCode::too_large, fmt::format("{:.3g} steps", steps));
+    if (steps > 2000)
+      throw Error(ErrorCode::too_large, fmt::format("too many steps of stairs: {:.3g}", steps));
     Solids out;
     for (int i = 0; i < static_cast<int>(steps); ++i) {
       const double front = (steps - i) * going, top = (i + 1) * height / steps;

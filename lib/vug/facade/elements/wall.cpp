@@ -22,8 +22,8 @@ struct Wall {
     const auto length = [](std::string doc) {
       return ParamSpec{.doc = std::move(doc), .dimension = Dimension::length, .min = 0};
     };
-    s.doc("Plain wall, raised or sunk, perhaps with joints between courses of blocks.")
-        .param("relief", &Wall::relief, any_length("how far it stands out; below 0: it is sunk"))
+    s.doc("Plain wall, raised or sunk, optionally with joints between courses of blocks.")
+        .param("relief", &Wall::relief, any_length("projection of the surface; negative: sunk"))
         .param("course", &Wall::course, length("height of a course of blocks; 0: no joints"))
         .param("block", &Wall::block_length,
                length("length of a block; 0: joints between courses only"))
@@ -42,7 +42,7 @@ struct Wall {
           block_length > 0 ? std::max(1, static_cast<int>(std::lround(width / block_length))) : 0;
       if (static_cast<double>(courses) * (blocks + 1.0) > kMostJoints)
         throw Error(ErrorCode::too_large,
-                    fmt::format("a wall would have {:.3g} joints", courses * (blocks + 1.0)));
+                    fmt::format("too many joints of a wall: {:.3g}", courses * (blocks + 1.0)));
       const double tall = height / courses, deep = std::max(relief, 0.0) - joint_depth;
       const double front = std::max(relief, 0.0) + kCutMargin;
       for (int i = 0; i < courses; ++i) {

@@ -14,7 +14,8 @@ struct Window : Opening {
   static void describe(Schema<Window>& s) {
     s.doc(
          "A window: a hole with a sash, its bars and a sheet of glass; sill, lintel and moulding "
-         "where they have a measure.")
+         "if "
+         "their size is above 0.")
         .cite("ripperda2009")
         .param("sash", &Window::sash,
                {.doc = "width of the frame of the sash; 0: an empty hole",
@@ -25,7 +26,7 @@ struct Window : Opening {
     describe_opening(s);
   }
   std::string fault() const {
-    if (panes.size() != 2) return "'panes' are two numbers: columns and rows";
+    if (panes.size() != 2) return "'panes' must be two numbers: columns and rows";
     return opening_fault();
   }
 
@@ -35,20 +36,20 @@ struct Window : Opening {
     const double front = reveal, back = reveal + 0.06,
                  edge = std::min({sash, width / 4, height / 4});
     std::vector<field::Field> holes;
-    // Where bars would leave nothing of the panes there are fewer.
+    // Fewer panes if the bars would leave no space for them.
     const auto fitting = [&](int count, double room) {
       return std::clamp(static_cast<int>((room + bar) / (2 * bar)), 1, count);
     };
     const int across = fitting(panes[0], width - 2 * edge);
     const int up = fitting(panes[1], height - 2 * edge);
-    // Bars stand in the whole height of the hole; its head cuts them.
+    // Bars extend over the whole height of the hole and are cut by its head.
     const double pane_width = (width - 2 * edge - (across - 1) * bar) / across;
     const double pane_height = (height - 2 * edge - (up - 1) * bar) / up;
     for (int i = 0; i < across; ++i)
       for (int j = 0; j < up; ++j) {
         const Rect pane{edge + i * (pane_width + bar), edge + j * (pane_height + bar), pane_width,
                         pane_height};
-        // Panes under the head end as it does, an edge further in.
+        // Panes below the head have its shape, inset by the edge.
         holes.push_back(j + 1 == up && up == 1 && across == 1
                             ? arched_block(pane, head, rise, -back - 1, -front + 1)
                             : block(pane, -back - 1, -front + 1));

@@ -12,15 +12,15 @@ struct Carve : FacadeParams {
   double margin = 0;
 
   static void describe(Schema<Carve>& s) {
-    s.doc("A solid with a facade cut into it and what stands out added to it: a temple in a cliff.")
-        .param("field", &Carve::field, {.doc = "what is carved", .required = true});
+    s.doc("A solid with a carved facade, including its projecting parts: a temple in a cliff.")
+        .param("field", &Carve::field, {.doc = "the solid to be carved", .required = true});
     describe_facade(s);
     s.param("clear", &Carve::clear,
-            {.doc = "how far before the facade's plane the solid is cut away first",
+            {.doc = "depth in front of the facade's plane in which the solid is removed first",
              .dimension = Dimension::length,
              .min = 0})
         .param("margin", &Carve::margin,
-               {.doc = "how far that goes past its sides and above it",
+               {.doc = "extent of that removal beyond the facade's sides and top",
                 .dimension = Dimension::length,
                 .min = 0});
     describe_frame(s);

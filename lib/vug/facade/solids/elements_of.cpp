@@ -13,14 +13,15 @@ struct ElementsOf : FacadeParams {
 
   static void describe(Schema<ElementsOf>& s) {
     s.doc(
-        "Boxes around a facade's elements of some kinds, for masks and for counting: a material "
-        "of its own for windows is near(elements_of(front, \"window\"), from: 1cm).");
+        "Boxes around a facade's elements of given kinds, for masks and counts: a separate "
+        "material "
+        "for windows is near(elements_of(front, \"window\"), from: 1cm).");
     describe_facade(s);
     s.param("kinds", &ElementsOf::kinds,
             {.doc = "names of kinds, or of lets that the rules use, in quotes", .required = true})
         .param("behind", &ElementsOf::behind,
-               positive_length("how far behind its plane a box goes"))
-        .param("before", &ElementsOf::before, positive_length("how far before it"));
+               positive_length("extent of a box behind the element's plane"))
+        .param("before", &ElementsOf::before, positive_length("extent of a box in front of it"));
     describe_frame(s);
   }
   std::string fault() const {
@@ -31,7 +32,7 @@ struct ElementsOf : FacadeParams {
     return "";
   }
   bool has(const std::string& kind) const {
-    if (find_kind(elements(), kind)) return true;  // another seed may well bring one
+    if (find_kind(elements(), kind)) return true;  // may occur with another seed
     const FacadeInstance facade_here = placed();
     for (const Node& node : facade_here.tree->nodes)
       if (node.element && node.symbol == kind) return true;

@@ -7,7 +7,7 @@ namespace {
 struct Infill : FacadeParams {
   static void describe(Schema<Infill>& s) {
     s.doc(
-        "What fills a facade's openings and is of other matter than its wall: panes, leaves of "
+        "The infill of a facade's openings, of other materials than its wall: panes, leaves of "
         "doors, railings.");
     describe_facade(s);
     describe_frame(s);

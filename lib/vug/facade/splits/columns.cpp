@@ -7,9 +7,9 @@ struct Columns {
   std::vector<SizeOrPart> parts;
 
   static void describe(Schema<Columns>& s) {
-    s.doc(std::string("One part beside the other, the first on the left. ") + kSizesDoc)
+    s.doc(std::string("Parts side by side, the first on the left. ") + kSizesDoc)
         .cite("ripperda2009")
-        .param("parts", &Columns::parts, {.doc = "sizes and parts by turns", .required = true});
+        .param("parts", &Columns::parts, {.doc = "alternating sizes and parts", .required = true});
   }
   std::string fault() const { return fault_of(parts); }
 

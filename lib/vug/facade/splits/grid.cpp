@@ -1,6 +1,5 @@
-// Cells in columns and rows, with margins around and gaps between. Of the four grids of
-// ripperda2009 a regular one has one distance from cell to cell, an identical one has cells that
-// are all alike.
+// Cells in columns and rows with margins and gaps. Of the four grids of ripperda2009, a regular
+// grid has equal distances between cells, and an identical grid has identical cells.
 #include <vug/facade/sequence.h>
 
 #include <fmt/format.h>
@@ -12,13 +11,13 @@
 namespace vug::facade {
 namespace {
 
-/// Metres from column to column, and from storey to storey, that are usual.
+/// Default distances between columns and between storeys, metres.
 constexpr double kUsual[] = {2.5, 3};
 
 /// Cells along one axis.
 struct Line {
-  std::vector<double> at;  ///< Where they begin.
-  double size = 0;         ///< Of each.
+  std::vector<double> at;  ///< Start positions.
+  double size = 0;         ///< Size of each cell.
 };
 
 struct Grid {
@@ -31,45 +30,46 @@ struct Grid {
 
   static void describe(Schema<Grid>& s) {
     s.doc(
-         "Cells in columns and rows: grid(Bay, columns: 5, rows: 3, gap: 60cm). Counts that "
-         "neither "
-         "'columns', 'rows' nor 'spacing' give are free, and so are then sizes and margins.")
+         "Cells in columns and rows: grid(Bay, columns: 5, rows: 3, gap: 60cm). Counts that are "
+         "not given by 'columns', 'rows' or 'spacing' are free, and then sizes and margins, too.")
         .cite("ripperda2009")
-        .param("cell", &Grid::cell, {.doc = "what stands in the cells", .required = true})
+        .param("cell", &Grid::cell, {.doc = "the part in the cells", .required = true})
         .param("door", &Grid::door,
-               {.doc = "what stands in one cell of the lowest row, down to the ground"})
-        .param("columns", &Grid::columns, {.doc = "how many", .min = 1, .max = 1000})
-        .param("rows", &Grid::rows, {.doc = "how many", .min = 1, .max = 1000})
-        .param("at", &Grid::at, {.doc = "the door's column, from 0; else it is free", .min = 0})
-        .param("size", &Grid::size, {.doc = "width and height of a cell, or one for both"})
+               {.doc = "a part in one cell of the lowest row, extended to the ground"})
+        .param("columns", &Grid::columns, {.doc = "number of them", .min = 1, .max = 1000})
+        .param("rows", &Grid::rows, {.doc = "number of them", .min = 1, .max = 1000})
+        .param("at", &Grid::at, {.doc = "0-based column of the door; default: free", .min = 0})
+        .param("size", &Grid::size, {.doc = "width and height of a cell, or one number for both"})
         .param("spacing", &Grid::spacing,
-               {.doc = "from cell to cell in x and y, or one for both: as many as fit, stretched"})
+               {.doc = "distance between cells in x and y, or one number for both: as many as fit, "
+                       "stretched"})
         .param(
             "margin", &Grid::margin,
-            {.doc = "on the left, right, below and above; two: at the sides, below and above; or "
-                    "one for all"})
-        .param("gap", &Grid::gap, {.doc = "between cells in x and y, or one for both"})
+            {.doc =
+                 "left, right, below and above; or two numbers: at the sides, below and above; or "
+                 "one number for all"})
+        .param("gap", &Grid::gap, {.doc = "gap between cells in x and y, or one number for both"})
         .param("regular", &Grid::regular,
-               {.doc = "one distance from cell to cell; else these are free"})
-        .param("identical", &Grid::identical, {.doc = "all cells are alike, derived once"});
+               {.doc = "true: equal distances between cells; false: free distances"})
+        .param("identical", &Grid::identical, {.doc = "all cells are identical and derived once"});
   }
   std::string fault() const {
     const auto pair = [](const std::vector<Size>& list) { return list.size() <= 2; };
     if (!pair(size) || !pair(spacing) || !pair(gap))
-      return "'size', 'spacing' and 'gap' are one number or two";
-    if (margin.size() == 3 || margin.size() > 4) return "'margin' is one number, two or four";
-    if (!size.empty() && !gap.empty()) return "give a size or gaps, not both";
+      return "'size', 'spacing' and 'gap' must be one or two numbers";
+    if (margin.size() == 3 || margin.size() > 4) return "'margin' must be one, two or four numbers";
+    if (!size.empty() && !gap.empty()) return "'size' and 'gap' cannot be combined";
     for (const auto* list : {&size, &spacing})
       for (const Size& one : *list)
-        if (!(one.number.value > 0)) return "sizes and spacings are above 0";
+        if (!(one.number.value > 0)) return "sizes and spacings must be above 0";
     for (const auto* list : {&margin, &gap})
       for (const Size& one : *list)
-        if (!(one.number.value >= 0)) return "margins and gaps are 0 or more";
-    if (at && !door) return "'at' is the door's column, and there is no door";
+        if (!(one.number.value >= 0)) return "margins and gaps must be 0 or more";
+    if (at && !door) return "'at' is the door's column, but no door is given";
     return "";
   }
 
-  /// The number for one axis (0 or 1) of a list; nothing without one.
+  /// The element of a list for one axis (0 or 1), or nothing.
   static std::optional<double> given(const std::vector<Size>& list, size_t axis, double extent) {
     if (list.empty()) return std::nullopt;
     return resolve_size(list[std::min(axis, list.size() - 1)].number, extent);
@@ -109,8 +109,8 @@ struct Grid {
       throw Error(ErrorCode::bad_input,
                   fmt::format("{} {} do not fit into {}", n, axis == 0 ? "columns" : "rows",
                               quantity_text(inner, Dimension::length)));
-    // With a size of their own, cells stand in the middle of even strips when they have a spacing
-    // or a count, from margin to margin when they have margins or are free.
+    // Cells with a given size are centred in equal strips if they have a spacing or a count, and
+    // extend from margin to margin if they have margins or are free.
     const double left_over = inner - n * width;
     const bool justified = !cell_size || open || !margin.empty();
     const double gaps = justified ? n - 1 : n;
@@ -134,7 +134,7 @@ struct Grid {
     return out;
   }
 
-  /// Names of free numbers along an axis.
+  /// Names of the free numbers along an axis.
   struct Names {
     const char *count, *start, *size, *pitch;
   };
@@ -143,19 +143,19 @@ struct Grid {
     return all[axis];
   }
 
-  /// What is left between two cells of that distance. InfeasiblePlan where they would overlap.
+  /// The gap between two cells at that distance. Throws InfeasiblePlan if they would overlap.
   static double gap_of(double pitch, double width, size_t axis) {
     if (pitch < width * (1 - 1e-9))
       throw InfeasiblePlan(Reason::does_not_fit, names(axis).pitch,
                            fmt::format("cells of {} overlap at a distance of {}",
                                        quantity_text(width, Dimension::length),
                                        quantity_text(pitch, Dimension::length)),
-                           fmt::format("make '{}' less", names(axis).size));
+                           fmt::format("reduce '{}'", names(axis).size));
     return std::max(0.0, pitch - width);
   }
 
-  /// Where neither counts nor spacings are given: a model says where the first cell begins, how
-  /// large cells are and how far it is from one to the next, unless margins, sizes or gaps do.
+  /// The layout without given counts and spacings: a model specifies the start of the first cell,
+  /// the size of cells and the distances between them, unless margins, sizes or gaps are given.
   Line told_line(size_t axis, double extent, int n, FreeNumbers& free) const {
     const Names& name = names(axis);
     const double before = margin_of(2 * axis, extent), behind = margin_of(2 * axis + 1, extent);
@@ -185,7 +185,7 @@ struct Grid {
     } else {
       const double room = extent - width;
       const bool placed = free.is_fixed(name.start), spaced = free.is_fixed(name.pitch);
-      // Unless told, as much is left before the first cell as behind the last.
+      // By default the spaces before the first cell and after the last one are equal.
       if (!spaced || placed)
         start = free.length(name.start, 0, room - (n - 1) * width, 0.5 * (even - width));
       if (n > 1) {
@@ -210,8 +210,8 @@ struct Grid {
     return out;
   }
 
-  /// What the model stores: counts, the first cell's place, and the distances, of which a regular
-  /// grid has one for each axis.
+  /// The numbers stored in the model: counts, the position of the first cell, and the distances, of
+  /// which a regular grid has one per axis.
   Numbers numbers(const Line& x, const Line& y) const {
     Numbers out = {{"columns", static_cast<double>(x.at.size())},
                    {"rows", static_cast<double>(y.at.size())},
@@ -243,7 +243,7 @@ struct Grid {
     if (door && entrance >= across)
       throw Error(ErrorCode::bad_input,
                   fmt::format("the door's column is {} of {}", entrance, across), {},
-                  "the first column is 0");
+                  "columns are counted from 0");
     Layout out;
     out.numbers = numbers(x, y);
     const Rect way{x.at[entrance], 0, x.size, y.at[0] + y.size};

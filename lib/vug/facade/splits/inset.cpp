@@ -11,19 +11,19 @@ struct Inset {
 
   static void describe(Schema<Inset>& s) {
     s.doc(
-         "A part within margins: inset(30cm, Inner); of two sizes the first is that on the left "
-         "and right, the second that below and above; four are left, right, below, above.")
+         "A part within margins: inset(30cm, Inner). Of two sizes the first is for the left and "
+         "right, the second for below and above; four sizes are left, right, below, above.")
         .param("parts", &Inset::parts,
-               {.doc = "one, two or four sizes, then a part", .required = true})
-        .param("frame", &Inset::frame, {.doc = "the part that stands in each of the four margins"});
+               {.doc = "one, two or four sizes followed by a part", .required = true})
+        .param("frame", &Inset::frame, {.doc = "the part in each of the four margins"});
   }
   std::string fault() const {
     const size_t sizes = parts.size() - 1;
     if (!parts.back().is_part || (sizes != 1 && sizes != 2 && sizes != 4))
-      return "'inset' takes one, two or four sizes and then a part";
+      return "'inset' needs one, two or four sizes followed by a part";
     for (size_t i = 0; i < sizes; ++i) {
-      if (parts[i].is_part) return "'inset' has one part, behind the sizes";
-      if (!(parts[i].size.value >= 0)) return "a margin is 0 or more";
+      if (parts[i].is_part) return "'inset' needs a single part after the sizes";
+      if (!(parts[i].size.value >= 0)) return "a margin must be 0 or more";
     }
     return "";
   }
@@ -37,7 +37,7 @@ struct Inset {
     const double left = margin(0), right = margin(1), below = margin(2), above = margin(3);
     const Rect inner{left, below, width - left - right, height - below - above};
     if (!(inner.width > 0 && inner.height > 0))
-      throw Error(ErrorCode::bad_input, fmt::format("the margins leave nothing of {} x {}",
+      throw Error(ErrorCode::bad_input, fmt::format("the margins leave no space of {} x {}",
                                                     quantity_text(width, Dimension::length),
                                                     quantity_text(height, Dimension::length)));
     Layout out;

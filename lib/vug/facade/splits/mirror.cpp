@@ -8,17 +8,17 @@ struct Mirror {
 
   static void describe(Schema<Mirror>& s) {
     s.doc(
-         "A side and its mirror image, which is modelled once; between both perhaps a middle: "
+         "A side and its mirror image, derived once, with an optional middle between both: "
          "mirror(Side), mirror(Side, 3m, Middle), mirror(2m, Side, Middle). Without any size the "
-         "middle's is free.")
+         "width of the middle is free.")
         .cite("ripperda2009")
         .param("parts", &Mirror::parts,
-               {.doc = "the side and the middle, each with its size before it", .required = true});
+               {.doc = "the side and the middle, each preceded by its size", .required = true});
   }
   std::string fault() const {
     std::string fault;
     const size_t count = sized_parts(parts, fault).size();
-    if (fault.empty() && count > 2) fault = "'mirror' has a side and at most a middle";
+    if (fault.empty() && count > 2) fault = "'mirror' needs a side and at most one middle";
     return fault;
   }
 

@@ -8,14 +8,14 @@ struct Project {
   PartRef part;
 
   static void describe(Schema<Project>& s) {
-    s.doc("A part whose plane stands before the wall's: project(40cm, Middle).")
+    s.doc("A part whose plane lies in front of the wall's plane: project(40cm, Middle).")
         .param("depth", &Project::depth,
-               {.doc = "between both planes",
+               {.doc = "distance between both planes",
                 .dimension = Dimension::length,
                 .min = 0,
                 .above_min = true,
                 .required = true})
-        .param("part", &Project::part, {.doc = "what lies there", .required = true});
+        .param("part", &Project::part, {.doc = "the part in that plane", .required = true});
   }
 
   Layout layout(double width, double height, FreeNumbers&) const {

@@ -10,16 +10,17 @@ struct Recess {
 
   static void describe(Schema<Recess>& s) {
     s.doc(
-         "A part whose plane lies behind the wall's: recess(2m, Back), perhaps with another that "
-         "stands before it in the wall's plane: recess(2m, Back, front: Columns).")
+         "A part whose plane lies behind the wall's plane: recess(2m, Back), optionally with "
+         "another "
+         "part in front of it in the wall's plane: recess(2m, Back, front: Columns).")
         .param("depth", &Recess::depth,
-               {.doc = "between both planes",
+               {.doc = "distance between both planes",
                 .dimension = Dimension::length,
                 .min = 0,
                 .above_min = true,
                 .required = true})
-        .param("part", &Recess::part, {.doc = "what lies there", .required = true})
-        .param("front", &Recess::front, {.doc = "what stands in the wall's plane before it"});
+        .param("part", &Recess::part, {.doc = "the part in that plane", .required = true})
+        .param("front", &Recess::front, {.doc = "the part in front of it in the wall's plane"});
   }
 
   Layout layout(double width, double height, FreeNumbers&) const {

@@ -20,26 +20,27 @@ struct Repeat {
 
   static void describe(Schema<Repeat>& s) {
     s.doc(
-         "One part again and again: repeat(x, 2.4m, Bay) as often as it fits, stretched to fill, "
-         "or repeat(x, Bay, count: 5). Without both the count is free.")
+         "A repeated part: repeat(x, 2.4m, Bay) as often as it fits, stretched to fill the extent, "
+         "or repeat(x, Bay, count: 5). Without a size and a count, the count is free.")
         .cite("ripperda2009")
         .choice("axis", &Repeat::axis, {{"x", Axis::x}, {"y", Axis::y}},
                 "x: side by side, y: one above the other")
         .param("parts", &Repeat::parts,
-               {.doc = "the part, before it perhaps its size", .required = true})
-        .param("count", &Repeat::count, {.doc = "how many", .min = 1, .max = 10000})
+               {.doc = "the part, optionally preceded by its size", .required = true})
+        .param("count", &Repeat::count, {.doc = "number of repetitions", .min = 1, .max = 10000})
         .param("gap", &Repeat::gap,
-               {.doc = "between two of them", .dimension = Dimension::length, .min = 0})
-        .param("alike", &Repeat::alike, {.doc = "all are one and the same, derived once"})
-        .param("even", &Repeat::even, {.doc = "all have one size; else these are free"});
+               {.doc = "gap between two repetitions", .dimension = Dimension::length, .min = 0})
+        .param("alike", &Repeat::alike, {.doc = "all repetitions are identical and derived once"})
+        .param("even", &Repeat::even, {.doc = "true: equal sizes; false: free sizes"});
   }
   std::string fault() const {
     std::string fault;
     const std::vector<SizedPart> all = sized_parts(parts, fault);
     if (!fault.empty()) return fault;
-    if (all.size() > 1) return "'repeat' has one part";
-    if (all[0].size && count) return "give a size or a count, not both";
-    if (!even && alike && count.value_or(2) > 1) return "what is alike has one size: even is false";
+    if (all.size() > 1) return "'repeat' takes a single part";
+    if (all[0].size && count) return "a size and a count cannot be combined";
+    if (!even && alike && count.value_or(2) > 1)
+      return "identical repetitions have the same size: 'alike' requires 'even'";
     return "";
   }
 

@@ -7,9 +7,9 @@ struct Rows {
   std::vector<SizeOrPart> parts;
 
   static void describe(Schema<Rows>& s) {
-    s.doc(std::string("One part above the other, the first at the bottom. ") + kSizesDoc)
+    s.doc(std::string("Parts one above the other, the first at the bottom. ") + kSizesDoc)
         .cite("ripperda2009")
-        .param("parts", &Rows::parts, {.doc = "sizes and parts by turns", .required = true});
+        .param("parts", &Rows::parts, {.doc = "alternating sizes and parts", .required = true});
   }
   std::string fault() const { return fault_of(parts); }
 
