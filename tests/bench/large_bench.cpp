@@ -46,7 +46,7 @@ field::Field solid() {
     const double u = random.uniform(-1, 1), v = random.uniform(-1, 1);
     const Transform turn = Transform::rotation({u, v, 0.5}, random.uniform(0, 6));
     const field::Field& kind =
-        kinds[random.mesh_without_cells(static_cast<uint32_t>(kinds.size()))];
+        kinds[random.below(static_cast<uint32_t>(kinds.size()))];
     all.push_back(field::transformed(kind, Transform::translation({x, y, z}) * turn));
   }
   field::Displacement rough;

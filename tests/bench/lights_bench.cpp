@@ -73,7 +73,7 @@ Choice choose(const LightSet& set, LightId count, bool tree) {
     double sum = 0, squares = 0;
     const double start = seconds();
     for (int i = 0; i < kDraws; ++i) {
-      LightChoice c{random.mesh_without_cells(count), 1 / static_cast<float>(count)};
+      LightChoice c{random.below(count), 1 / static_cast<float>(count)};
       if (tree) {
         LightSelection selection;
         const LightChoices chosen = set.choose(point, one(), selection);
