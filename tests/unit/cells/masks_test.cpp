@@ -81,7 +81,7 @@ TEST(Masks, SeeWhichCellsAreTransparent) {
   states[3] = CellState::transparent;
   s.set_states(states);
   const paint::Mask gone = as_mask(mask("value", {{"name", "transparent"}}));
-  for (uint32_t i = 0; i < n->size(); ++i) ASSERT_EQ(s.ask(gone, i), i == 3 ? 1 : 0);
+  for (uint32_t i = 0; i < n->size(); ++i) ASSERT_EQ(s.evaluate(gone, i), i == 3 ? 1 : 0);
 }
 
 }  // namespace

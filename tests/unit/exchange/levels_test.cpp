@@ -60,9 +60,9 @@ TEST(Levels, HaveFewerTrianglesAndTheirDistance) {
   }
   // 320 triangles for a ball of 1 m: edges of about a quarter of a metre.
   EXPECT_LT(last, 0.05);
-  EXPECT_EQ(at_level(all, 2).parts[0].mesh, levels[1].mesh);
-  EXPECT_EQ(at_level(all, 9).parts[0].mesh, levels[2].mesh);
-  EXPECT_EQ(at_level(sample(), 1).parts[0].mesh->triangles.size(), 12u);
+  EXPECT_EQ(at_level(all, 2).prototypes[0].mesh, levels[1].mesh);
+  EXPECT_EQ(at_level(all, 9).prototypes[0].mesh, levels[2].mesh);
+  EXPECT_EQ(at_level(sample(), 1).prototypes[0].mesh->triangles.size(), 12u);
 }
 
 TEST(Levels, StopAtTheSmallestSolid) {
