@@ -90,11 +90,11 @@ class Divider {
 
   /// Adds one warning per symbol to which no rule applied.
   void warn_of_stuck(const FacadeDerivation& made) {
-    std::set<std::string> told;
+    std::set<std::string> reported;
     for (size_t i = 0; i < made.tree.nodes.size(); ++i) {
       const Node& node = made.tree.nodes[i];
       const std::string& head = made.derivation.nodes[i + 1].symbol.name;
-      if (!node.stuck || !told.insert(head).second) continue;
+      if (!node.stuck || !reported.insert(head).second) continue;
       SourceLocation where = rules_.where;
       for (const Rule& rule : rules_.rules)
         if (rule.head == head && where == rules_.where) where = rule.where;

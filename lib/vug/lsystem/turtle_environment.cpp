@@ -51,8 +51,8 @@ void TurtleEnvironment::answer(const System& system, Word& drawn) const {
   visit_poses(drawn, system.alphabet, options_, queries, [&](size_t at, const TurtlePose& pose) {
     const std::string& query = system.alphabet.name(drawn.symbol(at));
     const Answer given = answer_to(query, pose, field_);
-    const std::span<double> told = drawn.parameters(at);
-    std::copy_n(given.values.begin(), std::min(told.size(), given.count), told.begin());
+    const std::span<double> values = drawn.parameters(at);
+    std::copy_n(given.values.begin(), std::min(values.size(), given.count), values.begin());
   });
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using Vector = Value::Vector;
 
-/// Powers of metre, radian and second.
+/// Exponents of metre, radian and second.
 using Powers = std::array<int, 3>;
 
 Powers powers(Dimension dimension) {
@@ -68,7 +68,7 @@ Value power(Number a, Number b, const FaultSite& site) {
   if (a.value < 0 && b.value != std::floor(b.value))
     return site.fault("a negative number cannot be raised to a fractional power");
   if (a.value == 0 && b.value < 0) return site.fault("division by zero");
-  // Whole powers by multiplication: exact where the result is.
+  // Whole powers are computed by multiplication: exact if the result is representable.
   if (b.value == std::floor(b.value) && std::fabs(b.value) <= 64) {
     double result = 1;
     for (int i = 0; i < static_cast<int>(std::fabs(b.value)); ++i) result *= a.value;
@@ -200,7 +200,7 @@ std::optional<Value> compare(const std::string& op, const Value& a, const Value&
 
 Value vector_of(std::vector<Number> parts, const FaultSite& site) {
   for (size_t i = 1; i < parts.size(); ++i) {
-    // A dimension found late goes back to the bare parts before it.
+    // A dimension found later also applies to the plain numbers before it.
     for (size_t j = 0; j < i; ++j)
       if (!unify_dimensions(parts[j], parts[i], "a vector cannot mix", site)) return {};
   }

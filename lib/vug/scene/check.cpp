@@ -27,7 +27,7 @@ class NameChecker {
     std::vector<Global> all;
     for (const Param& one : document.params) all.push_back({"parameter", &one.name, &one.where});
     for (const Let& one : document.lets) all.push_back({"let", &one.name, &one.where});
-    // In the order of the text, so that it is the second that is blamed.
+    // In the order of the text, so that the second declaration is reported.
     std::map<std::string, size_t> rank;
     for (const auto& source : document.sources) rank.emplace(source->file, rank.size());
     std::stable_sort(all.begin(), all.end(), [&](const Global& a, const Global& b) {
@@ -43,10 +43,10 @@ class NameChecker {
       if (!declared("grammar", made.name, made.where)) document.skipped.doubtful.insert(made.name);
       const size_t before = diagnostics_.all().size();
       grammar(made);
-      const auto told = diagnostics_.all().begin() + static_cast<std::ptrdiff_t>(before);
-      made.broken = made.broken || std::any_of(told, diagnostics_.all().end(), [](const auto& one) {
-                      return one.severity == Severity::error;
-                    });
+      const auto reported = diagnostics_.all().begin() + static_cast<std::ptrdiff_t>(before);
+      made.broken = made.broken ||
+                    std::any_of(reported, diagnostics_.all().end(),
+                                [](const auto& one) { return one.severity == Severity::error; });
     }
   }
 
@@ -72,7 +72,7 @@ class NameChecker {
     const SourceLocation* where;
   };
 
-  /// Parameters and lets share one room of names.
+  /// Parameters and lets share one namespace.
   bool global(const char* what, const std::string& name, const SourceLocation& where) {
     if (!allowed(name, where)) return false;
     const auto [place, fresh] = globals_.emplace(name, where);
@@ -80,7 +80,7 @@ class NameChecker {
     return fresh;
   }
 
-  /// Declarations of one kind share one; and none may be hidden by a parameter or let.
+  /// Each kind of declarations has a namespace; a parameter or let must not hide a declaration.
   bool declared(const std::string& kind, const std::string& name, const SourceLocation& where) {
     if (!allowed(name, where)) return false;
     const auto [place, fresh] = declared_.emplace(kind + ' ' + name, where);
@@ -116,7 +116,7 @@ class NameChecker {
                                                        formal.name, rule.head));
     }
     for (const std::string& head : grammar.broken_rules) arities.erase(head);
-    if (grammar.kind == "facade") return;  // symbols stand among arguments, too: see facade/rules.h
+    if (grammar.kind == "facade") return;  // symbols may be arguments, too: see facade/rules.h
     items(grammar.axiom, arities);
     for (const Rule& rule : grammar.rules) items(rule.items, arities);
   }
@@ -146,7 +146,7 @@ class NameChecker {
   std::map<std::string, SourceLocation> declared_;
 };
 
-/// Collects every name that stands in an expression, formal parameters aside.
+/// Collects all names used in expressions except formal parameters.
 class NameCollector {
  public:
   void add(const ExprPtr& expr) {

@@ -106,7 +106,7 @@ bool Cursor::accept_beyond_newlines(std::string_view sign) {
 
 void Cursor::error(const Token& token, std::string message, std::string hint) {
   ++faults_;
-  // A junk token was reported by the lexer; what stumbles over it adds nothing.
+  // A junk token was already reported by the lexer; a further error would not help.
   if (token.kind == TokenKind::junk && diagnostics_.has_errors()) return;
   if (errors_++ < options_.max_errors)
     diagnostics_.error(where(token), std::move(message), std::move(hint));

@@ -1,4 +1,4 @@
-// The evaluator's walk over an expression.
+// Recursive evaluation of expressions.
 #include <vug/scene/evaluator.h>
 #include <vug/scene/functions.h>
 #include <vug/scene/units.h>
@@ -12,7 +12,7 @@ namespace vug::scene {
 namespace {
 
 constexpr int kMaxDepth = 2000;
-/// Elements of a list, counting those of lists inside it; `let` could double one at each line.
+/// Maximum number of elements of a list including nested lists; each `let` could double a list.
 constexpr size_t kMaxElements = 1000000;
 
 size_t elements(const Value& value) {
@@ -80,7 +80,7 @@ Value Evaluator::name(const Expr& expr, const Context& context) {
     return options_.frame;
   }
   if (const auto unit = with_unit(1, expr.text)) return *unit;
-  const int deepest = deepest_;  // declarations have limits of their own
+  const int deepest = deepest_;  // declarations have their own limits
   auto declared = resolver_.name(expr.text, expr.where, diagnostics_);
   deepest_ = deepest;
   if (declared) return *std::move(declared);
@@ -88,7 +88,7 @@ Value Evaluator::name(const Expr& expr, const Context& context) {
   return Value::Name{expr.text};
 }
 
-/// False, with a report, for a name that nobody knows where a value is needed.
+/// Returns false, with an error, for an unknown name where a value is needed.
 bool Evaluator::is_known(const Value& value, const Expr& expr) {
   const auto* unknown = value.get<Value::Name>();
   if (!unknown) return true;
@@ -97,13 +97,13 @@ bool Evaluator::is_known(const Value& value, const Expr& expr) {
   return false;
 }
 
-/// "did you mean 'x'?" for the nearest name that has a value, or nothing.
+/// "did you mean 'x'?" for the nearest name with a value, or an empty hint.
 std::string Evaluator::name_hint(const std::string& name) const {
   std::vector<std::string> names = resolver_.known_names();
   for (const auto& [known, value] : globals_) names.push_back(known);
   const std::string near = nearest_name(name, names);
   if (near != name) return near.empty() ? "" : fmt::format("did you mean '{}'?", near);
-  for (const Declaration& made : document_.declarations)  // there is one, but of another kind
+  for (const Declaration& made : document_.declarations)  // it exists, but has another kind
     if (made.name == name && made.target && made.target->kind == ExprKind::name)
       return fmt::format("'{}' is declared by '{}' on '{}'", name, made.kind, made.target->text);
     else if (made.name == name)
@@ -147,7 +147,7 @@ Value Evaluator::unary(const Expr& expr, const Context& context) {
   const Value value = evaluate(inner, context);
   if (value.empty()) return {};
   const char op = expr.text[0];
-  // Directions: +X and -Z are names of their own.
+  // Directions such as +X and -Z are names.
   if (const auto* axis = value.get<Value::Name>(); axis && is_axis(axis->text))
     return Value::Name{expr.text + axis->text};
   if (const auto* letter = value.get<Value::Name>(); letter && letter->text.size() == 1)
@@ -236,7 +236,7 @@ Value Evaluator::range(const Expr& expr, const Context& context) {
   return Value::Vector{point, x.dimension};
 }
 
-/// if(condition, then, else): only the branch that is taken is evaluated.
+/// if(condition, then, else): evaluates only the selected branch.
 Value Evaluator::choose(const Expr& expr, const Context& context) {
   if (expr.operands.size() != 3)
     return site(expr).fault("'if' takes a condition and two values",
@@ -246,7 +246,7 @@ Value Evaluator::choose(const Expr& expr, const Context& context) {
   return evaluate(*expr.operands[*condition ? 1 : 2].value, context);
 }
 
-/// pick(a, b, c) or pick([a, b, c]): one of them, with equal chances.
+/// pick(a, b, c) or pick([a, b, c]): one of them, with equal probability.
 Value Evaluator::pick(const Expr& expr, const Context& context) {
   const size_t count = expr.operands.size();
   if (count == 0) return site(expr).fault("'pick' needs at least one value");
@@ -304,14 +304,14 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   if (expr.text == "pick") return pick(expr, context);
   if (expr.text == "keys") return keys(expr, context);
   const Arguments given = arguments(expr, context.key, context.scope);
-  const bool told = std::any_of(given.begin(), given.end(),
-                                [](const Argument& each) { return each.value.empty(); });
+  const bool reported = std::any_of(given.begin(), given.end(),
+                                    [](const Argument& each) { return each.value.empty(); });
   const Function* builtin = find_function(expr.text);
-  if (builtin && told) return {};
+  if (builtin && reported) return {};
   if (builtin)
     if (auto result = builtin->apply(given, site(expr))) return *std::move(result);
   if (auto result = resolved(expr, given, context.key.at(expr.path)))
-    return told ? Value() : *std::move(result);
+    return reported ? Value() : *std::move(result);
   for (size_t i = 0; builtin && i < given.size(); ++i)
     if (!is_known(given[i].value, *expr.operands[i].value)) return {};
   if (builtin)

@@ -68,7 +68,7 @@ void Evaluator::read_seed() {
   }
   if (!document_.seed) return;
   const Value value = eval(*document_.seed, RandomKey(0).at("seed"));
-  // What the seed made use of was drawn without it; forget and draw again.
+  // Values used by the seed were drawn without it: discard and draw them again.
   for (auto& [name, global] : globals_) global.value.reset();
   if (value.empty()) return;
   const Number* n = value.get<Number>();
@@ -121,7 +121,7 @@ std::optional<int> Evaluator::count(const Expr& expr, RandomKey key, const Scope
 Value Evaluator::global(const std::string& name, Global& global, const SourceLocation& where) {
   if (global.value) {
     if (global.animated) resolver_.use_frame();
-    return upon(global, where);
+    return use_global(global, where);
   }
   const auto first = std::find(pending_.begin(), pending_.end(), name);
   if (first != pending_.end()) {
@@ -144,16 +144,16 @@ Value Evaluator::global(const std::string& name, Global& global, const SourceLoc
   if (document_.skipped.doubtful.count(name)) value = {};
   global.value = value;
   global.animated = resolver_.frame_uses() > uses;
-  return upon(global, where);
+  return use_global(global, where);
 }
 
-/// The value, to go on from: what is computed with it takes its part of the stack for each step.
-Value Evaluator::upon(const Global& global, const SourceLocation& where) {
-  constexpr int kHighest = 10000;
+/// Checks the nesting depth that a use of the value adds: each level takes stack space.
+Value Evaluator::use_global(const Global& global, const SourceLocation& where) {
+  constexpr int kMaxHeight = 10000;
   const int height = depth_ + global.height;
-  if (height > kHighest)
+  if (height > kMaxHeight)
     return FaultSite{where, diagnostics_}.fault(
-        fmt::format("more than {} nested operations", kHighest),
+        fmt::format("more than {} nested operations", kMaxHeight),
         "combine independent solids in one list: union([a, b, c])");
   deepest_ = std::max(deepest_, height);
   return *global.value;
@@ -161,25 +161,25 @@ Value Evaluator::upon(const Global& global, const SourceLocation& where) {
 
 Value Evaluator::param(ParamValue& param, RandomKey key) {
   const Context context{key, nullptr};
-  const Param& said = *param.param;
-  if (said.low) {
-    param.low = evaluate(*said.low, context);
-    param.high = evaluate(*said.high, context);
+  const Param& declared = *param.param;
+  if (declared.low) {
+    param.low = evaluate(*declared.low, context);
+    param.high = evaluate(*declared.high, context);
   }
-  param.fallback = evaluate(*said.value, context);
-  if (!in_range(param, param.fallback, said.value->where)) param.fallback = {};
-  const auto given = overrides_.find(said.name);
+  param.fallback = evaluate(*declared.value, context);
+  if (!in_range(param, param.fallback, declared.value->where)) param.fallback = {};
+  const auto given = overrides_.find(declared.name);
   if (given == overrides_.end()) return param.value = param.fallback;
   const SourceLocation& where = given->second->where;
-  param.value = like(param.fallback, evaluate(*given->second, context), said.name, where);
+  param.value = match_type(param.fallback, evaluate(*given->second, context), declared.name, where);
   if (!in_range(param, param.value, where)) param.value = {};
   return param.value;
 }
 
-/// An override must be of the fallback's type; a bare number takes its dimension, so that
+/// An override must have the type of the fallback; a plain number takes its dimension, so that
 /// -D SIZE=2 means metres where the scene says SIZE = 30cm.
-Value Evaluator::like(const Value& fallback, Value given, const std::string& name,
-                      const SourceLocation& where) {
+Value Evaluator::match_type(const Value& fallback, Value given, const std::string& name,
+                            const SourceLocation& where) {
   if (fallback.empty() || given.empty()) return {};
   const FaultSite there{where, diagnostics_};
   const Number* model = fallback.get<Number>();
@@ -225,7 +225,8 @@ bool Evaluator::in_range(const ParamValue& param, Value& value, const SourceLoca
 }
 
 const std::vector<ParamValue>& Evaluator::params() {
-  for (const Param& said : document_.params) global(said.name, globals_[said.name], said.where);
+  for (const Param& declared : document_.params)
+    global(declared.name, globals_[declared.name], declared.where);
   return params_;
 }
 

@@ -122,10 +122,10 @@ class Evaluator {
   Value keys(const Expr& expr, const Context& context);
   std::optional<bool> truth(const Expr& expr, const Context& context);
   Value global(const std::string& name, Global& global, const SourceLocation& where);
-  Value upon(const Global& global, const SourceLocation& where);
+  Value use_global(const Global& global, const SourceLocation& where);
   Value param(ParamValue& param, RandomKey key);
-  Value like(const Value& fallback, Value given, const std::string& name,
-             const SourceLocation& where);
+  Value match_type(const Value& fallback, Value given, const std::string& name,
+                   const SourceLocation& where);
   bool in_range(const ParamValue& param, Value& value, const SourceLocation& where);
   std::string name_hint(const std::string& name) const;
   std::optional<Value> resolved(const Expr& call, const Arguments& given, RandomKey key);

@@ -10,7 +10,7 @@ namespace vug::scene {
 
 namespace {
 
-/// Binding strengths, weakest first; signs, powers and "not" are handled in `prefix`.
+/// Operator precedence, lowest first; signs, powers and "not" are handled in `prefix`.
 constexpr int kCompare = 3, kRange = 4, kAdd = 5;
 
 int strength(const Token& token) {
@@ -28,7 +28,7 @@ bool is_operator_word(const Token& token) {
   return token.is_name("and") || token.is_name("or") || token.is_name("not");
 }
 
-/// Puts back the path when a call or argument is done, also on a fault.
+/// Restores the path at the end of a call or argument, also after an error.
 class PathScope {
  public:
   PathScope(std::string& path, std::string_view name) : path_(path), size_(path.size()) {
@@ -93,7 +93,7 @@ void ExprParser::bounds(ExprPtr& low, ExprPtr& high) {
 }
 
 const Token& ExprParser::operator_ahead() const {
-  // Only an operator or a method can stand first on a line that continues an expression.
+  // A line that continues an expression can only start with an operator or a method.
   const Token& here = cursor_.peek();
   const Token& beyond = cursor_.beyond_newlines();
   return here.kind == TokenKind::newline && (strength(beyond) > 0 || beyond.is(".")) ? beyond
@@ -137,7 +137,7 @@ ExprPtr ExprParser::prefix() {
   cursor_.take();
   const Cursor::NestingGuard nest(cursor_);
   Expr expr = begin(ExprKind::unary, token, std::string(token.text));
-  // "not a < b" turns the comparison round; "-a ^ 2" is -(a ^ 2).
+  // "not a < b" negates the comparison; "-a ^ 2" is -(a ^ 2).
   const ExprPtr inner = expr.text == "not" ? binary(kCompare) : prefix();
   expr.operands = {{"", inner->where, inner}};
   return finish(std::move(expr));

@@ -22,7 +22,7 @@ bool is_word(const Token& t) {
   return t.kind == TokenKind::name && one_of(t.text, {"and", "or", "not", "in", "on", "if"});
 }
 
-/// True when an operand can end here, so that a sign behind it has two sides.
+/// True if an operand can end at the token, so that a following sign is a binary operator.
 bool ends_operand(const Token& t) {
   if (t.kind == TokenKind::sign) return t.is(")") || t.is("]");
   return t.kind != TokenKind::comment && !is_word(t);
@@ -56,7 +56,7 @@ class Formatter {
   struct Open {
     char sign;
     bool grammar;
-    int indent;  ///< Of the line that opened it.
+    int indent;  ///< Indent of the line that opened it.
   };
 
   static bool is_break(const Token& t) { return t.kind == TokenKind::newline && t.text != ";"; }
@@ -80,7 +80,7 @@ class Formatter {
     rows_.push_back(std::move(row));
   }
 
-  /// Brackets opened on one line indent what is inside them once.
+  /// Brackets opened on the same line add a single indent.
   int inside() const { return open_.empty() ? 0 : open_.back().indent + 2; }
 
   int indent(size_t begin) const {
@@ -101,7 +101,7 @@ class Formatter {
     return tokens_[at];
   }
 
-  /// True when the line is a rule: it holds an arrow, or the next line starts with one.
+  /// True if the line is a rule: it contains an arrow, or the next line starts with one.
   bool is_rule(size_t begin) const {
     size_t i = begin;
     for (; tokens_[i].kind != TokenKind::end && tokens_[i].kind != TokenKind::newline; ++i)
@@ -109,8 +109,8 @@ class Formatter {
     return beyond_breaks(i).is("->");
   }
 
-  /// Names that start a rule anywhere; a line that starts with one and is no rule goes on with
-  /// the items of the rule above it.
+  /// Names that start a rule somewhere; a line that starts with one but is not a rule continues the
+  /// items of the previous rule.
   void find_heads() {
     for (size_t i = 0; i < tokens_.size(); ++i) {
       const bool first = i == 0 || tokens_[i - 1].kind == TokenKind::newline;
@@ -122,7 +122,7 @@ class Formatter {
     return heads_.count(tokens_[begin].text) > 0 && !is_rule(begin);
   }
 
-  /// Whether the line's items may go on in the next: it is an axiom or a rule, or goes on itself.
+  /// Whether the line's items may continue on the next line: an axiom, a rule, or a continuation.
   bool has_items(size_t begin, int indent) const {
     return tokens_[begin].is_name("axiom") || is_rule(begin) || (items_ && indent > inside());
   }
@@ -132,7 +132,7 @@ class Formatter {
   void fill(FormattedLine& row, size_t begin, size_t end) {
     row.kind = kind(begin, end);
     row.cells.emplace_back();
-    bool key = false;  // the token before is an entry's key
+    bool key = false;  // the previous token is an entry's key
     for (size_t i = begin; i < end; ++i) {
       const Token& token = tokens_[i];
       const bool starts_entry = in_braces() && !in_grammar() && token.kind == TokenKind::name &&
@@ -170,7 +170,7 @@ class Formatter {
     if (one_of(token.text, {")", "]", "}"}) && !open_.empty()) open_.pop_back();
   }
 
-  /// What the line is, if such lines line up with each other.
+  /// The kind of the line if such lines are aligned.
   std::string kind(size_t begin, size_t end) const {
     const Token& first = tokens_[begin];
     if (marks_[begin].inside && marks_[begin].goes_on) return {};
@@ -194,7 +194,7 @@ class Formatter {
     return false;
   }
 
-  /// How many entries start on the line; 2 if a brace makes it something else.
+  /// The number of entries that start on the line; 2 if it contains a brace.
   int entries(size_t begin, size_t end) const {
     int count = 1, depth = 0;
     for (size_t i = begin + 2; i < end; ++i) {
@@ -234,7 +234,7 @@ class Formatter {
     return doc && now >= 1 && now < 3 ? 3 : now;
   }
 
-  /// Spaces before token `i`, which is not the line's first.
+  /// Number of spaces before token `i`, which is not the first of its line.
   int gap(size_t begin, size_t i) const {
     const Token& before = tokens_[i - 1];
     const Token& t = tokens_[i];
@@ -262,8 +262,8 @@ class Formatter {
   std::vector<FormattedLine> rows_;
   std::vector<Open> open_;
   std::set<std::string_view> heads_;
-  bool items_ = false;    ///< The line before holds items that a clause may go on.
-  bool hanging_ = false;  ///< The line before ends in the middle of an expression or list.
+  bool items_ = false;    ///< The previous line has items that a clause may continue.
+  bool hanging_ = false;  ///< The previous line ends within an expression or list.
 };
 
 }  // namespace

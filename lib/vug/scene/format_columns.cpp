@@ -7,7 +7,7 @@ namespace vug::scene {
 
 namespace {
 
-/// Cells that would move further than this stay where they are.
+/// Cells that would move further than this are not aligned.
 constexpr size_t kFarthest = 32;
 
 size_t width(const std::string& text) {
@@ -20,7 +20,7 @@ void pad_to(std::string& line, size_t column) {
   if (now < column) line.append(column - now, ' ');
 }
 
-/// Appends one part to each line that has it, in a common column if that is not too far.
+/// Appends one cell to each line that has it, in a common column unless that is too far.
 template <class Part>
 void append(std::vector<std::string>& lines, const Part& part, size_t gap) {
   size_t least = std::string::npos, most = 0;

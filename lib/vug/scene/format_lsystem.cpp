@@ -27,7 +27,7 @@ class Marker {
   }
 
  private:
-  /// What the tokens of a line are, from here on.
+  /// The part of a line to which the next tokens belong.
   enum class Part { fresh, block, option, head, clause, word };
 
   /// At the brace of `grammar NAME: lsystem {`.
@@ -40,7 +40,7 @@ class Marker {
     return before.size() == 3 && before[0]->is_name("lsystem") && before[1]->is(":");
   }
 
-  /// Whether the rest of the line holds an arrow, or the next one starts with it.
+  /// Whether the rest of the line contains an arrow, or the next line starts with one.
   bool arrow_ahead() const {
     int depth = 0;
     for (size_t i = at_; tokens_[i].kind != TokenKind::end && !tokens_[i].is("}"); ++i) {
@@ -68,7 +68,7 @@ class Marker {
     } else if (arrow_ahead()) {
       part_ = Part::head;
     } else if (one_of(first, {"axiom", "ignore", "consider", "ages"})) {
-      part_ = Part::option;  // the word itself is no module
+      part_ = Part::option;  // the keyword itself is not a module
     } else if (first.kind == TokenKind::sign || capital) {
       marks_[at_].goes_on = true;
       part_ = Part::word;
@@ -87,7 +87,7 @@ class Marker {
       if (parens_ == 0) fresh_ = true;
       return;
     }
-    if (token.is("}") && (polygons_ == 0 || fresh_)) {  // first on its line it is the block's
+    if (token.is("}") && (polygons_ == 0 || fresh_)) {  // a leading '}' closes the block
       --blocks_;
       brackets_ = polygons_ = 0;
       fresh_ = true;
@@ -95,7 +95,7 @@ class Marker {
     }
     if (fresh_) {
       begin_line(token);
-      if (listing_) {  // behind the word come modules
+      if (listing_) {  // modules follow the keyword
         part_ = Part::word;
         return;
       }

@@ -14,7 +14,7 @@ namespace {
 using Result = std::optional<Value>;
 using Vector = Value::Vector;
 
-/// All arguments as numbers, or none if one is something else or has a name.
+/// All arguments as numbers; empty if one has another type or a name.
 std::vector<Number> numbers(const Arguments& arguments) {
   std::vector<Number> out;
   for (const Argument& argument : arguments) {
@@ -33,7 +33,7 @@ bool is_angle(const Number& n) {
   return n.dimension == Dimension::angle || (n.dimension == Dimension::none && n.value == 0);
 }
 
-/// Gives all numbers one dimension; false after a report.
+/// Gives all numbers the same dimension; returns false after an error.
 bool unify_all_dimensions(std::vector<Number>& all, const FaultSite& site) {
   for (size_t round = 0; round < 2; ++round)
     for (size_t i = 1; i < all.size(); ++i)

@@ -13,7 +13,7 @@ bool is_item_sign(const Token& token) {
   return token.is("+") || token.is("-") || token.is("&") || token.is("~");
 }
 
-/// Clause words that may start a line of their own and that are never a shape after "~ NAME".
+/// Clause keywords, which may start a line and are never a shape after "~ NAME".
 constexpr const char* kClauseWords[] = {"label", "blend"};
 
 bool is_clause_word(const Token& token) {
@@ -29,7 +29,7 @@ std::vector<std::string> listed(const std::set<std::string>& names) {
 
 void GrammarParser::parse(Grammar& grammar, RuleLookahead& lookahead) {
   const int faults = cursor_.faults();
-  grammar.broken = true;  // until it is read
+  grammar.broken = true;  // until it is parsed
   if (cursor_.accept(":")) {
     const Token& kind = cursor_.expect_name("the kind of grammar after ':'");
     grammar.kind = std::string(kind.text);
@@ -90,7 +90,7 @@ bool GrammarParser::at_rule(size_t from) const {
     if (token.kind == TokenKind::end || token.is("{") || token.is("}")) return false;
     if (token.is("(") || token.is("[")) ++depth;
     if (token.is(")") || token.is("]")) --depth;
-    // The arrow may stand first on the next line.
+    // The arrow may be the first token of the next line.
     if (token.kind == TokenKind::newline && depth <= 0)
       return cursor_.peek(beyond_newlines(ahead)).is("->");
   }
@@ -150,8 +150,8 @@ std::vector<Formal> GrammarParser::formals() {
   return formals;
 }
 
-/// True when the right-hand side has another item, on this line or on the next. A line goes on
-/// with an operation or with a symbol that starts no rule.
+/// True if the right-hand side has another item, on this line or on the next one. A continuation
+/// line starts with an operation or with a symbol that does not start a rule.
 bool GrammarParser::continues() const {
   const Token& token = cursor_.peek();
   if (token.kind != TokenKind::newline) return !cursor_.at_line_end();
@@ -210,8 +210,8 @@ Item GrammarParser::item() {
   return item;
 }
 
-/// After "~": a number, a range or brackets are the amount. A name is the amount when another
-/// shape follows it; `~ rock label +X` has none.
+/// After "~", a number, a range or brackets are the amount. A name is the amount if a shape follows
+/// it; `~ rock label +X` has no amount.
 void GrammarParser::morph_amount(Item& item) {
   const Token& first = cursor_.peek();
   const Token& second = cursor_.peek(1);
@@ -234,7 +234,7 @@ void GrammarParser::clauses(Item& item) {
       cursor_.skip_newlines();
     const Token& key = cursor_.peek();
     if (key.kind != TokenKind::name || heads_.count(std::string(key.text))) return;
-    if (cursor_.peek(1).is("(") && cursor_.peek(1).touches) return;  // a symbol, if unknown
+    if (cursor_.peek(1).is("(") && cursor_.peek(1).touches) return;  // an unknown symbol
     cursor_.take();
     const Token& value = cursor_.peek();
     const bool sign = (value.is("+") || value.is("-")) && !cursor_.peek(1).touches;

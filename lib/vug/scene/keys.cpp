@@ -10,7 +10,7 @@
 namespace vug::scene {
 namespace {
 
-/// Slope of a smooth curve at key i: a weighted harmonic mean of the slopes on both sides.
+/// Slope of a smooth curve at key i: the weighted harmonic mean of the slopes on both sides.
 double slope(const std::vector<double>& frames, const std::vector<double>& values, size_t i) {
   if (i == 0 || i + 1 == frames.size()) return 0;
   const double before = frames[i] - frames[i - 1], after = frames[i + 1] - frames[i];
@@ -28,21 +28,21 @@ std::optional<Ease> ease_named(const Expr& expr) {
   return std::nullopt;
 }
 
-/// The frame that names an argument; nothing when that is a word.
+/// The frame number of an argument's name; nothing if it is a word.
 std::optional<double> frame_named(const std::string& name) {
   char* end = nullptr;
   const double frame = std::strtod(name.c_str(), &end);
   return name.empty() || *end != 0 ? std::nullopt : std::optional(frame);
 }
 
-/// The three parts of a vector, or a number as one of one part.
+/// The three components of a vector, or a number as a single component.
 std::vector<double> parts_of(const Value& value) {
   if (const auto* n = value.get<Number>()) return {n->value};
   const auto* v = value.get<Value::Vector>();
   return v ? std::vector<double>{v->value.x, v->value.y, v->value.z} : std::vector<double>{};
 }
 
-/// What the value measures, with 0 as the number that fits any measure.
+/// A number with the dimension of the value; 0 is compatible with every dimension.
 Number measure_of(const Value& value) {
   if (const auto* n = value.get<Number>()) return *n;
   const auto& v = *value.get<Value::Vector>();
@@ -60,7 +60,7 @@ double interpolate_keys(const std::vector<double>& frames, const std::vector<dou
   if (ease == Ease::step) return values[i];
   const double span = frames[i + 1] - frames[i], t = (frame - frames[i]) / span;
   if (ease == Ease::linear) return values[i] * (1 - t) + values[i + 1] * t;
-  const double rest = 1 - t;  // the four cubic polynomials of Hermite
+  const double rest = 1 - t;  // cubic Hermite basis
   return values[i] * rest * rest * (1 + 2 * t) + values[i + 1] * t * t * (1 + 2 * rest) +
          span * t * rest * (slope(frames, values, i) * rest - slope(frames, values, i + 1) * t);
 }
@@ -103,7 +103,7 @@ Value Evaluator::keys(const Expr& expr, const Context& context) {
         fmt::format("{} cannot be interpolated", values.front().type_name()),
         "only numbers and vectors can be interpolated; write keys(step, ...) for others");
   Number common = measure_of(values.front());
-  for (size_t round = 0; round < 2; ++round)  // the first may be a bare number
+  for (size_t round = 0; round < 2; ++round)  // the first may be a plain number
     for (const Value& value : values) {
       if (parts_of(value).size() != first.size())
         return site(expr).fault(fmt::format("keys cannot mix {} and {}", values.front().type_name(),

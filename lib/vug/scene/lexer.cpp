@@ -16,7 +16,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-/// What people paste from word processors, and what they mean.
+/// Characters that are often pasted from word processors, with hints.
 struct Lookalike {
   std::string_view character;
   const char* hint;
@@ -70,7 +70,7 @@ class Lexer {
 
   void begin() { line_start_ = {line_, column_}; }
 
-  /// Makes a token of the next `length` bytes.
+  /// Adds a token of the next `length` bytes.
   void push(TokenKind kind, size_t length, Number value = {}) {
     Token token;
     token.kind = kind;
@@ -87,7 +87,7 @@ class Lexer {
     touches_ = kind != TokenKind::newline;
   }
 
-  /// True when the last token is the brace of `grammar NAME: lsystem {`.
+  /// True if the last token is the brace of `grammar NAME: lsystem {`.
   bool opens_lsystem() const {
     std::vector<const Token*> before;
     for (size_t i = tokens_.size() - 1; i-- > 0 && before.size() < 4;) {
@@ -152,7 +152,8 @@ class Lexer {
     const char* first = text_.data() + at_;
     const auto parsed = std::from_chars(first, first + length, value);
     if (parsed.ec == std::errc::result_out_of_range) {
-      // Too small is 0; from_chars does not say which it was, so look at the exponent's sign.
+      // Underflow gives 0; from_chars does not distinguish it from overflow, so check the
+      // exponent's sign.
       const std::string_view written = text_.substr(at_, length);
       const size_t e = written.find_first_of("eE");
       const bool tiny = e != std::string_view::npos && written.substr(e).find('-') == 1;
@@ -203,7 +204,7 @@ class Lexer {
     return among("()[]{},:=+-*/^&~@.<>") || (braces_ > 0 && among("\\|$!'%?")) ? 1 : 0;
   }
 
-  /// One diagnostic for a run of characters that mean nothing.
+  /// Adds one diagnostic for a run of invalid characters.
   void junk() {
     const std::string_view rest = text_.substr(at_);
     for (const Lookalike& known : kLookalikes) {
@@ -243,8 +244,8 @@ class Lexer {
   int line_ = 1;
   int column_ = 1;
   bool touches_ = false;
-  bool faulty_ = false;  ///< The token that is being read.
-  int braces_ = 0;       ///< Open ones of an L-system's block; its turtle has more signs.
+  bool faulty_ = false;  ///< The current token has an error.
+  int braces_ = 0;       ///< Open braces of an L-system's block, which has additional signs.
   Start line_start_;
   std::vector<Token> tokens_;
 };

@@ -14,7 +14,7 @@ namespace {
 void check_formals(const Production& production, const NameAllowed& allowed,
                    Diagnostics& diagnostics) {
   std::set<std::string> names;
-  // Books call parameters s and m, too; within the rule the name is the parameter's.
+  // Published systems also use the parameter names s and m, which hide the units in the rule.
   const auto may_be = [&](const Formal& formal) {
     return (is_unit(formal.name) && formal.name != "in") || allowed(formal.name, formal.where);
   };
@@ -48,8 +48,8 @@ void check_arities(const ModuleString& word, const Arities& arities, Diagnostics
   }
 }
 
-/// `a -> ab` makes a module of the name ab; who copies words of small letters out of a book means
-/// two.
+/// `a -> ab` produces a module named ab, but words with lower-case letters copied from publications
+/// mean two modules.
 void warn_of_joined_names(const ModuleString& word, const Arities& arities,
                           Diagnostics& diagnostics) {
   for (const Module& module : word) {

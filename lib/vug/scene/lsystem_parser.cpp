@@ -14,7 +14,7 @@ constexpr std::string_view kSigns = "+-&^\\/|$!'[]{}.%";
 
 bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
-/// A sign that is a module of its own; ".." is two of them.
+/// A sign that is a module; ".." is two modules.
 bool is_module_sign(const Token& token) {
   if (token.kind != TokenKind::sign) return false;
   return token.text == ".." || token.is("?") ||
@@ -25,7 +25,7 @@ bool starts_module(const Token& token) {
   return token.kind == TokenKind::name || is_module_sign(token);
 }
 
-/// Words with a meaning of their own behind a rule's head.
+/// Keywords after a rule's head.
 bool is_clause_word(const Token& token) { return token.is_name("if") || token.is_name("after"); }
 
 }  // namespace
@@ -53,7 +53,7 @@ void LSystemParser::parse(Grammar& grammar) {
   system_ = system.get();
   grammar.lsystem = system;
   const int faults = cursor_.faults();
-  grammar.broken = true;  // until it is read
+  grammar.broken = true;  // until it is parsed
   entries(fmt::format("grammar '{}'", grammar.name), system->productions, &grammar, nullptr);
   grammar.broken = cursor_.faults() != faults;
 }
@@ -106,7 +106,7 @@ void LSystemParser::entry(Block& rules, Grammar* grammar, ExprPtr* depth) {
   }
 }
 
-/// At a word that opens a part of the block which is neither a rule nor an option.
+/// True at a keyword that starts a part of the block that is neither a rule nor an option.
 bool LSystemParser::at_part() const {
   const Token& first = cursor_.peek();
   const Token& second = cursor_.peek(1);
@@ -191,13 +191,13 @@ void LSystemParser::names(std::vector<Pattern>& out) {
                  fmt::format("{} + - F", word.text));
 }
 
-/// True when the line holds an arrow outside brackets, or the next line starts with one.
+/// True if the line contains an arrow outside brackets, or the next line starts with one.
 bool LSystemParser::at_rule(size_t from) const {
   return starts_module(cursor_.peek(from)) && lookahead_.arrow_ahead(from);
 }
 
-/// At what can only be a statement of the scene. A line of modules may look like one, `A B {`, but
-/// no statement begins with a capital letter or with a word of this dialect.
+/// True at a token that can only start a statement of the scene. A line of modules may look like
+/// one, `A B {`, but no statement starts with a capital letter or with a keyword of this dialect.
 bool LSystemParser::at_lost_brace() const {
   return cursor_.at_statement() && !is_capital(cursor_.peek().text[0]) && !at_part() && !at_rule();
 }
@@ -226,7 +226,7 @@ Production LSystemParser::production() {
   return production;
 }
 
-/// `left < head > right`
+/// Parses `left < head > right`.
 void LSystemParser::sides(Production& production) {
   const Token& first = cursor_.peek();
   std::vector<Pattern> head = patterns();
@@ -289,15 +289,15 @@ void LSystemParser::pattern(std::vector<Pattern>& out) {
   }
 }
 
-/// True when the word has another module: on this line, inside an open bracket or polygon, or on a
-/// next line that starts with a sign or a capital letter and is no rule.
+/// True if the word has another module: on this line, inside an open bracket or polygon, or on a
+/// next line that starts with a sign or a capital letter and is not a rule.
 bool LSystemParser::goes_on(bool open) const {
   const Token& here = cursor_.peek();
   if (here.kind != TokenKind::newline) return here.is("}") ? open : !cursor_.at_line_end();
   if (here.text == ";") return false;
   const size_t next = lookahead_.beyond_newlines(0);
   const Token& first = cursor_.peek(next);
-  if (first.is("}")) return false;  // first on its line it is the block's
+  if (first.is("}")) return false;  // a leading '}' closes the block
   if (!starts_module(first) || at_rule(next)) return false;
   return open || first.kind == TokenKind::sign || is_capital(first.text[0]);
 }
@@ -345,7 +345,8 @@ ModuleString LSystemParser::word(const std::string& whose) {
   return word;
 }
 
-/// One token's modules: letters in a row are several, of which the last takes the arguments.
+/// Parses the modules of one token: consecutive letters are several modules, and the last one takes
+/// the arguments.
 void LSystemParser::module(ModuleString& word) {
   const Token& token = cursor_.take();
   SourceLocation where = cursor_.where(token);

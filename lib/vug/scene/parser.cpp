@@ -21,7 +21,7 @@ std::optional<std::string> read_disk(const fs::path& path) {
   return read_text(path);
 }
 
-/// Follows includes: each file once, a circle is a fault.
+/// Follows includes: each file is read once, and cyclic includes are an error.
 class Loader {
  public:
   Loader(Document& document, Diagnostics& diagnostics, const ParseOptions& options)
@@ -68,7 +68,7 @@ class Loader {
     return failed ? path.lexically_normal() : whole;
   }
 
-  /// False when what the file says is not known.
+  /// Returns false if the content of the file is unknown.
   bool include(const std::string& wanted, const fs::path& from, const SourceLocation& where) {
     std::vector<fs::path> places{from.parent_path()};
     std::string why;

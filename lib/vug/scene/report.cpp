@@ -12,10 +12,10 @@ namespace vug::scene {
 
 namespace {
 
-/// Longest part of a line that is shown.
+/// Maximum length of the displayed part of a line.
 constexpr size_t kWidth = 160;
 
-/// So many faults of a text are kept; see ParseOptions::max_errors.
+/// Maximum number of stored errors; see ParseOptions::max_errors.
 const size_t kKept = static_cast<size_t>(ParseOptions().max_errors);
 
 std::string_view line_of(std::string_view text, int line) {
@@ -27,7 +27,7 @@ std::string_view line_of(std::string_view text, int line) {
   return text.substr(0, text.find('\n'));
 }
 
-/// Byte at which the column's character starts; the end of the line for columns behind it.
+/// Start byte of the column's character; the end of the line for columns beyond it.
 size_t byte_of(std::string_view line, int column) {
   size_t at = 0;
   while (at < line.size() && --column > 0) {
@@ -37,7 +37,7 @@ size_t byte_of(std::string_view line, int column) {
   return at;
 }
 
-/// The line and under it a caret; of a long line only the neighbourhood of the column.
+/// The line with a caret below it; a long line is cut to the neighbourhood of the column.
 std::string excerpt(std::string_view line, int column) {
   size_t at = byte_of(line, column);
   if (line.size() > kWidth) {

@@ -53,7 +53,7 @@ class StatementParser {
     return std::make_shared<const Expr>(std::move(expr));
   }
 
-  /// After a fault: keeps what is known of the statement that began at `start`.
+  /// After an error: stores the names in the statement that started at `start`.
   void lose(const Counts& before, size_t start, bool includes) {
     SkippedNames& skipped = document_.skipped;
     cursor_.add_names_since(start, skipped.mentioned);
@@ -115,8 +115,8 @@ class StatementParser {
                    fmt::format("write it without '=': {}", example));
   }
 
-  /// `= value`, which comes after the name. The statement is in the document by then: what is
-  /// faulty has a name too.
+  /// Parses `= value` after the name. The statement is already in the document, so an erroneous one
+  /// has a name, too.
   ExprPtr assigned(const std::string& name) {
     cursor_.expect("=", fmt::format(" after '{}'", name));
     cursor_.skip_newlines();
@@ -170,7 +170,7 @@ class StatementParser {
     cursor_.take();
     const int faults = cursor_.faults();
     Declaration& made = document_.declarations.emplace_back();
-    made.broken = true;  // until it is read
+    made.broken = true;  // until it is parsed
     made.kind = std::string(kind.text);
     made.kind_where = cursor_.where(kind);
     made.name = std::string(name.text);
@@ -232,7 +232,7 @@ class StatementParser {
     }
   }
 
-  /// `spacing 2 cm` would make `cm` the next entry.
+  /// Rejects `spacing 2 cm`, where `cm` would become the next entry.
   void misplaced_unit() {
     const Token& next = cursor_.peek();
     if (cursor_.last().kind == TokenKind::number && is_unit(next.text) && next.text != "in")

@@ -6,7 +6,7 @@ namespace vug::scene {
 
 namespace {
 
-/// Value in the base unit = written * times / over; two whole factors keep 52% exactly 0.52.
+/// Value in the base unit = written * times / over. Two whole factors make 52% exactly 0.52.
 struct Unit {
   const char* name;
   Dimension dimension;
