@@ -40,7 +40,7 @@ std::vector<std::filesystem::path> export_scene(const std::shared_ptr<Scene>& sc
   build.work([&](building::Builder& builder) {
     written = delivery::export_set(builder, folder, options);
   });
-  for (std::string& each : written.unsupported) each = "left out: " + each;
+  for (std::string& each : written.unsupported) each = "omitted: " + each;
   warn(written.unsupported);
   return written.files;
 }

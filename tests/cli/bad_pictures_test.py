@@ -137,7 +137,7 @@ class BadPictures(VugTest):
     def test_a_camera_in_rock_is_warned_of(self):
         self.write("room.vug", ROOM.replace("eye (0, 0, 4)", "eye (0, 0, 0.5)"))
         said = self.expect(0, "render", "room.vug", "-o", "room.exr").err
-        self.assertIn("warning: the camera stands inside the solid of 'skin'", said)
+        self.assertIn("warning: the camera is inside the solid of 'skin'", said)
 
 
 if __name__ == "__main__":

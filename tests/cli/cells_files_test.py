@@ -187,10 +187,10 @@ class CellsFiles(VugTest):
         self.stop_at(process, 300, signal.SIGKILL)
         self.assertFalse((self.folder / "new/long_crust.vdb").exists())
         error = self.expect(2, "build", "long.vug", "-o", "new", "--checkpoint", "kept.vdb").err
-        self.assertIn("the checkpoint 'kept.vdb' is there already", error)
-        self.assertIn("hint: go on from it with --resume, or remove it", error)
+        self.assertIn("the checkpoint 'kept.vdb' already exists", error)
+        self.assertIn("hint: continue from it with --resume, or remove it", error)
         error = self.expect(2, "build", "long.vug", "-o", "new", "--seed", 4, "--checkpoint", "kept.vdb", "--resume").err
-        self.assertIn("is of another scene", error)
+        self.assertIn("belongs to another scene", error)
         # Asked to stop, it keeps what is done.
         process = self.start("--resume", "-o", "new", "--checkpoint-every", "0")
         step = self.info("kept.vdb")["grids"][0]["metadata"]["vug:step"]
@@ -221,8 +221,8 @@ class CellsFiles(VugTest):
         self.expect(2, "build", "f.vug", "-o", "seq", "--frames", "3..1")
 
     def test_what_does_not_fit(self):
-        self.assertIn("there is nothing to resume from", self.expect(2, "build", "s.vug", "-o", "x", "--resume").err)
-        self.assertIn("a checkpoint of cells holds their points",
+        self.assertIn("--resume requires a checkpoint", self.expect(2, "build", "s.vug", "-o", "x", "--resume").err)
+        self.assertIn("a checkpoint of cells is a VDB file of points",
                       self.expect(2, "build", "s.vug", "-o", "x", "--checkpoint", "kept.state").err)
         self.write("bad.vug", SCENE % ('files ["ply"]', 60))
         error = self.expect(2, "check", "bad.vug").err

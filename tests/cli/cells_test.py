@@ -39,12 +39,12 @@ class Cells(VugTest):
     def test_attributes_that_nobody_brings(self):
         at = len("cells skin on wall { spacing 20cm  run ") + 1
         first = "crack, corrosion(where: attribute(name: "
-        self.refused(f'spacing 20cm  run {first}"crak"))', at + len(first) - len("name: "), "no rule of 'skin' brings an attribute 'crak'",
+        self.refused(f'spacing 20cm  run {first}"crak"))', at + len(first) - len("name: "), "no rule of 'skin' creates an attribute 'crak'",
                      "did you mean 'crack'?")
         for rule in ('life, freeze(attribute: "aliv")', 'life, set(attribute: "lit", to: multiply([value(name: "aliv"), slope()]))'):
             self.write("s.vug", SCENE % ("wall", f"spacing 20cm  run {rule}"))
             error = self.expect(2, "check", "s.vug").err
-            self.assertIn("no rule of 'skin' brings an attribute 'aliv'", error)
+            self.assertIn("no rule of 'skin' creates an attribute 'aliv'", error)
             self.assertIn("hint: did you mean 'alive'?", error)
             self.assertEqual(error.count("error: "), 1, error)
         self.write("s.vug", SCENE % ("wall", 'spacing 20cm  run sprinkle(attribute: "alive"), life'))
@@ -63,7 +63,7 @@ class Cells(VugTest):
             material = f'material surface(color: layer(under: (1, 1, 1), over: (0, 0, 0), mask: attribute(name: "{name}")))'.replace('"1"', "1")
             self.write("s.vug", SCENE % ("wall", GOOD) + "object stone on skin { " + material + " }\n")
             error = self.expect(0, "check", "s.vug").err
-            self.assertEqual(f"warning: nobody brings an attribute '{name}'" in error, hint is not None, error)
+            self.assertEqual(f"warning: unknown attribute '{name}'" in error, hint is not None, error)
             self.assertIn(f"hint: {hint}" if hint else "", error)
 
     def test_attributes_of_included_looks_may_be_those_of_other_scenes(self):
@@ -74,7 +74,7 @@ class Cells(VugTest):
     def test_a_misspelt_attribute_in_a_layer_is_a_warning(self):
         for name, told in (("crak", True), ("crack", False), ("my_own", True)):
             self.write("s.vug", SCENE % ("wall", GOOD) + 'render more { layers ["beauty", "attribute_%s"] }\n' % name)
-            self.assertEqual(f"warning: nobody brings an attribute '{name}'" in self.expect(0, "check", "s.vug").err, told, name)
+            self.assertEqual(f"warning: unknown attribute '{name}'" in self.expect(0, "check", "s.vug").err, told, name)
 
     def test_a_surface_that_folds_is_doubtful(self):
         # Where two balls meet, they grow into each other.
@@ -82,22 +82,22 @@ class Cells(VugTest):
             scene = SCENE.replace("sphere(1m)", "sphere(1m) + sphere(1m).translate((1.4, 0, 0))")
             self.write("s.vug", scene % ("wall", f'spacing 10cm  steps 1  run set(attribute: "height", to: {height})'))
             error = self.expect(0, "build", "s.vug", "-o", "out").err
-            self.assertEqual("warning: where cells move the mesh 'skin' it folds" in error, folds, error)
+            self.assertEqual("warning: the displacement by cells folds the mesh 'skin'" in error, folds, error)
 
     def test_a_surface_that_flies_away_is_refused(self):
-        self.refused('spacing 20cm  steps 1  run set(attribute: "height", to: 1000000)', 7, "cells move the surface by up to 1e+06 m",
-                     "'height' is in metres; with 'move false' the mesh stays where it is")
+        self.refused('spacing 20cm  steps 1  run set(attribute: "height", to: 1000000)', 7, "cells displace the surface by up to 1e+06 m",
+                     "'height' is in metres; 'move false' turns the displacement off")
 
     def test_a_surface_that_is_gone_is_doubtful(self):
         self.write("s.vug", SCENE % ("wall", 'spacing 20cm  holes true  steps 2  run set(attribute: "k", to: 1), '
                                              'freeze(attribute: "k", above: 0.5, as: transparent)'))
-        self.assertIn("warning: nothing is left of the mesh 'skin'", self.expect(0, "build", "s.vug", "-o", "out").err)
+        self.assertIn("warning: nothing remains of the mesh 'skin'", self.expect(0, "build", "s.vug", "-o", "out").err)
 
     def test_points_beyond_the_end(self):
         self.write("s.vug", SCENE % ("wall", "spacing 20cm  steps 5  run life"))
         self.expect(0, "build", "s.vug", "-o", "out")
         self.write("t.vug", SCENE % ("wall", 'spacing 20cm  steps 3  from "out/s_skin.vdb"  run life'))
-        self.assertIn("the points are at step 5 already, the run ends at 3", self.expect(2, "build", "t.vug", "-o", "more").err)
+        self.assertIn("the points are already at step 5, but the run ends at step 3", self.expect(2, "build", "t.vug", "-o", "more").err)
 
     def test_what_stands_around_comes_where_it_is_named(self):
         rule = 'spacing 20cm  run set(attribute: "light", to: value(name: "exposure"))'

@@ -29,10 +29,10 @@ class Check(VugTest):
 
     def test_a_light_linked_to_nothing(self):
         for link in ("only: [\"bal\"]", "except: [\"bal\"]"):
-            self.both("s.vug:7:7: error: the light is linked to 'bal', but no object that shows has "
-                      "that name\nlight lamp", link=link)
+            self.both("s.vug:7:7: error: the light is linked to 'bal', but no shown object has "
+                  "that name\nlight lamp", link=link)
         self.assertIn("did you mean 'ball'?", self.both("'bal'", link="only: [\"bal\"]"))
-        self.assertIn("goes by the name of its place: 'heap'", self.both("'pebble'", link="only: [\"pebble\"]"))
+        self.assertIn("has the name of its place: 'heap'", self.both("'pebble'", link="only: [\"pebble\"]"))
         self.both("", 0, link="only: [\"ball\", \"heap\"]")
         self.both("", 0, link='except: ["heap/2"]')
         self.both("'heap/a'", link='only: ["heap/a"]')
@@ -42,7 +42,7 @@ class Check(VugTest):
 
     def test_a_portal_without_a_sky(self):
         text = "volume rock = level_set(sphere(1m), voxel: 20cm)\nlight mouth = portal(center: (0, 3, 0))\n%srender main { size 8x8  spp 1 }\n"
-        dark = "s.vug:2:7: warning: nothing shines through the portal 'mouth': there is no sky\nlight mouth"
+        dark = "s.vug:2:7: warning: no light comes through the portal 'mouth': the scene has no sky\nlight mouth"
         for more, warned in (("", True), ("light day = sun()\n", True), ("light lamp = sphere(center: (0, 3, 0))\n", True),
                              ("light day = sky()\n", False), ("light day = daylight()\n", False)):
             self.write("s.vug", text % more)
@@ -103,7 +103,7 @@ class Check(VugTest):
         self.both("a picture needs the layer 'beauty'", render='layers ["Z"]')
         self.both("outside the picture of 16 x 12", render="crop [0, 0, 17, 4]")
         self.both("", 0, render="crop [0, 0, 16, 4]")
-        self.both("a deep picture takes all samples", render="deep true  noise 5%")
+        self.both("a deep picture needs all samples", render="deep true  noise 5%")
 
     def test_a_view_that_there_is_none_of(self):
         self.write("s.vug", "volume rock = level_set(sphere(1m), voxel: 20cm)\n"

@@ -49,7 +49,7 @@ class Elements(VugTest):
         kinds = {one["kind"]: one["node"] for one in tree["elements"]}
 
         def at(name, x, y):
-            """At a place of the facade, metres from the middle of its foot."""
+            """At a place of the facade, metres from the centre of its base."""
             return picture.pixels[f"attribute_{name}.X"][24 * int((3.5 - y) / 0.25) + int((x + 3) / 0.25)]
 
         self.assertGreater(at("door", 1.05, 0.85), 0.9)
@@ -63,7 +63,7 @@ class Elements(VugTest):
         self.assertIn("bad.vug:10:21: error: 'elements' are grammars of kind facade, or what carve(...) has made", said)
         self.write("near.vug", HOUSE.replace('attribute(name: "window")', 'attribute(name: "windw")'))
         said = self.expect(0, "check", "near.vug").err
-        self.assertIn("nobody brings an attribute 'windw'", said)
+        self.assertIn("unknown attribute 'windw'", said)
         self.assertIn("did you mean 'window'?", said)
 
 

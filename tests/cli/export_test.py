@@ -93,7 +93,7 @@ class Export(VugTest):
     def test_what_is_left_out_is_told(self):
         self.write("sky.vug", BALL + "light heaven = daylight(elevation: 30deg)\ncamera round { kind panoramic }\n")
         said = self.expect(0, "export", "sky.vug", "-o", "o", "--for", "blender", "--lod", "2")
-        round_ = "left out: the camera 'round', which looks all round: no program is told how\n"
+        round_ = "omitted: the camera 'round', which looks all round: no program is told how\n"
         self.assertIn("note: the sky 'heaven': glTF cannot express it, only Vug's add-on for Blender reads it "
                       "(sky.glb)\n", said.err)
         self.assertIn(round_, said.err)

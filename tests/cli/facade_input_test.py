@@ -103,11 +103,11 @@ class FacadeInput(VugTest):
         self.refused("cannot be fitted", "photo.png", "--grammar", "mine_portal.vug")
         self.fit("photo.png", "--grammar", "ripperda.vug", code=0)
 
-    def test_what_is_no_verb(self):
+    def test_unknown_verbs(self):
         self.assertRegex(self.expect(2, "facade").err,
-                         "^error: there is no verb\nhint: say what to do: vug facade fit, .*; 'vug facade --help' tells more\n$")
+                         "^error: no verb given\nhint: write vug facade VERB, where VERB is one of fit, .*; see 'vug facade --help'\n$")
         error = self.expect(2, "facade", "fitt", "photo.png").err
-        self.assertIn("there is no verb 'facade fitt'\nhint: did you mean 'fit'?", error)
+        self.assertIn("unknown verb 'facade fitt'\nhint: did you mean 'fit'?", error)
         self.assertIn("other.png", self.expect(2, "facade", "fit", "photo.png", "other.png", "-o", "out").err)
 
     def test_empty_clouds(self):
@@ -253,7 +253,7 @@ class Kept(VugTest):
         self.write("out/photo.vdb", "older")
         said = self.expect(2, "facade", "fit", "photo.png", "-o", "out", "--width", "60m", "--steps", "1000",
                            "--max-memory", "60M").err
-        self.assertIn("warning: 'out/photo.vdb' is of an earlier fit\n", said)
+        self.assertIn("warning: 'out/photo.vdb' is from an earlier fit\n", said)
         self.assertEqual((self.folder / "out/photo.vdb").read_text(), "older")
 
     def test_a_full_disk(self):

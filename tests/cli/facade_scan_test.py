@@ -169,7 +169,7 @@ class FacadeRectify(VugTest):
         wrong = ["--corners", "30,120", "170,140", "180,30", "20,10"]
         self.assertIn("clockwise", self.expect(2, "facade", "rectify", "photo.pgm", *wrong, "-o", "x.png").err)
         said = self.expect(2, "facade", "rectify", "photo.pgm", "--corners", "20,10,180,30", "-o", "x.png").err
-        self.assertIn("a rectangle has four corners, and one is told: '20,10,180,30'", said)
+        self.assertIn("a rectangle has four corners, but one is given: '20,10,180,30'", said)
         self.assertIn("0,0 90,0 90,120 0,120", said)
         far = ["--corners", "20,10", "180,30", "170,900", "30,800"]
         self.assertIn("the corner 170,900 lies far outside of the photo, which has 200 x 150 pixels",
@@ -194,13 +194,13 @@ class FacadeRectify(VugTest):
         (self.folder / "x.exr").unlink()
         for size in ("8mx5", "8x5m"):
             error = rectify(*corners, "--size", size)
-            self.assertIn(f"'{size}' has a unit at one side only\nhint: 12mx9m are metres, 4x3 is the ratio", error)
+            self.assertIn(f"invalid size '{size}': only one number has a unit\nhint: write metres as in 12mx9m", error)
         for bad in ("8m x", "8degx5deg", "8x5x2", "m x m", " x "):
-            self.assertIn("is no size, as 12mx9m or 4x3", rectify(*corners, "--size", bad))
+            self.assertIn("is not a size; expected e.g. 12mx9m or 4x3", rectify(*corners, "--size", bad))
         for size in ((), ("--size", "8x5")):
-            self.assertIn("hint: --size does, in metres", rectify(*corners, *size, "--pixel", "1cm"))
+            self.assertIn("hint: write --size in metres", rectify(*corners, *size, "--pixel", "1cm"))
         error = rectify("--corners", "20m,10m", *corners[2:], "--size", "8mx5m")
-        self.assertIn("'20m,10m' is no place in the photo, X,Y in pixels without a unit", error)
+        self.assertIn("'20m,10m' is not a position in the photo; expected X,Y in pixels without a unit", error)
         self.assertNotIn("x.exr", self.files())
 
     def test_lies_over_a_range_image(self):
@@ -216,8 +216,8 @@ class FacadeRectify(VugTest):
         onto = ("facade", "rectify", "photo.pgm", "--onto", "wall.exr", "-o", "no.exr")
         corners = ("--corners", "20,10", "180,30", "170,140", "30,120")
         for option, value in (("--size", "8mx5m"), ("--pixel", "1cm")):
-            self.assertIn(f"error: {option} is for a picture of its own", self.expect(2, *onto, *corners, option, value).err)
-        self.assertIn("error: --at tells where corners lie, and none are named",
+            self.assertIn(f"error: {option} does not apply with --onto", self.expect(2, *onto, *corners, option, value).err)
+        self.assertIn("error: --at requires --corners",
                       self.expect(2, *onto, "--at", "0,0", "1,0", "1,1", "0,1").err)
         self.assertNotIn("no.exr", self.files())
 

@@ -95,8 +95,8 @@ class FacadeTrain(VugTest):
 
     def test_the_help_says_what_is_needed(self):
         said = " ".join(self.expect(0, "facade", "train", "--help").out.split())
-        self.assertIn("this or --folds is needed", said)
-        self.assertIn("this or -o is needed", said)
+        self.assertIn("this or --folds is required", said)
+        self.assertIn("this or -o is required", said)
 
     def test_what_cannot_be_is_told(self):
         def told(part, *more):
@@ -104,7 +104,7 @@ class FacadeTrain(VugTest):
             self.assertIn(part, said.err)
             self.assertFalse((self.folder / "looks.json").exists())
 
-        told("nothing to do")
+        told("neither -o nor --folds given")
         told("4 pictures cannot be tried in 5 folds", "--folds", 5)
         told("a .json", "-o", "looks.txt")
         told("more than the limit", "-o", "looks.json", "--max-memory", "1K")

@@ -62,7 +62,7 @@ class ImageTests(VugTest):
         reference = self.folder / "looks/lamp/reference.exr"
         self.expect(0, "render", "looks/room.vug", "-o", "other.exr", "--spp", "4")
         reference.write_bytes((self.folder / "other.exr").read_bytes())
-        self.assertIn("is not the picture that its history tells of", self.vug("test", "looks").out)
+        self.assertIn("does not match the last entry of its history", self.vug("test", "looks").out)
 
     def test_references_keep_what_is_compared(self):
         channels = json.loads(self.expect(0, "info", "looks/lamp/reference.exr", "--json").out)["channels"]
@@ -95,7 +95,7 @@ class ImageTests(VugTest):
         for out in ("one", "two"):
             result = self.vug("test", "looks", "-o", out, "--junit", f"{out}/junit.xml", "-j", "1" if out == "one" else "4")
             self.assertEqual(result.code, 2)
-            self.assertIn("error: not every case can be judged", result.err)
+            self.assertIn("error: some cases are unusable", result.err)
             pages.append([(self.folder / out / page).read_text() for page in
                           ("index.html", "lamp/report.html", "lamp/report.json")])
             root = xml.etree.ElementTree.parse(self.folder / out / "junit.xml").getroot()
@@ -134,16 +134,16 @@ class ImageTests(VugTest):
         self.assertIn("4 of 4 seeds pass", steady.out)
 
     def test_cases_that_cannot_be_used(self):
-        for content, said in [("{", "invalid JSON"), ("[]", "a case is a JSON object"),
+        for content, said in [("{", "invalid JSON"), ("[]", "a case must be a JSON object"),
                               ({}, "no scene and no command"), ({**SCENE, "command": ["x"]}, "a scene and a command"),
                               ({**SCENE, "limit": {}}, "did you mean 'limits'?"),
                               ({**SCENE, "limits": {"rsme": 1}}, "did you mean 'rmse'?"),
-                              ({**SCENE, "limits": 3}, "JSON object"), ({**SCENE, "scene": 3}, "no text"),
-                              ({**SCENE, "alarm": 3}, "alarm"), ({"command": ["true"]}, "no place for its picture"),
+                              ({**SCENE, "limits": 3}, "JSON object"), ({**SCENE, "scene": 3}, "not a string"),
+                              ({**SCENE, "alarm": 3}, "alarm"), ({"command": ["true"]}, "does not contain {output}"),
                               ({"command": ["no_such_program", "{output}"]}, "cannot run 'no_such_program'"),
-                              ({"command": ["true", "{output}"]}, "wrote no picture"),
-                              ({"command": ["false", "{output}"]}, "exit 1"),
-                              ({"command": ["sh", "-c", "sleep 20", "{output}"], "timeout": 0.2}, "not done after 0.2 seconds"),
+                              ({"command": ["true", "{output}"]}, "did not write a picture"),
+                              ({"command": ["false", "{output}"]}, "exit code 1"),
+                              ({"command": ["sh", "-c", "sleep 20", "{output}"], "timeout": 0.2}, "did not finish within 0.2 seconds"),
                               ({**SCENE, "mask": "none.png"}, "none.png"),
                               ({**SCENE, "layers": ["N"]}, "no layer 'N'"),
                               ({**SCENE, "render": {"size": "8x8", "spp": 1}}, "8 x 8")]:
@@ -152,9 +152,9 @@ class ImageTests(VugTest):
                 result = self.vug("test", "looks", "--filter", "lamp")
                 self.assertEqual(result.code, 2, result.out)
                 self.assertIn(said, result.out)
-        self.assertIn("is no folder", self.expect(2, "test", "nowhere").err)
+        self.assertIn("is not a folder", self.expect(2, "test", "nowhere").err)
         pathlib.Path(self.folder / "empty").mkdir()
-        self.assertIn("holds no case", self.expect(2, "test", "empty").err)
+        self.assertIn("contains no case", self.expect(2, "test", "empty").err)
 
     def test_a_summary_ends_the_list(self):
         self.case("new", SCENE)

@@ -121,7 +121,7 @@ class Modelling(VugTest):
     def test_thin_walls_are_told(self):
         begin = ("--grammar", "ripperda.vug", "--width", "2m", "--height", "2m", "--carve", "a.vdb")
         said = self.model(*begin, "--thickness", "3cm").err
-        self.assertIn("warning: a wall of 0.03m is thinner than two voxels of 0.04m", said)
+        self.assertIn("warning: a wall of 0.03m is thinner than two voxels of 0.04m and may have holes", said)
         self.assertIn("hint: --voxel 0.015m, or --thickness 0.08m", said)
         self.assertFalse(self.model(*begin, "--thickness", "8cm").err)
 
@@ -185,15 +185,15 @@ class Modelling(VugTest):
         self.expect(0, "facade", "model", "--grammar", "mine/house.vug", "--width", "12m", "--height", "9m", "-o", "h.json")
         self.write("house.json", self.expect(0, "facade", "model", "h.json", "--json").out)
         self.assertRegex(self.model("--from", "house.json", code=2).err,
-                         "error: there is no grammar 'house.vug': no such file\nhint: 'house.json' is of a grammar 'house': "
-                         "name its file with --grammar")
+                         "error: there is no grammar 'house.vug': no such file\nhint: 'house.json' was derived from a grammar 'house': "
+                         "name its file, as in --grammar")
         self.model("--from", "house.json", "--grammar", "mine/house.vug")
 
     def test_options_that_begin_a_session(self):
         for option, value in (("--width", "9m"), ("--height", "9m"), ("--facade", "a"), ("--photo", "a.png"),
                               ("--from", "a.json"), ("--grammar", "ripperda.vug")):
             said = self.model("s.json", option, value, "--tree", code=2).err
-            self.assertIn(f"{option} is for a session that begins, and 's.json' has begun", said)
+            self.assertIn(f"{option} applies to new sessions only, but 's.json' exists", said)
 
     def test_faults_of_edits_come_first(self):
         self.assertIn("there is no edit 'frobnicate'", self.model("s.json", "--edit", "frobnicate 0", code=2).err)

@@ -182,7 +182,7 @@ class PictureFiles(VugTest):
     def test_deep_pictures_are_whole_or_refused(self):
         for args in (["--noise", "0.1"], ["--preview", "p.png"], ["--checkpoint", "c"]):
             said = self.expect(2, "render", "s.vug", "-o", "no.exr", "--deep", *args).err
-            self.assertIn("a deep picture takes all samples of a pixel at once", said)
+            self.assertIn("a deep picture needs all samples of a pixel at once", said)
         self.expect(2, "render", "s.vug", "--part", "no.part", "--deep")
         self.assertFalse(any(name.startswith("no") for name in self.files()))
         self.assertIn("not a flat image", self.expect(2, "diff", "deep.deep.exr", "deep.deep.exr").err)

@@ -86,13 +86,13 @@ class Preview(VugTest):
             self.page(f"{threads}.html", "--threads", threads)
             self.assertEqual(digest(self.folder / f"{threads}.html"), first, threads)
 
-    def test_thinned_out(self):
+    def test_decimation(self):
         said = self.expect(0, "preview", f"{NAME}.vug", "-o", "o.html", "--max-triangles", "300", env=self.env())
         _, data, _ = self.data((self.folder / "o.html").read_text())
         self.assertLessEqual(data["triangles"], 300)
         self.assertGreater(data["triangles"], 200)
         self.assertEqual(data["whole"], data["metrics"]["triangles"])
-        self.assertIn(f"thinned out to {data['triangles']} of {data['whole']} triangles", said.err)
+        self.assertIn(f"decimated to {data['triangles']} of {data['whole']} triangles", said.err)
 
     def test_pictures(self):
         png = b"\x89PNG\r\n\x1a\n and more"

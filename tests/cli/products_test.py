@@ -237,7 +237,7 @@ class Sweep(VugTest):
         self.assertEqual(result.code, 2)
         self.assertEqual([line.split(",")[0] for line in result.out.splitlines()], ["R", "1", "2"])
         self.assertEqual((self.folder / "out/a.csv").read_text(), result.out)
-        self.assertIn("  while measuring R = 99\nthe table holds the 2 of 4 values before that\n",
+        self.assertIn("  while measuring R = 99\nthe table contains the first 2 of 4 values\n",
                       result.err)
         self.write("many.vug", "param R = 1m\nvolume rock = level_set(sphere(R), voxel: 10cm)\n")
         result = self.vug("sweep", "many.vug", "-p", "R", "-v", "1,1e6", "--max-memory", "1G")

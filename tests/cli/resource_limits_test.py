@@ -137,7 +137,7 @@ class Bombs(VugTest):
         for verb in (("check",), ("derive", "L0")):
             error = self.expect(2, verb[0], "chain.vug", *verb[1:]).err
             self.assertRegex(error, r"chain\.vug:\d+:\d+: error: more than 200 names depend on each other in a chain")
-        self.assertIn("'A' is made of itself", self.expect(2, "derive", "g.vug", "A", "--drawn").err)
+        self.assertIn("'A' depends on itself", self.expect(2, "derive", "g.vug", "A", "--drawn").err)
 
 
 if __name__ == "__main__":

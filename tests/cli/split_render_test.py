@@ -145,7 +145,7 @@ class Farm(VugTest):
         process.wait()
         kept = digest(self.folder / "state")
         args = ("render", "s.vug", "-o", "a.exr", "--checkpoint", "state")
-        self.assertIn("is there already", self.expect(2, *args, "--spp", "4096").err)
+        self.assertIn("already exists", self.expect(2, *args, "--spp", "4096").err)
         self.assertIn("different seeds, 5 and 9",
                       self.expect(2, *args, "--spp", "4096", "--resume", "--seed", "9").err)
         self.assertIn("done only to", self.expect(2, "merge", "state", "-o", "a.exr").err)
@@ -155,7 +155,7 @@ class Farm(VugTest):
         self.write("state", whole[:len(whole) // 2])
         self.assertEqual(self.expect(2, *args, "--spp", "4096", "--resume").err,
                          "error: cannot read the checkpoint 'state': it is cut short\n"
-                         "hint: remove it to begin anew\n")
+                         "hint: remove it to start again\n")
         self.write("none.vugpart", b"")
         self.assertIn("it is cut short", self.expect(2, "info", "none.vugpart").err)
 

@@ -173,7 +173,7 @@ class Chain(Case):
                 self.assert_same_files(path, f"theirs {program}/{path.name}")
         plain = vug.loads(BALL)
         plain.export("plain", "blender")  # a volume, a sky: nothing is lost, so nothing is warned of
-        with self.assertWarnsRegex(vug.SceneWarning, r"left out: the camera 'main': the file contains only a mesh \(scene.ply\)"):
+        with self.assertWarnsRegex(vug.SceneWarning, r"omitted: the camera 'main': the file contains only a mesh \(scene.ply\)"):
             plain.export("plain", "meshes")
         for wrong in ({"up": "x"}, {"unit": "mm"}):
             with self.assertRaises(ValueError):

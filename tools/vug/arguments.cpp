@@ -31,9 +31,9 @@ CLI::Validator number_in(Dimension dimension, double low, double high) {
   const auto read = [=](std::string& text) -> std::string {
     const std::optional<Number> number = scene::read_number(text);
     if (!number || (number->dimension != Dimension::none && number->dimension != dimension))
-      return fmt::format("'{}' is no number {}", text, bounds);
+      return fmt::format("invalid value '{}': expected a number {}", text, bounds);
     if (!(number->value >= low && number->value <= high))
-      return fmt::format("{} is not {}", text, bounds);
+      return fmt::format("value {} is out of range: expected a number {}", text, bounds);
     text = fmt::format("{}", number->value);
     return {};
   };
@@ -44,7 +44,7 @@ CLI::Validator integer_in(int low, int high) {
   const auto check = [=](std::string& text) -> std::string {
     int number = 0;
     if (parse_integer(text, number) && number >= low && number <= high) return {};
-    return fmt::format("'{}' is no whole number from {} to {}", text, low, high);
+    return fmt::format("invalid value '{}': expected an integer from {} to {}", text, low, high);
   };
   return CLI::Validator(check, "");
 }
@@ -52,8 +52,9 @@ CLI::Validator integer_in(int low, int high) {
 CLI::Validator seed_number() {
   const auto check = [](std::string& text) -> std::string {
     uint64_t number = 0;
-    return parse_integer(text, number) ? ""
-                                       : fmt::format("'{}' is no whole number from 0 on", text);
+    return parse_integer(text, number)
+               ? ""
+               : fmt::format("invalid seed '{}': expected an integer of at least 0", text);
   };
   return CLI::Validator(check, "");
 }
@@ -62,10 +63,10 @@ Error unknown_verb_error(const std::string& word, const std::vector<std::string>
                          const std::string& before) {
   const std::string after = before.empty() ? "" : before + " ";
   if (word.empty())
-    return Error(ErrorCode::bad_input, "there is no verb", {},
-                 fmt::format("say what to do: vug {}{}; 'vug {}--help' tells more", after,
+    return Error(ErrorCode::bad_input, "no verb given", {},
+                 fmt::format("write vug {}VERB, where VERB is one of {}; see 'vug {}--help'", after,
                              fmt::join(verbs, ", "), after));
-  return Error(ErrorCode::bad_input, fmt::format("there is no verb '{}{}'", after, word), {},
+  return Error(ErrorCode::bad_input, fmt::format("unknown verb '{}{}'", after, word), {},
                suggestion(word, verbs));
 }
 
@@ -73,12 +74,12 @@ void require_extension(const std::string& file, const std::string& ending,
                        const std::string& hint) {
   const std::string name = std::filesystem::path(file).filename().string();
   if (extension_of(file) == ending) return;
-  // A name that begins with its only dot has no ending for the system.
+  // std::filesystem gives a name whose only dot is the first character no extension.
   const bool nameless = extension_of("x" + name) == ending;
   throw Error(ErrorCode::bad_input,
-              nameless ? fmt::format("'{}' has no name before its ending", file)
+              nameless ? fmt::format("'{}' has no name before its extension", file)
                        : fmt::format("'{}' does not end in {}", file, ending),
-              {}, nameless ? "write for instance picture" + ending : hint);
+              {}, nameless ? "write, for instance, picture" + ending : hint);
 }
 
 }  // namespace vug::cli

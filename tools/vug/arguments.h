@@ -1,4 +1,4 @@
-// Values of options as people write them, and what is said of those that are none.
+// Validators for option values, and errors for invalid arguments.
 #pragma once
 
 #include "verb.h"
@@ -11,20 +11,20 @@
 
 namespace vug::cli {
 
-/// A number from `low` to `high`, in base units; the text may carry a unit of the dimension, as in
-/// scenes: 3% or 0.03, 90s or 90.
+/// Validator for a number from `low` to `high`, in base units. The text may carry a unit of the
+/// dimension as in scenes: 3% or 0.03, 90s or 90.
 CLI::Validator number_in(Dimension dimension, double low, double high);
+/// Validator for an integer from `low` to `high`.
 CLI::Validator integer_in(int low, int high);
-/// From 0 to 2^64 - 1.
+/// Validator for an integer from 0 to 2^64 - 1.
 CLI::Validator seed_number();
 
-/// The answer to a command without a verb (the word is empty) or with one that there is not.
-/// `before` is what stands before the verb: "facade", or nothing.
+/// The error for a command line with a missing verb (`word` is empty) or an unknown one. `before`
+/// is the parent command, "facade", or empty.
 Error unknown_verb_error(const std::string& word, const std::vector<std::string>& verbs,
                          const std::string& before = "");
 
-/// Error(bad_input) unless the file's name is one with that ending (with its dot, in small
-/// letters).
+/// Error(bad_input) unless the file name has a stem and this extension (lower case, with its dot).
 void require_extension(const std::string& file, const std::string& ending, const std::string& hint);
 
 }  // namespace vug::cli

@@ -1,4 +1,4 @@
-// What a run of image cases leaves for build servers and for people.
+// Reports of a run of image cases: JUnit for build servers, an HTML index for people.
 #include "case_run.h"
 
 #include <fmt/format.h>
@@ -50,7 +50,8 @@ std::string to_index(const std::vector<Outcome>& outcomes, const std::string& su
       "<header><span class=\"verdict {}\">{} of {}</span><h1>{}</h1></header>\n"
       "<p class=\"why\">{}</p>\n<table><tr><th>case</th><th>verdict</th><th>why</th></tr>\n",
       all ? "same" : "different", good, outcomes.size(), xml_text(suite),
-      all ? "Every picture is as it was." : "Some pictures are not as they were.");
+      all ? "All pictures match their references."
+          : "Some pictures do not match their references.");
   for (const Outcome& outcome : outcomes) {
     const std::string name = xml_text(outcome.name);
     out += fmt::format(

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What another program said last, for a message of one line.
+/// The last message in another program's log, as one line.
 std::string last_message(const fs::path& log) {
   std::string said, line;
   for (const char c : read_text(log) + "\n") {
@@ -26,13 +26,13 @@ std::string last_message(const fs::path& log) {
       continue;
     }
     if (line.rfind("hint: ", 0) != 0 && !line.empty()) said = line;
-    if (line.find("error: ") != std::string::npos) break;  // what follows explains it
+    if (line.find("error: ") != std::string::npos) break;  // the lines that follow explain it
     line.clear();
   }
   return said;
 }
 
-/// Makes the case's picture; throws where that fails.
+/// Creates the case's picture and returns its path. Throws on failure.
 fs::path make_picture(const ImageCase& image_case, const CaseOptions& options, const fs::path& room,
                       std::optional<uint64_t> seed) {
   const std::string stem = seed ? fmt::format("seed{}", *seed) : "test";
@@ -43,18 +43,20 @@ fs::path make_picture(const ImageCase& image_case, const CaseOptions& options, c
       run_program(image_case.render_command(picture, options.threads, seed), image_case.folder, log,
                   image_case.timeout, *options.progress);
   if (ended.timed_out)
-    throw Error(ErrorCode::bad_input,
-                fmt::format("it was not done after {} seconds", image_case.timeout), {},
-                "raise \"timeout\" in its case.json or make it smaller");
-  if (ended.exit != 0)
     throw Error(
         ErrorCode::bad_input,
-        fmt::format("making its picture failed with exit {}: {}", ended.exit, last_message(log)),
-        {},
-        fmt::format("all it said goes to {}/log.txt in the folder of --output", image_case.name));
+        fmt::format("the command of the case did not finish within {} seconds", image_case.timeout),
+        {}, "raise \"timeout\" in its case.json or reduce its work");
+  if (ended.exit != 0)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("rendering its picture failed with exit code {}: {}", ended.exit,
+                            last_message(log)),
+                {},
+                fmt::format("its full output is in {}/log.txt in the folder given by --output",
+                            image_case.name));
   if (!fs::exists(picture))
-    throw Error(ErrorCode::bad_input, "its command wrote no picture", {},
-                "write {output} where the program takes the file to write");
+    throw Error(ErrorCode::bad_input, "the command of the case did not write a picture", {},
+                "write {output} where the program expects the name of its output file");
   return picture;
 }
 
@@ -74,11 +76,11 @@ void write_report(const ImageCase& image_case, const image::Diff& diff, const fs
   write_text(room / "report.json", to_json(diff, reference, test));
 }
 
-/// Reseeds the case; a verdict that is not always `first` makes it flaky.
+/// Repeats the case with other seeds; a verdict that differs from `first` makes it flaky.
 void reseed(const ImageCase& image_case, const CaseOptions& options, const fs::path& room,
             bool first, Outcome& out) {
   if (!image_case.can_be_reseeded()) {
-    out.message += "; its command has no {seed}, so it was not reseeded";
+    out.message += "; its command has no {seed}, so it was not repeated with other seeds";
     return;
   }
   int same = first ? 1 : 0;
@@ -89,7 +91,7 @@ void reseed(const ImageCase& image_case, const CaseOptions& options, const fs::p
   out.message += fmt::format("; {} of {} seeds pass", same, all);
   if (same == 0 || same == all) return;
   out.verdict = Verdict::flaky;
-  out.hint = "render more samples, or loosen its limits";
+  out.hint = "render more samples or loosen its limits";
 }
 
 void update(const ImageCase& image_case, const CaseOptions& options, const fs::path& picture,
@@ -97,11 +99,12 @@ void update(const ImageCase& image_case, const CaseOptions& options, const fs::p
   const bool had = fs::exists(image_case.reference);
   replace_reference(image_case, picture, options.reason);
   out.verdict = Verdict::updated;
-  out.message = had ? "the reference is replaced" : "the reference is made";
+  out.message = had ? "the reference was replaced" : "the reference was created";
   out.hint.clear();
 }
 
-/// There is nothing to compare with yet; what a reference could be is made where it is kept.
+/// Throws the error for a missing reference. If the output is kept, first renders the picture that
+/// could become the reference.
 [[noreturn]] void throw_missing_reference(const ImageCase& image_case, const CaseOptions& options,
                                           const fs::path& room, const std::string& name,
                                           Outcome& out) {
@@ -110,8 +113,8 @@ void update(const ImageCase& image_case, const CaseOptions& options, const fs::p
       throw Error(ErrorCode::bad_input,
                   fmt::format("its scene '{}' cannot be read: {}",
                               image_case.scene.lexically_relative(image_case.folder).string(), why),
-                  {}, "\"scene\" is a path from the case's folder");
-  std::string look = "look at what it makes (--output keeps it)";
+                  {}, "\"scene\" is a path relative to the case's folder");
+  std::string look = "look at its picture (--output keeps it)";
   if (options.kept) {
     fs::path picture = make_picture(image_case, options, room, {});
     if (const fs::path shown = fs::path(picture).replace_extension(".png"); fs::exists(shown))
@@ -137,7 +140,7 @@ void run_case_in(const fs::path& room, const CaseFolder& folder, const CaseOptio
   image::Diff diff;
   try {
     diff = judge(image_case, picture);
-  } catch (const Error& error) {  // of another size, or with other layers
+  } catch (const Error& error) {  // the pictures differ in size or in their layers
     if (!options.update || error.code() == ErrorCode::cancelled) throw;
     return update(image_case, options, picture, out);
   }
@@ -184,7 +187,7 @@ Outcome run_case(const CaseFolder& folder, const CaseOptions& options) {
     const std::string where = to_string(error.where());
     out.message = (where.empty() ? "" : where + ": ") + error.what();
     out.hint = error.hint();
-  } catch (const std::exception& error) {  // of the file system, out of memory
+  } catch (const std::exception& error) {  // file system errors, out of memory
     out.verdict = Verdict::unusable;
     out.message = error.what();
   }
@@ -202,7 +205,7 @@ std::vector<Outcome> run_cases(const std::vector<CaseFolder>& folders, const Cas
         out[i] = run_case(folders[i], options);
         const std::lock_guard lock(done_mutex);
         done(out[i]);
-      } catch (const Error&) {  // told to stop, as all are
+      } catch (const Error&) {  // cancelled, as are all other workers
         return;
       }
   };

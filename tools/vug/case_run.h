@@ -1,4 +1,4 @@
-// Runs cases of image tests and says how they went.
+// Runs the cases of an image test and reports their outcomes.
 #pragma once
 
 #include "image_case.h"
@@ -8,14 +8,14 @@
 namespace vug::cli {
 
 struct CaseOptions {
-  std::filesystem::path output;  ///< Each case's folder is made below it.
-  bool kept = false;             ///< `output` is there for someone to look at afterwards.
-  int jobs = 1;                  ///< Cases at the same time.
-  int threads = 1;               ///< For each of them.
-  int reseed = 0;                ///< Runs with other samples, to find verdicts that change.
-  bool update = false;           ///< Takes what a case makes for its reference where they differ.
-  Progress* progress = &Progress::none();  ///< Where the run is told to stop.
-  std::string reason;                      ///< Why; goes into the reference's history.
+  std::filesystem::path output;  ///< The folder of each case is created below it.
+  bool kept = false;             ///< Whether `output` is kept after the run.
+  int jobs = 1;                  ///< Number of cases that run at the same time.
+  int threads = 1;               ///< Number of threads per case.
+  int reseed = 0;  ///< Number of additional runs with other samples, to find verdicts that change.
+  bool update = false;  ///< Replaces a reference that differs by the case's picture.
+  Progress* progress = &Progress::none();  ///< Cancels the run.
+  std::string reason;  ///< Reason for an update, recorded in the reference's history.
 };
 
 enum class Verdict { same, different, flaky, updated, unusable };
@@ -23,28 +23,29 @@ enum class Verdict { same, different, flaky, updated, unusable };
 struct Outcome {
   std::string name;
   Verdict verdict = Verdict::unusable;
-  std::string message;  ///< One line: why.
-  std::string hint;     ///< What to do about it; may be empty.
+  std::string message;  ///< Reason in one line.
+  std::string hint;     ///< Remedy; may be empty.
   double seconds = 0;
-  /// Its report, or its picture if it has no reference, seen from the output folder; may be empty.
+  /// Path of the report, or of the picture if there is no reference, relative to the output folder;
+  /// may be empty.
   std::filesystem::path page;
 };
 
 const char* to_text(Verdict verdict);
 
-/// Runs one case: makes its picture as OUTPUT/NAME/test.exr, what was said as log.txt, and, where
-/// it is not the same, page and JSON as report.html and report.json. Never throws for the case's
-/// own faults: they make it unusable; Error(cancelled) when told to stop.
+/// Runs one case: writes its picture as OUTPUT/NAME/test.exr, the program's output as log.txt and,
+/// if the pictures differ, report.html and report.json. Faults of the case itself do not throw but
+/// make it unusable. Error(cancelled) if the run is cancelled.
 Outcome run_case(const CaseFolder& folder, const CaseOptions& options);
 
-/// All of them, in their order; `done` hears of each as it ends, one at a time.
-/// Error(cancelled) when told to stop.
+/// Runs all cases and returns their outcomes in the same order. `done` is called as each case ends,
+/// by one thread at a time. Error(cancelled) if the run is cancelled.
 std::vector<Outcome> run_cases(const std::vector<CaseFolder>& folders, const CaseOptions& options,
                                const std::function<void(const Outcome&)>& done);
 
-/// For a build server. Times are the only thing that two equal runs tell differently.
+/// A JUnit XML report for build servers. Equal runs differ in the times only.
 std::string to_junit(const std::vector<Outcome>& outcomes, const std::string& suite);
-/// A page that lists the cases and links to their reports.
+/// An HTML page that lists the cases and links to their reports.
 std::string to_index(const std::vector<Outcome>& outcomes, const std::string& suite);
 
 }  // namespace vug::cli

@@ -17,12 +17,12 @@ image::Limit parse_limit(const std::string& text, image::Measure::Better better)
   std::optional<Number> number;
   if (equals != std::string::npos) number = scene::read_number(text.substr(equals + 1));
   if (!number || (number->dimension != Dimension::none && number->dimension != Dimension::ratio))
-    throw Error(ErrorCode::bad_input, fmt::format("'{} {}' sets no limit", option, text), {},
+    throw Error(ErrorCode::bad_input, fmt::format("invalid limit '{} {}'", option, text), {},
                 low ? "write --max rmse=0.01 or --max N.rmse=0.01" : "write --min psnr=40");
   const image::Limit limit = image::limit_of(text.substr(0, equals), number->value);
   if (image::measure_of(limit.measure).better != better)
     throw Error(ErrorCode::bad_input,
-                fmt::format("{} is better the {} it is", limit.measure, low ? "higher" : "lower"),
+                fmt::format("{} values of {} are better", low ? "higher" : "lower", limit.measure),
                 {}, fmt::format("write {} {}", low ? "--min" : "--max", text));
   return limit;
 }
@@ -30,13 +30,14 @@ image::Limit parse_limit(const std::string& text, image::Measure::Better better)
 std::vector<image::Limit> limits_of(const nlohmann::ordered_json& object,
                                     const std::string& where) {
   if (!object.is_object())
-    throw Error(ErrorCode::bad_input, fmt::format("the limits in '{}' are no JSON object", where),
-                {}, "write {\"rmse\": 0.01, \"N.max\": 0.1}");
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the limits in '{}' are not a JSON object", where), {},
+                "write {\"rmse\": 0.01, \"N.max\": 0.1}");
   std::vector<image::Limit> out;
   for (const auto& [name, value] : object.items()) {
     if (!value.is_number())
       throw Error(ErrorCode::bad_input,
-                  fmt::format("the limit '{}' in '{}' is no number", name, where), {},
+                  fmt::format("the limit '{}' in '{}' is not a number", name, where), {},
                   "write {\"rmse\": 0.01, \"N.max\": 0.1}");
     try {
       out.push_back(image::limit_of(name, value.get<double>()));

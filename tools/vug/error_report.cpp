@@ -12,7 +12,7 @@ namespace vug::cli {
 
 int print_error(const Error& error) {
   clear_progress_bar();
-  using scene::printable;  // messages quote names and files, which may hold any bytes
+  using scene::printable;  // messages quote names and files, which may hold arbitrary bytes
   const std::string where = printable(to_string(error.where()));
   fmt::print(stderr, "{}{}error: {}\n", where, where.empty() ? "" : ": ", printable(error.what()));
   for (const std::string& doing : error.context())

@@ -1,14 +1,15 @@
-// How the command tells of errors.
+// Printing of errors and warnings.
 #pragma once
 
 #include <vug/base/error.h>
 
 namespace vug::cli {
 
-/// "error: message", its context and its hint on stderr; the exit code that goes with it.
+/// Prints "error: message", the error's context and its hint to stderr. Returns the exit code.
 int print_error(const Error& error);
 
-/// Tells an error on stderr that stops nothing, and what that means.
+/// Prints an error that does not stop the program to stderr as a warning, followed by its
+/// consequence `what`.
 void print_warning(const Error& error, const std::string& what);
 
 }  // namespace vug::cli

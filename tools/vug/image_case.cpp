@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Fills one member from the value of its key; throws a sentence.
+/// Sets one member from the value of its key. Throws an Error with a one-sentence message.
 using Reader = std::function<void(ImageCase&, const Json&)>;
 
 [[noreturn]] void refuse(const std::string& what, const std::string& hint) {
@@ -27,29 +27,29 @@ using Reader = std::function<void(ImageCase&, const Json&)>;
 
 std::string text(const Json& value) {
   if (!value.is_string() || value.get<std::string>().empty())
-    refuse("it is no text", "write \"...\"");
+    refuse("it is not a string", "write \"...\"");
   return value.get<std::string>();
 }
 
 std::vector<std::string> texts(const Json& value) {
   std::vector<std::string> out;
-  if (!value.is_array()) refuse("it is no list of texts", "write [\"...\", \"...\"]");
+  if (!value.is_array()) refuse("it is not a list of strings", "write [\"...\", \"...\"]");
   for (const Json& each : value) out.push_back(text(each));
   return out;
 }
 
 double number(const Json& value, double low, double high) {
   if (!value.is_number() || !(value.get<double>() >= low) || !(value.get<double>() <= high))
-    refuse(fmt::format("it is no number from {} to {}", low, high),
+    refuse(fmt::format("it is not a number from {} to {}", low, high),
            "see docs/guides/image_tests.md");
   return value.get<double>();
 }
 
-/// {"size": "64x36", "spp": 64, "float": true, "D": ["LD=4"]} as options of the command line; a
-/// list of words stands for itself.
+/// Turns {"size": "64x36", "spp": 64, "float": true, "D": ["LD=4"]} into command-line options. A
+/// list of words is taken as it is.
 std::vector<std::string> render_options(const Json& value) {
   if (value.is_array()) return texts(value);
-  if (!value.is_object()) refuse("it is no object", "write {\"size\": \"64x36\", \"spp\": 64}");
+  if (!value.is_object()) refuse("it is not an object", "write {\"size\": \"64x36\", \"spp\": 64}");
   std::vector<std::string> out;
   for (const auto& [key, given] : value.items()) {
     const std::string option = (key.size() == 1 ? "-" : "--") + key;
@@ -125,14 +125,14 @@ ImageCase read_case(const std::filesystem::path& folder, const std::string& name
   const std::filesystem::path file = folder / "case.json";
   const Json json = read_json<Json>(file, "see docs/guides/image_tests.md");
   if (!json.is_object())
-    throw Error(ErrorCode::bad_input, "a case is a JSON object", {file.string(), 0, 0},
+    throw Error(ErrorCode::bad_input, "a case must be a JSON object", {file.string(), 0, 0},
                 "write {\"scene\": \"cave.vug\"}");
   std::vector<std::string> known;
   for (const auto& [key, reader] : readers()) known.push_back(key);
   for (const auto& [key, value] : json.items()) {
     const auto reader = readers().find(key);
     if (reader == readers().end())
-      throw Error(ErrorCode::bad_input, fmt::format("'{}': a case has no '{}'", file.string(), key),
+      throw Error(ErrorCode::bad_input, fmt::format("'{}': unknown key '{}'", file.string(), key),
                   {}, suggestion(key, known));
     try {
       reader->second(out, value);
@@ -150,15 +150,15 @@ ImageCase read_case(const std::filesystem::path& folder, const std::string& name
   const auto writes = [](const std::string& w) { return w.find("{output}") != std::string::npos; };
   if (!out.command.empty() && std::none_of(out.command.begin(), out.command.end(), writes))
     throw Error(ErrorCode::bad_input,
-                fmt::format("the command in '{}' has no place for its picture", file.string()), {},
-                "write {output} where the program takes the file to write");
+                fmt::format("the command in '{}' does not contain {{output}}", file.string()), {},
+                "write {output} where the program expects the name of its output file");
   return out;
 }
 
 std::vector<CaseFolder> find_cases(const std::filesystem::path& root, const std::string& filter) {
   namespace fs = std::filesystem;
   if (!fs::is_directory(root))
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no folder", root.string()), {},
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' is not a folder", root.string()), {},
                 "name the folder that holds the cases");
   std::vector<CaseFolder> out;
   const auto add = [&](const fs::path& folder) {

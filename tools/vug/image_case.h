@@ -1,5 +1,5 @@
-// A case of an image test: a folder with case.json, a reference picture and perhaps a mask.
-// docs/guides/image_tests.md describes it for its writers.
+// A case of an image test: a folder with case.json, a reference picture and an optional mask.
+// docs/guides/image_tests.md describes the format.
 #pragma once
 
 #include <vug/image/diff.h>
@@ -12,41 +12,43 @@
 namespace vug::cli {
 
 struct ImageCase {
-  std::string name;  ///< Its folder, seen from where the search began.
+  std::string name;  ///< Path of its folder, relative to the folder that was searched.
   std::filesystem::path folder;
-  std::filesystem::path scene;       ///< Empty where a command makes the picture.
+  std::filesystem::path scene;       ///< Empty if a command creates the picture.
   std::vector<std::string> render;   ///< Options of `vug render`.
-  std::vector<std::string> command;  ///< With {output}, {seed} and {vug} in its words.
+  std::vector<std::string> command;  ///< May contain {output}, {seed} and {vug}.
   std::filesystem::path reference;
-  std::filesystem::path mask;  ///< Empty: all pixels.
+  std::filesystem::path mask;  ///< Empty: all pixels count.
   image::DiffOptions diff;
   double timeout = 600;  ///< Seconds.
 
-  /// What makes the picture `output`, drawing other samples where a seed is given.
+  /// The command that creates the picture `output`, with other samples if a seed is given.
   std::vector<std::string> render_command(const std::filesystem::path& output, int threads,
                                           std::optional<uint64_t> seed) const;
+  /// Whether the samples of its picture depend on a seed.
   bool can_be_reseeded() const;
 };
 
-/// Reads folder/case.json. Error(bad_input) for a key that is not known, with the nearest that is,
-/// and for a value of the wrong kind.
+/// Reads folder/case.json. Error(bad_input) for an unknown key, with the nearest known key, and for
+/// a value of the wrong type.
 ImageCase read_case(const std::filesystem::path& folder, const std::string& name);
 
-/// Folders at and below `root` that hold a case.json, in the order of their names; those in whose
-/// name `filter` occurs. Error(bad_input) where `root` is no folder.
+/// A folder with a case.json, and its name relative to the folder that was searched.
 struct CaseFolder {
   std::filesystem::path folder;
   std::string name;
 };
+/// Folders at and below `root` that hold a case.json and whose name contains `filter`, in the order
+/// of their names. Error(bad_input) if `root` is not a folder.
 std::vector<CaseFolder> find_cases(const std::filesystem::path& root, const std::string& filter);
 
-/// The history of a reference, a text beside it (reference.exr: reference.history), one line for
-/// each picture it has been: version, content hash and reason. No dates.
+/// The history of a reference, a text file next to it (reference.exr: reference.history) with one
+/// line per version of the picture: program version, content hash and reason. It holds no dates.
 std::filesystem::path history_of(const std::filesystem::path& reference);
-/// Error(bad_input) when a history is there whose last line is not about the file as it is.
+/// Error(bad_input) if a history exists and its last line does not match the reference's content.
 void require_recorded(const std::filesystem::path& reference);
-/// Puts `picture` in the reference's place, the layers that are compared and what is known of their
-/// noise, and adds a line to its history.
+/// Replaces the reference by `picture`, reduced to the compared layers and their noise estimates,
+/// and adds a line to its history.
 void replace_reference(const ImageCase& image_case, const std::filesystem::path& picture,
                        const std::string& reason);
 

@@ -1,4 +1,4 @@
-// vug: caves and terrain out of grammars. Parses arguments and hands over to a verb.
+// The vug program: caves and terrain from grammars. Parses the arguments and runs the chosen verb.
 #include "arguments.h"
 #include "error_report.h"
 #include "progress_bar.h"
@@ -34,14 +34,15 @@ std::vector<Verb> verbs() {
   };
 }
 
-/// No option takes an empty text, which is what a script's unset variable leaves behind, nor one
-/// that begins with the = of "-o=file", which is no way to write a short option.
+/// The fault of an option's value, or an empty string. Empty values are rejected, because an unset
+/// variable of a script produces them, and so are values that begin with the = of "-o=file", which
+/// is not valid for short options.
 std::string value_fault(std::string& text) {
   if (text.empty()) return "the value is empty";
-  return text.starts_with('=') ? fmt::format("'{}' begins with '=', leave that out", text) : "";
+  return text.starts_with('=') ? fmt::format("'{}' begins with '='; remove it", text) : "";
 }
 
-/// Of the command and those below it; first of all, before ranges are checked.
+/// Checks the values of all options of the command and its subcommands, before their ranges.
 void validate_values(CLI::App& command) {
   for (CLI::Option* option : command.get_options())
     option->transform(CLI::Validator(value_fault, ""));
@@ -57,7 +58,7 @@ std::vector<std::string> verb_names() {
   return names;
 }
 
-/// What does not start with a dash in the first place must be a verb.
+/// Throws if the first argument is neither an option nor a verb.
 void require_verb(const std::optional<std::string>& first) {
   const std::vector<std::string> names = verb_names();
   const std::string word = first.value_or("");
@@ -65,7 +66,7 @@ void require_verb(const std::optional<std::string>& first) {
   throw unknown_verb_error(word, names);
 }
 
-/// Options that the command takes, with those of its groups and of the commands above it.
+/// Names of the options of a command, of its groups and of its parent commands.
 std::vector<std::string> option_names(const CLI::App& command) {
   std::vector<std::string> names;
   const auto add = [&](const CLI::App& from) {
@@ -80,7 +81,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-/// What is said of words that the command has no use for.
+/// The error for arguments that the command does not take.
 Error unexpected_argument_error(const CLI::App& app) {
   const CLI::App* command = &app;
   std::string called = app.get_name();
@@ -91,20 +92,20 @@ Error unexpected_argument_error(const CLI::App& app) {
   const std::vector<std::string> words = app.remaining(true);
   const auto option = std::find_if(words.begin(), words.end(),
                                    [](const std::string& word) { return word.starts_with('-'); });
-  const std::string help = fmt::format("'{} --help' tells what it takes", called);
+  const std::string help = fmt::format("'{} --help' lists its options", called);
   if (option == words.end())
     return Error(ErrorCode::bad_input,
                  words.size() == 1
-                     ? fmt::format("there is one argument too many: '{}'", words.front())
-                     : fmt::format("there are arguments too many: '{}'", fmt::join(words, "', '")),
+                     ? fmt::format("unexpected argument: '{}'", words.front())
+                     : fmt::format("unexpected arguments: '{}'", fmt::join(words, "', '")),
                  {}, help);
   const std::string name = option->substr(0, option->find('='));
   const std::string near = nearest_name(name, option_names(*command));
-  return Error(ErrorCode::bad_input, fmt::format("there is no option '{}'", name), {},
+  return Error(ErrorCode::bad_input, fmt::format("unknown option '{}'", name), {},
                near.empty() ? help : fmt::format("did you mean '{}'?", near));
 }
 
-/// What is said where options alone stand before the verb that is missing or unknown.
+/// The error for a command line whose verb is missing, or unknown and preceded by options.
 Error missing_verb_error(const CLI::App& app) {
   const std::vector<std::string> words = app.remaining();
   if (words.empty()) return unknown_verb_error("", verb_names());
@@ -112,29 +113,32 @@ Error missing_verb_error(const CLI::App& app) {
                                         : unknown_verb_error(words.front(), verb_names());
 }
 
-/// One that does not fit says so and is done without: a scene that needs its words fails by itself.
+/// Loads the plugins of $VUG_PLUGIN_PATH. One that cannot be loaded causes a warning only: a scene
+/// that needs its kinds fails with an error of its own.
 void load_plugins_in_path() {
   for (const auto& plugin : loading::plugins_in_path()) try {
       loading::load_plugin(plugin);
     } catch (const Error& error) {
-      print_warning(error, "it is done without, as it was only found in $VUG_PLUGIN_PATH");
+      print_warning(error, "it is ignored, because it was only found through $VUG_PLUGIN_PATH");
     }
 }
 
 int run(int argc, char** argv) {
   require_verb(argc > 1 ? std::optional<std::string>(argv[1]) : std::nullopt);
-  CLI::App app("Grows film-grade caves out of grammars: text to VDB, mesh and picture.", "vug");
+  CLI::App app(
+      "Grows film-grade caves from grammars: turns a scene text into VDB files, meshes and "
+      "pictures.",
+      "vug");
   app.set_version_flag("--version", "vug " VUG_VERSION);
   app.require_subcommand(1);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return fmt::format("error: {}\nhint: 'vug --help' and 'vug VERB --help' tell more\n",
-                       error.what());
+    return fmt::format("error: {}\nhint: see 'vug --help' and 'vug VERB --help'\n", error.what());
   });
   app.footer(
-      "'vug VERB --help' tells more. Exit codes: 0 done, 1 the answer is no, 2 unusable input, 3 a "
-      "failure.");
+      "'vug VERB --help' describes a verb. Exit codes: 0 done, 1 the answer is no, 2 unusable "
+      "input, 3 failure.");
   std::vector<std::string> plugins;
-  app.add_option("--plugin", plugins, "a plugin to load, beside those in $VUG_PLUGIN_PATH")
+  app.add_option("--plugin", plugins, "Plugin to load in addition to those in $VUG_PLUGIN_PATH")
       ->take_all()
       ->allow_extra_args(false);
   std::map<const CLI::App*, std::function<int()>> runs;
@@ -157,7 +161,7 @@ int run(int argc, char** argv) {
   return runs.at(app.get_subcommands().at(0))();
 }
 
-/// Results may wait in a buffer until now, so a full disk may show only here.
+/// Flushes the results and returns the exit code. A full disk may become visible only here.
 int flush_results(int exit) {
   if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return exit;
   fmt::print(stderr, "error: cannot write to the standard output: {}\n", std::strerror(errno));
@@ -183,7 +187,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fputs("error: out of memory\nhint: use a larger voxel or fewer pixels\n", stderr);
     return cli::kFailed;
-  } catch (const std::system_error& error) {  // what fmt::print throws
+  } catch (const std::system_error& error) {  // thrown by fmt::print
     fmt::print(stderr, "error: cannot write to the standard output: {}\n", error.code().message());
     return cli::kFailed;
   } catch (const std::exception& error) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWidth = 640, kPanel = 206, kLeft = 90, kRight = 20, kTop = 40, kGap = 58;
 
-/// A round step (1, 2 or 5 times a power of ten) that cuts `span` into about four.
+/// A round step (1, 2 or 5 times a power of ten) that divides `span` into about four intervals.
 double round_step(double span) {
   const double raw = span > 0 ? span / 4 : 1;
   const double power = std::pow(10, std::floor(std::log10(raw)));
@@ -23,7 +23,7 @@ double round_step(double span) {
 
 struct Axis {
   double low, high, step;
-  double share(double v) const { return (v - low) / (high - low); }
+  double fraction(double v) const { return (v - low) / (high - low); }
 };
 
 Axis axis_of(const std::vector<double>& values) {
@@ -46,7 +46,7 @@ std::string panel(const Plot& plot, const Curve& curve, double top) {
   const double bottom = top + kPanel - kGap, width = kWidth - kLeft - kRight, height = bottom - top;
   std::string out;
   for (double v = ay.low; v <= ay.high + ay.step / 2; v += ay.step) {
-    const double y = bottom - height * ay.share(v);
+    const double y = bottom - height * ay.fraction(v);
     out += fmt::format("<line x1='{}' x2='{}' y1='{:.1f}' y2='{:.1f}' stroke='#ddd'/>", kLeft,
                        kWidth - kRight, y, y);
     out += fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>{:.6g}</text>\n", kLeft - 6,
@@ -54,11 +54,12 @@ std::string panel(const Plot& plot, const Curve& curve, double top) {
   }
   for (double v = ax.low; v <= ax.high + ax.step / 2; v += ax.step)
     out += fmt::format("<text x='{:.1f}' y='{:.1f}' text-anchor='middle'>{:.6g}</text>\n",
-                       kLeft + width * ax.share(v), bottom + 15, v);
+                       kLeft + width * ax.fraction(v), bottom + 15, v);
   std::string points;
   for (size_t i = 0; i < x.size(); ++i) {
     if (!std::isfinite(curve.y[i])) continue;
-    const double px = kLeft + width * ax.share(x[i]), py = bottom - height * ay.share(curve.y[i]);
+    const double px = kLeft + width * ax.fraction(x[i]),
+                 py = bottom - height * ay.fraction(curve.y[i]);
     points += fmt::format("{:.1f},{:.1f} ", px, py);
     out += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='3' fill='#a4501c'/>", px, py);
   }

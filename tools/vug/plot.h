@@ -1,4 +1,4 @@
-// Line plots as SVG: what `vug sweep` draws.
+// Line plots as SVG, for `vug sweep`.
 #pragma once
 
 #include <string>
@@ -6,22 +6,23 @@
 
 namespace vug::cli {
 
-/// One curve over shared x values; NaN where a value is not known.
+/// One curve over shared x values; NaN marks an unknown value.
 struct Curve {
   std::string label;
   std::vector<double> y;
 };
 
+/// A plot of several curves, each in a panel of its own.
 struct Plot {
   std::string title;
   std::string x_label;
   std::vector<double> x;
   std::vector<Curve> curves;
-  bool lines = true;  ///< Join the points, in the order given.
+  bool lines = true;  ///< Whether the points are joined, in the given order.
 };
 
-/// One panel for each curve below each other, axes linear, labels at round numbers. The same
-/// input gives the same bytes.
+/// Draws one panel per curve, stacked vertically, with linear axes and labels at round numbers. The
+/// same input gives the same bytes.
 std::string plot_svg(const Plot& plot);
 
 }  // namespace vug::cli

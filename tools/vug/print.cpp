@@ -9,15 +9,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// As JSON; texts of other programs' files may hold any bytes.
+/// The value as JSON. Strings from other programs' files may hold arbitrary bytes.
 std::string dumped(const Json& value, int indent) {
   return value.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-/// Of long lists of rows the first and the last so many are shown.
+/// Number of rows that are shown at either end of a long list.
 constexpr size_t kEnds = 2;
 
-/// One "key: value" a line, nested parts indented.
+/// Prints one "key: value" per line, with nested parts indented.
 void print(const Json& value, int depth) {
   const std::string indent(static_cast<size_t>(2 * depth), ' ');
   size_t row = 0;
@@ -25,7 +25,7 @@ void print(const Json& value, int depth) {
     if (value.is_array() && value.size() > 4 * kEnds) {
       const size_t at = row++;
       if (at == kEnds)
-        fmt::print("{}... {} more, which --json shows\n", indent, value.size() - 2 * kEnds);
+        fmt::print("{}... {} more; --json prints all\n", indent, value.size() - 2 * kEnds);
       if (at >= kEnds && at + kEnds < value.size()) continue;
     }
     const std::string label = value.is_array() ? "-" : key + ":";

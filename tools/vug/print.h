@@ -1,12 +1,12 @@
-// Reports that are data, for people and for programs.
+// Printing of structured reports, for people and for programs.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace vug::cli {
 
-/// On stdout: one "key: value" a line with nested parts indented and texts cut to their first line,
-/// or as JSON with whole texts.
+/// Prints a report to stdout: as one "key: value" per line with nested parts indented and strings
+/// cut to their first line, or as JSON with complete strings.
 void print_report(const nlohmann::ordered_json& report, bool json);
 
 }  // namespace vug::cli

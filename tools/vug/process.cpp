@@ -16,7 +16,7 @@
 namespace vug::cli {
 namespace {
 
-/// What the new process does before it becomes the program.
+/// Actions of the new process before it executes the program.
 class SpawnActions {
  public:
   SpawnActions(const std::filesystem::path& folder, const std::filesystem::path& log) {
@@ -35,7 +35,7 @@ class SpawnActions {
   posix_spawn_file_actions_t actions_;
 };
 
-/// How long a program may take to end when asked.
+/// Time that a program has to end after SIGTERM.
 constexpr std::chrono::seconds kTerminationTimeout{5};
 
 int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
@@ -54,12 +54,12 @@ ProcessResult run_program(const std::vector<std::string>& command,
   if (fault != 0)
     throw Error(ErrorCode::bad_input,
                 fmt::format("cannot run '{}': {}", command.at(0), std::strerror(fault)), {},
-                "name a program in PATH, or {vug} for this one");
+                "name a program in PATH, or write {vug} for this one");
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
   ProcessResult out;
   int status = 0;
-  std::optional<Clock::time_point> asked;  // to stop
+  std::optional<Clock::time_point> asked;  // time of SIGTERM
   while (waitpid(child, &status, WNOHANG) == 0) {
     if (progress.cancelled() && !asked) {
       asked = Clock::now();

@@ -1,4 +1,4 @@
-// Another program, run to its end.
+// Runs another program to its end.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -9,19 +9,20 @@
 
 namespace vug::cli {
 
+/// How a process ended.
 struct ProcessResult {
-  int exit = -1;  ///< Its exit code; 128 + the signal's number for one that was killed.
+  int exit = -1;  ///< Exit code; 128 + signal number for a process that was killed.
   bool timed_out = false;
 };
 
-/// Runs `command` (the first word is the program, found in PATH) in `folder`; what it prints goes
-/// to the file `log`. After `seconds` it is killed. Error(bad_input) where it cannot be started,
-/// Error(cancelled) where `progress` asks to stop, once it has ended on SIGTERM or SIGKILL.
+/// Runs `command` (the first word is the program, searched in PATH) in `folder` and writes its
+/// output to the file `log`. Kills it after `seconds`. Error(bad_input) if it cannot be started;
+/// Error(cancelled) if `progress` is cancelled, after the process has ended on SIGTERM or SIGKILL.
 ProcessResult run_program(const std::vector<std::string>& command,
                           const std::filesystem::path& folder, const std::filesystem::path& log,
                           double seconds, const Progress& progress = Progress::none());
 
-/// The program that is running now.
+/// Path of the running executable.
 std::filesystem::path current_executable();
 
 }  // namespace vug::cli

@@ -18,13 +18,13 @@ using Clock = std::chrono::steady_clock;
 
 std::atomic<Progress*> interrupted = nullptr;
 
-/// Only sets an atomic flag; a second signal ends the process the hard way. Before any work has
-/// begun there is nothing to put in order.
+/// Only sets an atomic flag; a second signal kills the process. Before any work has begun the
+/// process can end at once, because nothing needs to be cleaned up.
 void on_signal(int signal) {
   std::signal(signal, SIG_DFL);
   if (Progress* const progress = interrupted.load()) return progress->cancel();
-  constexpr char kSaid[] = "error: stopped on request\n";
-  const ssize_t written = write(STDERR_FILENO, kSaid, sizeof kSaid - 1);
+  constexpr char kMessage[] = "error: stopped on request\n";
+  const ssize_t written = write(STDERR_FILENO, kMessage, sizeof kMessage - 1);
   (void)written;
   _exit(kFailed);
 }

@@ -1,21 +1,22 @@
-// Progress on a terminal, and Ctrl-C as a polite request.
+// Progress bar on a terminal, and cancellation by signals.
 #pragma once
 
 #include <vug/base/progress.h>
 
 namespace vug::cli {
 
+/// When the progress bar is drawn.
 enum class ProgressBarMode { on_terminals, always, never };
 
-/// The process's Progress: draws a bar with an estimate of the time left on stderr, by default
-/// when that is a terminal. Call once.
+/// The Progress of the process. Draws a bar with an estimate of the remaining time on stderr, by
+/// default if stderr is a terminal. Call it once.
 Progress& terminal_progress(ProgressBarMode shown);
 
-/// From now on Ctrl-C (SIGINT) and SIGTERM cancel the process's Progress; before there is one they
-/// end the process with a word. A second signal ends it the hard way.
+/// Makes Ctrl-C (SIGINT) and SIGTERM cancel the Progress of the process. Before one exists they end
+/// the process with a message. A second signal kills the process.
 void install_signal_handlers();
 
-/// Ends the line a bar may stand on, before other output.
+/// Ends the line of a visible bar. Call it before other output.
 void clear_progress_bar();
 
 }  // namespace vug::cli

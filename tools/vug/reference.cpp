@@ -1,4 +1,4 @@
-// References of image cases and their histories.
+// Reference pictures of image cases and their histories.
 #include "image_case.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ bool kept(const image::Layer& layer, const std::vector<std::string>& compared) {
          std::find(compared.begin(), compared.end(), layer.name) != compared.end();
 }
 
-/// Only what is compared: references are kept for years.
+/// Writes the compared layers only, because references are kept for years.
 void store(const image::ImageUnderTest& subject, const image::FileInfo& info,
            const ImageCase& image_case) {
   std::vector<std::string> channels;
@@ -57,8 +57,8 @@ void require_recorded(const std::filesystem::path& reference) {
   if (last_line(read_text(history)).find(hash_of(reference)) == std::string::npos)
     throw Error(
         ErrorCode::bad_input,
-        fmt::format("'{}' is not the picture that its history tells of", reference.string()), {},
-        "put the picture back, or make a new one with --update --reason \"...\"");
+        fmt::format("'{}' does not match the last entry of its history", reference.string()), {},
+        "restore the picture, or create a new one with --update --reason \"...\"");
 }
 
 void replace_reference(const ImageCase& image_case, const std::filesystem::path& picture,
@@ -75,7 +75,7 @@ void replace_reference(const ImageCase& image_case, const std::filesystem::path&
     if (!there)
       throw Error(ErrorCode::bad_input,
                   fmt::format("the picture of '{}' has no layer '{}'", image_case.name, name), {},
-                  "name its layers in case.json");
+                  "list existing layers in case.json");
   }
   if (extension_of(image_case.reference) == ".exr")
     store(subject, image::read_info(picture), image_case);

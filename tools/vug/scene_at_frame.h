@@ -1,4 +1,4 @@
-// A scene at one frame of a sequence.
+// A scene at one frame of a sequence, with its builder.
 #pragma once
 
 #include "scene_options.h"
@@ -7,7 +7,7 @@
 
 namespace vug::cli {
 
-/// What is loaded of it, and a builder that tells of its text.
+/// The loaded scene and a builder whose diagnostics refer to its text.
 struct SceneAtFrame {
   explicit SceneAtFrame(loading::Loaded from, const WorkOptions& work, Progress& progress)
       : loaded(std::move(from)), builder(loaded.shot, work.build_options(loaded), progress) {}

@@ -14,13 +14,13 @@ namespace vug::cli {
 
 void SceneOptions::add_to(CLI::App& app, const WorkOptions* work) {
   work_ = work;
-  app.add_option("scene", scene, "the scene, a .vug file")->required();
-  app.add_option("-D", defines, "NAME=VALUE: set a parameter of the scene")
+  app.add_option("scene", scene, "Scene, a .vug file")->required();
+  app.add_option("-D", defines, "NAME=VALUE: value of a scene parameter")
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
-  app.add_option("--seed", seed, "instead of the scene's seed")->check(seed_number());
-  app.add_option("--frame", frame, "the moment of a scene that moves; else 1")
+  app.add_option("--seed", seed, "Seed that replaces the scene's own")->check(seed_number());
+  app.add_option("--frame", frame, "Frame number of an animated scene; default 1")
       ->transform(number_in(Dimension::none, -1e6, 1e6));
 }
 
@@ -31,13 +31,13 @@ loading::LoadOptions SceneOptions::load_options() const {
   for (const std::string& define : defines) {
     const size_t equals = define.find('=');
     if (equals == std::string::npos || equals == 0)
-      throw Error(ErrorCode::bad_input, fmt::format("'-D {}' names no parameter and value", define),
-                  {}, "write -D NAME=VALUE");
+      throw Error(ErrorCode::bad_input, fmt::format("invalid option '-D {}'", define), {},
+                  "write -D NAME=VALUE");
     const std::string name = define.substr(0, equals);
     for (const scene::Override& other : options.overrides)
       if (other.name == name)
         throw Error(ErrorCode::bad_input, fmt::format("'{}' is set twice", name), {},
-                    "write -D once for each parameter");
+                    "write -D once per parameter");
     options.overrides.push_back({name, define.substr(equals + 1)});
   }
   options.include_folders = loading::data_folders();
@@ -77,10 +77,13 @@ loading::Loaded SceneOptions::load(const loading::LoadOptions& options) const {
 }
 
 void WorkOptions::add_to(CLI::App& app) {
-  app.add_option("--threads", threads, "threads to use; 0: all cores")->check(integer_in(0, 1024));
-  app.add_option("--max-memory", max_memory, "refuse work that needs more, e.g. 8G");
-  auto* silent = app.add_flag("--quiet,-q", quiet, "no progress bar and no summary; warnings stay");
-  app.add_flag("--progress", progress, "a progress bar even where stderr is no terminal")
+  app.add_option("--threads", threads, "Number of threads; 0 uses all cores")
+      ->check(integer_in(0, 1024));
+  app.add_option("--max-memory", max_memory,
+                 "Memory limit, e.g. 8G; work that needs more is refused");
+  auto* silent = app.add_flag("--quiet,-q", quiet,
+                              "No progress bar and no summary; warnings are still printed");
+  app.add_flag("--progress", progress, "Progress bar even if stderr is not a terminal")
       ->excludes(silent);
 }
 
@@ -108,7 +111,7 @@ void WorkOptions::summarise(const building::Builder& builder) const {
   if (quiet) return;
   for (const shot::MeshPtr& plan : shot::declared_meshes(builder.shot()))
     if (const size_t pieces = builder.components_removed(plan); pieces > 0)
-      fmt::print(stderr, "mesh '{}': {} smaller than {} m left out\n", plan->name,
+      fmt::print(stderr, "mesh '{}': {} smaller than {} m removed\n", plan->name,
                  pluralize(pieces, "piece"), plan->smallest_piece);
 }
 

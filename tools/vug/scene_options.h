@@ -1,4 +1,4 @@
-// Options that every verb with a scene shares.
+// Options shared by all verbs that take a scene.
 #pragma once
 
 #include "progress_bar.h"
@@ -17,20 +17,23 @@ namespace vug::cli {
 
 struct WorkOptions;
 
+/// The scene file and the values that replace its own.
 struct SceneOptions {
   std::string scene;
   std::vector<std::string> defines;
   std::optional<uint64_t> seed;
   std::optional<double> frame;
 
-  /// `work`: of the same verb, may be null; its limits hold while the scene is loaded, too.
+  /// `work`: the options of the same verb, or null. Its limits also apply while the scene is
+  /// loaded.
   void add_to(CLI::App& app, const WorkOptions* work = nullptr);
   /// Loads the scene; prints its diagnostics on stderr. Throws ExitRequest{kUnusable} when it has
   /// errors.
   loading::Loaded load() const;
-  /// The same at a frame of a sequence; see loading::Still.
+  /// Loads the scene at a frame of a sequence; see loading::StaticCache.
   loading::Loaded load(double at, loading::StaticCache& static_cache) const;
-  /// For PictureOptions::moment; the options and `still` must outlive it.
+  /// The function for PictureOptions::shot_at_frame. The options and `static_cache` must outlive
+  /// it.
   std::function<std::shared_ptr<const shot::Shot>(double)> shot_at_frame(
       loading::StaticCache& static_cache) const;
   loading::LoadOptions load_options() const;
@@ -41,6 +44,7 @@ struct SceneOptions {
   loading::Loaded load(const loading::LoadOptions& options) const;
 };
 
+/// Threads, memory limit and progress output of a run.
 struct WorkOptions {
   int threads = 0;
   std::string max_memory;
@@ -49,11 +53,12 @@ struct WorkOptions {
 
   void add_to(CLI::App& app);
   ProgressBarMode bar_mode() const;
-  /// In bytes; without --max-memory nine tenths of what the machine has free.
+  /// The limit in bytes: --max-memory, or nine tenths of the free memory.
   uint64_t memory_limit() const;
-  /// Within that limit; warnings go to stderr as they come. `loaded` must outlive what is built.
+  /// Options of a builder with that limit, which prints warnings to stderr as they occur. `loaded`
+  /// must outlive the builder.
   building::BuildOptions build_options(const loading::Loaded& loaded) const;
-  /// Tells on stderr what was left out of the meshes, unless quiet.
+  /// Reports on stderr the components that were removed from the meshes, unless quiet.
   void summarise(const building::Builder& builder) const;
 };
 

@@ -16,7 +16,7 @@ struct Sha256::State {
 
 Sha256::Sha256() : state_(std::make_unique<State>()) {
   if (!state_->context || EVP_DigestInit_ex(state_->context, EVP_sha256(), nullptr) != 1)
-    throw Error(ErrorCode::internal, "no SHA-256 in the system's OpenSSL");
+    throw Error(ErrorCode::internal, "the system's OpenSSL does not provide SHA-256");
 }
 
 Sha256::~Sha256() = default;

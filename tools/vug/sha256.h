@@ -1,4 +1,5 @@
-// SHA-256, as sha256sum and Python's hashlib compute it: for words that others compute too.
+// SHA-256 as computed by sha256sum and Python's hashlib, for hashes that other programs also
+// compute.
 #pragma once
 
 #include <memory>
@@ -15,7 +16,7 @@ class Sha256 {
   Sha256& operator=(const Sha256&) = delete;
 
   void add(std::string_view bytes);
-  std::string hex();  ///< 64 digits; the last call.
+  std::string hex();  ///< 64 hexadecimal digits. Must be the last call.
 
  private:
   struct State;

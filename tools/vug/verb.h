@@ -1,4 +1,5 @@
-// A verb of the command: `vug VERB ...`. One file each in verbs/, listed in CMakeLists.txt.
+// A verb of the command, `vug VERB ...`. Each verb is a file in verbs/ and a line in
+// CMakeLists.txt.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -10,22 +11,23 @@
 
 namespace vug::cli {
 
-/// What scripts may rely on.
+/// Exit codes, which scripts may rely on.
 enum Exit : int {
   kDone = 0,      ///< The work is done.
-  kAnswerNo = 1,  ///< The answer is no: a broken mesh, a difference.
-  kUnusable = 2,  ///< Input or arguments cannot be used.
-  kFailed = 3,    ///< Something failed while working.
+  kAnswerNo = 1,  ///< The answer is no, e.g. a broken mesh or a difference.
+  kUnusable = 2,  ///< The input or the arguments cannot be used.
+  kFailed = 3,    ///< An operation failed.
 };
 
 struct Verb {
   std::string name;
   std::string doc;
-  /// Adds the options to the subcommand and gives what runs it; that returns an Exit.
+  /// Adds the options to the subcommand and returns the function that runs it, which returns an
+  /// Exit.
   std::function<std::function<int()>(CLI::App&)> setup;
 };
 
-/// Thrown by a verb that has said what is wrong already.
+/// Thrown by a verb that has already reported its error.
 struct ExitRequest {
   int exit;
 };

@@ -18,7 +18,7 @@ FileTransaction::FileTransaction(fs::path folder, const std::string& name)
   for (const fs::path& each : stale_partial_files(folder_, name))
     if (fs::is_directory(each, ignored)) fs::remove_all(each, ignored);
   staging_ = folder_ / partial_file_name(name);
-  fs::remove_all(staging_, ignored);  // of a process that had the same number
+  fs::remove_all(staging_, ignored);  // left by a process with the same process number
   created_folders_ = make_folders(staging_);
 }
 
@@ -32,15 +32,15 @@ void FileTransaction::commit() {
   std::vector<std::unique_ptr<AtomicFile>> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(staging_)) {
     files.push_back(std::make_unique<AtomicFile>(folder_ / entry.path().filename()));
-    const fs::path& beside = files.back()->path();
+    const fs::path& temporary = files.back()->path();
     std::error_code code;
-    fs::rename(entry.path(), beside, code);
+    fs::rename(entry.path(), temporary, code);
     if (!code) continue;
-    // A link has led to another disk.
-    fs::copy_file(entry.path(), beside, fs::copy_options::overwrite_existing, code);
+    // A symbolic link refers to another disk.
+    fs::copy_file(entry.path(), temporary, fs::copy_options::overwrite_existing, code);
     if (code)
       throw Error(ErrorCode::io,
-                  fmt::format("cannot write '{}': {}", beside.string(), code.message()));
+                  fmt::format("cannot write '{}': {}", temporary.string(), code.message()));
   }
   for (const auto& file : files) file->commit();
 }

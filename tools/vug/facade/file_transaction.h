@@ -1,4 +1,4 @@
-// Files that belong together: all of them appear, or none.
+// Writes several files as one transaction: either all of them appear, or none.
 #pragma once
 
 #include <filesystem>
@@ -7,25 +7,27 @@
 
 namespace vug::cli {
 
-/// A hidden folder within the one that files are for. On commit they all move there, over what has
-/// their names; without it the hidden folder goes, and so do folders that were made for it.
-/// What a killed process has left goes with the next of the same name.
+/// A hidden staging folder inside the output folder. `commit` moves its files to the output folder
+/// and replaces files of the same names. Without a commit the destructor removes the staging folder
+/// and the folders that were created for it. Files left by a killed process are removed by the next
+/// transaction of the same name.
 class FileTransaction {
  public:
-  /// Error(io) where the folders cannot be made. `name` tells apart what is written at a time.
+  /// Error(io) if the folders cannot be created. `name` distinguishes concurrent transactions.
   FileTransaction(std::filesystem::path folder, const std::string& name);
   ~FileTransaction();
   FileTransaction(const FileTransaction&) = delete;
   FileTransaction& operator=(const FileTransaction&) = delete;
 
-  /// Where files are written until then.
+  /// The staging folder, into which files are written before the commit.
   const std::filesystem::path& path() const { return staging_; }
-  /// Error(io), and nothing has moved, where there is no room for what links lead to.
+  /// Moves the files to the output folder. Error(io), with no file moved, if the target of a
+  /// symbolic link has no space left.
   void commit();
 
  private:
   std::filesystem::path folder_, staging_;
-  std::vector<std::filesystem::path> created_folders_;  ///< Folders, the innermost first.
+  std::vector<std::filesystem::path> created_folders_;  ///< Created folders, innermost first.
 };
 
 }  // namespace vug::cli

@@ -35,7 +35,7 @@ struct Options {
   const std::string& first_input() const { return photo.empty() ? clouds.front() : photo; }
 };
 
-/// What is to be read, and with a cloud what the scanner saw of it.
+/// The picture to be fitted, and the range image if the input contains a point cloud.
 struct Input {
   session::FacadePicture picture;
   std::optional<scan::RangeImage> range;
@@ -45,7 +45,7 @@ Input read_input(const Options& options) {
   Input in;
   if (!options.clouds.empty()) {
     const scan::PointCloud cloud = scan::read_clouds({options.clouds.begin(), options.clouds.end()},
-                                                {.memory = options.work.memory_limit()});
+                                                     {.memory = options.work.memory_limit()});
     const RandomKey key = RandomKey(options.fit.seed).at("facade fit");
     const scan::PlaneFit plane = scan::fit_plane(cloud, options.plane, key.at("plane"));
     scan::RangeOptions range;
@@ -64,24 +64,24 @@ Input read_input(const Options& options) {
   return in;
 }
 
-/// Of --grammar, as a session's is found; else the paper's.
+/// The file given by --grammar, found like that of a session; default: the paper's grammar.
 fs::path grammar_file(const Options& options) {
   if (fs::exists(options.grammar)) return options.grammar;
   return session::find_grammar_file({}, options.grammar.empty() ? "ripperda.vug" : options.grammar);
 }
 
-/// Where nobody has told how large the facade is, what it is taken for.
+/// Prints the assumed size of the facade if no size is given.
 void print_assumed_size(const Options& options, const session::FacadePicture& picture) {
   const Vec2d size = session::facade_size(picture, options.fit);
   if (options.work.quiet || options.fit.width > 0 || options.fit.height > 0 ||
       picture.metres_wide > 0)
     return;
   clear_progress_bar();
-  fmt::print(stderr, "taken for {:.4g} x {:.4g} m; --width or --height tell otherwise\n", size.x,
-             size.y);
+  fmt::print(stderr, "assumed size {:.4g} x {:.4g} m; --width or --height set another size\n",
+             size.x, size.y);
 }
 
-/// Files of that name in a folder.
+/// The output files of that name in a folder.
 struct Outputs {
   fs::path grammar, scene, tree, drawing, carved, seen, range, labels, report, charts;
 
@@ -94,7 +94,7 @@ struct Outputs {
   }
 };
 
-/// All but what is carved. Pictures are named as seen from `folder`.
+/// Writes all files but the carved volume. Paths of pictures are relative to `folder`.
 void write_results(const Options& options, const Input& in, const session::FacadeFit& fit,
                    const Outputs& to, const fs::path& folder) {
   if (in.range) {
@@ -124,11 +124,11 @@ void write_results(const Options& options, const Input& in, const session::Facad
 void warn_of_stale_carving(const fs::path& carved) {
   if (!fs::exists(carved)) return;
   clear_progress_bar();
-  fmt::print(stderr, "warning: '{}' is of an earlier fit\n", carved.string());
+  fmt::print(stderr, "warning: '{}' is from an earlier fit\n", carved.string());
 }
 
-/// All files at once: a disk that is full for one of them gets none. A carving that somebody stops,
-/// or that is too large, is left out.
+/// Writes all files in one transaction, so that a full disk leaves none of them. A carving that is
+/// cancelled or too large is omitted.
 void write(const Options& options, const Input& in, const session::FacadeFit& fit,
            const Outputs& files, bool carve) {
   FileTransaction transaction(options.folder, options.name);
@@ -145,7 +145,7 @@ void write(const Options& options, const Input& in, const session::FacadeFit& fi
       warn_of_stale_carving(files.carved);
       throw;
     }
-    error.within("writing what was found, of which nothing is kept");
+    error.within("writing the results, none of which are kept");
     throw;
   }
   transaction.commit();
@@ -153,14 +153,15 @@ void write(const Options& options, const Input& in, const session::FacadeFit& fi
 
 int run(Options options) {
   if (options.photo.empty() && options.clouds.empty())
-    throw Error(ErrorCode::bad_input, "there is nothing to read", {},
-                "name a picture, or a scan with --cloud");
+    throw Error(ErrorCode::bad_input, "no input given", {},
+                "pass a picture, or a scan with --cloud");
   if (!options.clouds.empty() && !options.picture.depth.empty())
-    throw Error(ErrorCode::bad_input, "--depth and --cloud both tell the depth", {},
-                "leave one of them out");
+    throw Error(ErrorCode::bad_input, "--depth and --cloud exclude each other", {},
+                "remove one of them");
   if (!options.clouds.empty() && (options.fit.width > 0 || options.fit.height > 0))
-    throw Error(ErrorCode::bad_input, "a scan tells by itself how large the facade is", {},
-                "leave --width and --height out");
+    throw Error(ErrorCode::bad_input,
+                "--width and --height do not apply to a scan, which has a size", {},
+                "remove --width and --height");
   const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar_mode());
   const fs::path folder = options.folder;
@@ -169,8 +170,8 @@ int run(Options options) {
   const std::string wanted = named ? options.name : fs::path(options.first_input()).stem().string();
   options.name = valid_grammar_name(wanted);
   if (options.name != wanted && !options.work.quiet)
-    fmt::print(stderr, "what is written is named '{}', as scenes can use no '{}'\n", options.name,
-               wanted);
+    fmt::print(stderr, "the output is named '{}', because '{}' is not a valid name in scenes\n",
+               options.name, wanted);
   const Outputs files(folder, options.name);
   std::vector<fs::path> outputs = {files.grammar, files.scene,  files.tree,
                                    files.drawing, files.report, files.charts};
@@ -183,9 +184,10 @@ int run(Options options) {
     if (!one.empty()) inputs.push_back(one);
   require_outputs(outputs, inputs);
   if (options.clouds.size() > 1 && options.photo.empty() && !named && !options.work.quiet)
-    fmt::print(stderr,
-               "{} files are one scan; what is written is named '{}', as --name is not told\n",
-               options.clouds.size(), options.name);
+    fmt::print(
+        stderr,
+        "the {} files form one scan; the output is named '{}', because --name is not given\n",
+        options.clouds.size(), options.name);
 
   options.picture.max_memory = options.work.memory_limit();
   if (!options.looks.empty()) {
@@ -199,10 +201,10 @@ int run(Options options) {
   const bool stopped = fit.reading.report.stopped;
   write(options, in, fit, files, !options.no_carving && !stopped);
   clear_progress_bar();
-  if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it is not carved\n");
+  if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it was not carved\n");
   if (stopped || options.no_carving) warn_of_stale_carving(files.carved);
   if (fit.reading.elements.empty())
-    fmt::print(stderr, "nothing was found: the facade is a bare wall\n");
+    fmt::print(stderr, "no elements were found: the facade is a bare wall\n");
   fmt::print("{}\n", facade::theta(fit.tree));
   return stopped ? kFailed : kDone;
 }
@@ -211,46 +213,46 @@ int run(Options options) {
 
 Verb facade_fit_verb() {
   return {
-      "fit", "Finds the tree of a facade grammar that a picture is most likely of.",
+      "fit", "Finds the most likely derivation tree of a facade grammar for a picture or scan.",
       [](CLI::App& app) {
         auto options = std::make_shared<Options>();
         app.add_option("photo", options->photo,
-                       "an upright view without perspective: any picture, an EXR with a layer "
-                       "of depth");
+                       "Rectified upright picture in any format, e.g. an EXR with a depth layer");
         app.add_option("--cloud", options->clouds,
-                       "PLY or text files of points, which together are one scan")
+                       "PLY or text files of points, which together form one scan")
             ->expected(-1);
-        app.add_option("-o,--output", options->folder, "the folder to write into")->required();
-        app.add_option("--name", options->name, "of the files and the grammar; else the photo's");
+        app.add_option("-o,--output", options->folder, "Output folder")->required();
+        app.add_option("--name", options->name,
+                       "Name of the output files and the grammar; default: that of the photo");
         app.add_option("--depth", options->picture.depth,
-                       "an EXR whose layer depth, or Z, tells how far the wall's parts stand out");
+                       "EXR with the depth of the wall's parts in a layer depth or Z");
         app.add_option("--width", options->fit.width,
-                       "of the facade; without it as the picture's header tells, or 12m")
+                       "Width of the facade; default from the picture's header, else 12m")
             ->transform(number_in(Dimension::length, 0.1, 1e4));
-        app.add_option("--height", options->fit.height, "of the facade; without it in proportion")
+        app.add_option("--height", options->fit.height,
+                       "Height of the facade; default from the proportions of the picture")
             ->transform(number_in(Dimension::length, 0.1, 1e4));
         app.add_option("--rows", options->picture.limits.height,
-                       "of pixels that the picture is shrunk to")
+                       "Number of pixel rows to which the picture is reduced")
             ->transform(integer_in(session::kMinPixels, 4096));
         app.add_option("--grammar", options->grammar,
-                       "a file with a grammar whose sizes are free, in place of ripperda.vug");
-        app.add_option("--likelihood", options->fit.likelihood, "kt or paper")
+                       "Grammar file with free sizes; default ripperda.vug");
+        app.add_option("--likelihood", options->fit.likelihood, "Likelihood model: kt or paper")
             ->check(CLI::IsMember({"kt", "paper"}));
-        app.add_option("--looks", options->looks,
-                       "what 'vug facade train' made of labelled pictures");
+        app.add_option("--looks", options->looks, "Pixel classifier trained by 'vug facade train'");
         app.add_option(
                "--trust", options->fit.trust,
-               "how much a pixel counts: below 1, as neighbours are no independent witnesses")
+               "Weight of a pixel; below 1, because neighbouring pixels are not independent")
             ->transform(number_in(Dimension::none, 1e-4, 10));
-        app.add_option("--depths", options->fit.clusters.depth_clusters,
-                       "how many depths are told apart")
+        app.add_option("--depths", options->fit.clusters.depth_clusters, "Number of depth clusters")
             ->transform(integer_in(2, 7));
-        app.add_option("--steps", options->fit.sampler.steps, "of each chain")
+        app.add_option("--steps", options->fit.sampler.steps, "Number of steps per chain")
             ->transform(integer_in(1, 1000000000));
-        app.add_option("--chains", options->fit.sampler.chains, "at different temperatures")
+        app.add_option("--chains", options->fit.sampler.chains,
+                       "Number of chains at different temperatures")
             ->transform(integer_in(1, 64));
-        app.add_option("--seed", options->fit.seed, "of the chains")->transform(seed_number());
-        app.add_flag("--no-carving", options->no_carving, "no .vdb");
+        app.add_option("--seed", options->fit.seed, "Seed of the chains")->transform(seed_number());
+        app.add_flag("--no-carving", options->no_carving, "Do not write the carved .vdb");
         options->work.add_to(app);
         return [options] { return run(*options); };
       }};

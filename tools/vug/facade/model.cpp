@@ -1,5 +1,5 @@
-// vug facade model: sessions of modelling by hand, from the command line. A window would do the
-// same with the module modeller.
+// vug facade model: interactive modelling sessions on the command line. A graphical user interface
+// would use the module modeller in the same way.
 #include "arguments.h"
 #include "model_list.h"
 #include "output_files.h"
@@ -27,7 +27,8 @@ struct Options {
   std::string grammar, facade, photo, from;
   double width = 0, height = 0;
   std::vector<std::string> edits, applied, acts;
-  std::vector<std::pair<std::string, std::string>> in_order;  ///< Kind and text of each edit.
+  std::vector<std::pair<std::string, std::string>>
+      in_order;  ///< Kind and text of each edit, in command-line order.
   int undo = 0, redo = 0;
   std::string to, checkpoint;
   bool tree = false, theta = false, json = false;
@@ -39,7 +40,7 @@ struct Options {
   bool edited() const {
     return undo || redo || !to.empty() || !checkpoint.empty() || !in_order.empty();
   }
-  /// The first option that only a session takes that begins; empty: none is told.
+  /// The first given option that applies to new sessions only; empty if none is given.
   std::string first_creation_option() const {
     if (!grammar.empty()) return "--grammar";
     if (!from.empty()) return "--from";
@@ -54,11 +55,12 @@ struct Options {
 
 fs::path folder_of(const std::string& file) { return fs::absolute(file).parent_path(); }
 
-/// A session of nothing yet. A photo tells the height, or the width, that is not given.
+/// A new session without edits. If only the width or the height is given, the other follows from
+/// the proportions of the photo.
 modeller::Session create_session(const Options& options) {
   const fs::path folder = options.output.empty() ? fs::current_path() : folder_of(options.output);
   modeller::SessionHeader header{.grammar = options.grammar, .facade = options.facade};
-  // A file that is named from here is named from the session's folder.
+  // Paths in a session are relative to its folder.
   if (fs::exists(options.grammar)) header.grammar = relative_path_from(folder, options.grammar);
   if (options.width > 0) header.width = options.width;
   if (options.height > 0) header.height = options.height;
@@ -72,17 +74,18 @@ modeller::Session create_session(const Options& options) {
   return modeller::new_session(std::move(header), session::facade_style_loader(folder));
 }
 
-/// What the session cannot say as the tree did.
+/// Reports how far the session deviates from the tree.
 void print_deviation(const modeller::TreeEdits& way) {
   if (way.missing + way.displaced == 0) return;
   clear_progress_bar();
-  fmt::print(stderr,
-             "the rules come near to the tree, as they leave less free: of {} {} up to {:.2f} m "
-             "off and {} left out\n",
-             pluralize(way.elements, "element"), way.displaced, way.max_distance, way.missing);
+  fmt::print(
+      stderr,
+      "the rules approximate the tree, because they have fewer free values: of {}, {} are up "
+      "to {:.2f} m off and {} are missing\n",
+      pluralize(way.elements, "element"), way.displaced, way.max_distance, way.missing);
 }
 
-/// The file of the tree's name, which a session finds without being told.
+/// The grammar file that has the tree's name, which a session finds by itself.
 std::string grammar_file_of(const facade::Tree& tree, const Options& options) {
   std::string file = tree.name + ".vug";
   const fs::path folder = options.output.empty() ? fs::current_path() : folder_of(options.output);
@@ -91,18 +94,18 @@ std::string grammar_file_of(const facade::Tree& tree, const Options& options) {
   } catch (const Error& error) {
     throw Error(
         error.code(), error.what(), {},
-        fmt::format("'{}' is of a grammar '{}': name its file with --grammar, as in --grammar "
-                    "out/{}",
+        fmt::format("'{}' was derived from a grammar '{}': name its file, as in --grammar out/{}",
                     options.from, tree.name, file));
   }
   return file;
 }
 
-/// A session that has come to what a file's tree is.
+/// A session whose edits reproduce the tree of a file.
 modeller::Session session_from_tree(Options options) {
   if (options.width > 0 || options.height > 0)
-    throw Error(ErrorCode::bad_input, "a tree tells by itself how large the facade is", {},
-                "leave --width and --height out");
+    throw Error(ErrorCode::bad_input,
+                "--width and --height do not apply to a tree, which has a size", {},
+                "remove --width and --height");
   const facade::Tree tree = modeller::read_tree(read_text(options.from), options.from);
   if (options.grammar.empty()) options.grammar = grammar_file_of(tree, options);
   options.width = tree.width, options.height = tree.height;
@@ -115,20 +118,20 @@ modeller::Session session_from_tree(Options options) {
 
 modeller::Session read(const Options& options) {
   if (options.session.empty() && options.grammar.empty() && options.from.empty())
-    throw Error(ErrorCode::bad_input, "there is no session", {},
-                "name a session, or begin one with --grammar or --from");
+    throw Error(ErrorCode::bad_input, "no session given", {},
+                "pass a session, or create one with --grammar or --from");
   if (options.session.empty())
     return options.from.empty() ? create_session(options) : session_from_tree(options);
   if (const std::string told = options.first_creation_option(); !told.empty())
     throw Error(ErrorCode::bad_input,
-                fmt::format("{} is for a session that begins, and '{}' has create_session", told,
+                fmt::format("{} applies to new sessions only, but '{}' exists", told,
                             options.session),
-                {}, "leave it out, or begin another session with --grammar");
+                {}, "remove it, or create a new session with --grammar");
   return modeller::read_session(read_text(options.session), options.session,
                                 session::facade_style_loader(folder_of(options.session)));
 }
 
-/// Tells where an earlier one of that name was.
+/// Sets the checkpoint and reports the position of an earlier one of that name.
 void set_checkpoint(const Options& options, modeller::History& history) {
   const auto had = history.checkpoints().find(options.checkpoint);
   if (had != history.checkpoints().end() && had->second != history.done() && !options.work.quiet)
@@ -146,7 +149,7 @@ void edit(const Options& options, modeller::Session& session) {
   };
   if (!options.to.empty()) history.restore(options.to);
   if (options.undo) want(options.undo, history.undo(static_cast<size_t>(options.undo)), "undo");
-  if (options.redo) want(options.redo, history.redo(static_cast<size_t>(options.redo)), "do again");
+  if (options.redo) want(options.redo, history.redo(static_cast<size_t>(options.redo)), "redo");
   for (const auto& [kind, text] : options.in_order) {
     try {
       history.apply(modeller::parse_edit(text, kind, session.metres_per_pixel()));
@@ -158,7 +161,7 @@ void edit(const Options& options, modeller::Session& session) {
   if (!options.checkpoint.empty()) set_checkpoint(options, history);
 }
 
-/// Writes the session where it is asked for; names in it are seen from there.
+/// Writes the session to the output file, with paths relative to its folder.
 void save(const Options& options, modeller::Session session) {
   const fs::path to = folder_of(options.output);
   if (!options.session.empty() && to != folder_of(options.session)) {
@@ -184,7 +187,7 @@ void draw(const Options& options, const modeller::Session& session) {
   write_text(options.svg, facade::elevation_svg(session.now().tree(), drawing));
 }
 
-/// Files that the session stands on.
+/// Files that the session depends on.
 std::vector<fs::path> dependencies_of(const Options& options, const modeller::Session& session) {
   const fs::path folder =
       options.session.empty() && options.output.empty()
@@ -197,12 +200,12 @@ std::vector<fs::path> dependencies_of(const Options& options, const modeller::Se
   return out;
 }
 
-/// Of a wall too thin for its voxels, which hold it here and there.
+/// Warns of a wall that is too thin for its voxels.
 void warn_of_thin_wall(const session::CarvingOptions& carving) {
   if (carving.thickness >= 2 * carving.voxel) return;
   const auto length = [](double metres) { return quantity_text(metres, Dimension::length); };
   fmt::print(stderr,
-             "warning: a wall of {} is thinner than two voxels of {}, and may come out in shreds\n"
+             "warning: a wall of {} is thinner than two voxels of {} and may have holes\n"
              "hint: --voxel {}, or --thickness {}\n",
              length(carving.thickness), length(carving.voxel), length(carving.thickness / 2),
              length(2 * carving.voxel));
@@ -211,12 +214,12 @@ void warn_of_thin_wall(const session::CarvingOptions& carving) {
 int run(Options options) {
   const ThreadLimit threads(options.work.threads);
   if (!options.carve.empty() && extension_of(options.carve) != ".vdb")
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no .vdb", options.carve), {},
-                "--scene and 'vug build' make meshes of it");
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .vdb", options.carve), {},
+                "for meshes, write a scene with --scene and run 'vug build'");
   std::vector<fs::path> outputs, inputs;
   for (const std::string& file : {options.svg, options.scene, options.carve})
     if (!file.empty()) outputs.emplace_back(file);
-  // A session may be written over itself.
+  // A session may overwrite itself.
   if (!options.output.empty() && options.output != options.session)
     outputs.emplace_back(options.output);
   for (const std::string& file :
@@ -226,9 +229,10 @@ int run(Options options) {
   modeller::Session session = read(options);
   require_outputs(outputs, dependencies_of(options, session));
   edit(options, session);
-  // After what is wrong with the edits themselves.
+  // Faults of the edits themselves are reported first.
   if (options.edited() && options.output.empty() && !options.prints() && !options.writes())
-    throw Error(ErrorCode::bad_input, "what is done would be lost", {}, "-o SESSION.json keeps it");
+    throw Error(ErrorCode::bad_input, "the edits would be lost", {},
+                "write -o SESSION.json to keep them");
   const modeller::FacadeState& state = session.now();
   if (!options.svg.empty()) draw(options, session);
   if (!options.scene.empty())
@@ -257,24 +261,25 @@ void add_edits(CLI::App& app, Options& options) {
   const auto add = [&](const char* name, std::vector<std::string>& to, const char* doc) {
     app.add_option(name, to, doc)->take_all()->allow_extra_args(false);
   };
-  add("--apply", options.applied, "'NODE RULE name=value ...': divides an open node by one rule");
-  add("--act", options.acts, "'NODE ACTION name=value ...': a rule, and what follows from it");
+  add("--apply", options.applied, "Apply one rule to an open node: 'NODE RULE name=value ...'");
+  add("--act", options.acts, "Apply a rule and its consequences: 'NODE ACTION name=value ...'");
   std::string kinds;
   for (const modeller::EditKind* kind : modeller::edit_kinds())
     kinds += (kinds.empty() ? "" : ", ") + kind->name;
   app.add_option("--edit", options.edits,
-                 fmt::format("'KIND NODE ...', where KIND is one of {}", kinds))
+                 fmt::format("Apply an edit: 'KIND NODE ...', where KIND is one of {}", kinds))
       ->take_all()
       ->allow_extra_args(false);
-  app.add_option("--undo", options.undo, "edits, before others are done")
+  app.add_option("--undo", options.undo, "Number of edits to undo before other edits are applied")
       ->transform(integer_in(1, 1000000000));
-  app.add_option("--redo", options.redo, "of those that were undone")
+  app.add_option("--redo", options.redo, "Number of undone edits to redo")
       ->transform(integer_in(1, 1000000000));
-  app.add_option("--to", options.to, "a checkpoint to go to, before all others");
-  app.add_option("--checkpoint", options.checkpoint, "a name for what it is like at the end");
+  app.add_option("--to", options.to, "Restore this checkpoint before all other edits");
+  app.add_option("--checkpoint", options.checkpoint,
+                 "Name of a checkpoint that is set after all edits");
 }
 
-/// Edits of all options as they stand on the command line.
+/// Collects the edits of all options in the order of the command line.
 void order_edits(const CLI::App& app, Options& options) {
   size_t edit = 0, apply = 0, act = 0;
   for (const CLI::Option* each : app.parse_order()) {
@@ -288,50 +293,57 @@ void order_edits(const CLI::App& app, Options& options) {
 }  // namespace
 
 Verb facade_model_verb() {
-  return {
-      "model", "Models a facade by hand: sessions of rules that are applied and retracted.",
-      [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
-        app.add_option("session", options->session, "a session to go on from");
-        app.add_option("-o,--output", options->output, "where the session is written");
-        auto* fresh = app.add_option_group("begin", "A session that begins");
-        fresh->add_option("--grammar", options->grammar,
-                          "a grammar of kind facade, as ripperda.vug");
-        fresh->add_option("--from", options->from,
-                          "a tree to begin with, as vug facade fit or vug tree --json write it");
-        fresh->add_option("--facade", options->facade, "which grammar of the file");
-        fresh->add_option("--width", options->width, "of the facade")
-            ->transform(number_in(Dimension::length, 0.01, 1e5));
-        fresh->add_option("--height", options->height, "of the facade; else as the photo's")
-            ->transform(number_in(Dimension::length, 0.01, 1e5));
-        fresh->add_option("--photo", options->photo,
-                          "an upright picture that it is modelled after");
-        add_edits(app, *options);
-        app.add_option_function<std::string>(
-               "--list", [options](const std::string& node) { options->list = node; },
-               "rules of every node, or of one: which can be applied, and why others cannot")
-            ->expected(0, 1)
-            ->default_str(".");
-        app.add_flag("--tree", options->tree, "prints the tree as text; so do no options at all");
-        app.add_flag("--theta", options->theta,
-                     "prints it in the notation of Ripperda and Brenner");
-        app.add_flag("--json", options->json, "prints it as JSON");
-        app.add_option("--svg", options->svg,
-                       "draws the rectangles, over the photo if there is one");
-        app.add_option("--overlay", options->overlay, "another picture to draw over");
-        app.add_option("--scene", options->scene,
-                       "writes it as a grammar with all sizes, a .vug, named as the file");
-        app.add_option("--carve", options->carve, "writes a wall with the facade carved, a .vdb");
-        app.add_option("--voxel", options->carving.voxel, "of the carved wall, 4cm without it")
-            ->transform(number_in(Dimension::length, 1e-4, 10));
-        app.add_option("--thickness", options->carving.thickness, "of the wall, 60cm without it")
-            ->transform(number_in(Dimension::length, 1e-3, 100));
-        options->work.add_to(app);
-        return [options, &app] {
-          order_edits(app, *options);
-          return run(*options);
-        };
-      }};
+  return {"model", "Models a facade interactively: a session applies and retracts rules.",
+          [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            app.add_option("session", options->session, "Session to continue");
+            app.add_option("-o,--output", options->output, "Output file of the session");
+            auto* fresh = app.add_option_group("begin", "New session");
+            fresh->add_option("--grammar", options->grammar,
+                              "Grammar of kind facade, e.g. ripperda.vug");
+            fresh->add_option("--from", options->from,
+                              "Initial tree, as written by vug facade fit or vug tree --json");
+            fresh->add_option("--facade", options->facade, "Name of the grammar in the file");
+            fresh->add_option("--width", options->width, "Width of the facade")
+                ->transform(number_in(Dimension::length, 0.01, 1e5));
+            fresh
+                ->add_option("--height", options->height,
+                             "Height of the facade; default from the proportions of the photo")
+                ->transform(number_in(Dimension::length, 0.01, 1e5));
+            fresh->add_option("--photo", options->photo, "Upright picture of the modelled facade");
+            add_edits(app, *options);
+            app.add_option_function<std::string>(
+                   "--list", [options](const std::string& node) { options->list = node; },
+                   "List the rules of one node or of all: those that can be applied, and why "
+                   "others cannot")
+                ->expected(0, 1)
+                ->default_str(".");
+            app.add_flag("--tree", options->tree, "Print the tree as text; this is the default");
+            app.add_flag("--theta", options->theta,
+                         "Print the tree in the notation of Ripperda and Brenner");
+            app.add_flag("--json", options->json, "Print the tree as JSON");
+            app.add_option(
+                "--svg", options->svg,
+                "Write a drawing of the rectangles, over the photo if the session has one");
+            app.add_option("--overlay", options->overlay,
+                           "Picture that replaces the photo in the drawing");
+            app.add_option(
+                "--scene", options->scene,
+                "Write a grammar with all sizes to this .vug, whose name is that of the grammar");
+            app.add_option("--carve", options->carve,
+                           "Write a wall with the carved facade to this .vdb");
+            app.add_option("--voxel", options->carving.voxel,
+                           "Voxel size of the carved wall; default 4cm")
+                ->transform(number_in(Dimension::length, 1e-4, 10));
+            app.add_option("--thickness", options->carving.thickness,
+                           "Thickness of the wall; default 60cm")
+                ->transform(number_in(Dimension::length, 1e-3, 100));
+            options->work.add_to(app);
+            return [options, &app] {
+              order_edits(app, *options);
+              return run(*options);
+            };
+          }};
 }
 
 }  // namespace vug::cli

@@ -12,8 +12,8 @@ namespace {
 
 using facade::FreeNumber;
 using facade::Reason;
-using modeller::RuleChoice;
 using modeller::FacadeState;
+using modeller::RuleChoice;
 
 std::string length(double metres) { return fmt::format("{:.4g}", metres); }
 
@@ -54,7 +54,7 @@ std::string lines_text(const FacadeState& state, int node) {
   return out.empty() ? "" : fmt::format("  lines:{}\n", out);
 }
 
-/// `whole`: other rules of a divided node one by one.
+/// `whole`: lists the other rules of a divided node one by one.
 std::string node_text(const FacadeState& state, int node, bool whole) {
   std::string out = head(state, node) + "\n";
   if (state.node(node).element) return out + "  an element\n";

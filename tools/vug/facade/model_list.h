@@ -1,4 +1,4 @@
-// What `vug facade model` prints of a state.
+// Text output of `vug facade model`.
 #pragma once
 
 #include <vug/modeller/facade_state.h>
@@ -7,12 +7,13 @@
 
 namespace vug::cli {
 
-/// A line for each node: its path, its rectangle, what divides it.
+/// One line per node: its path, its rectangle and the rule that divides it.
 std::string tree_text(const modeller::FacadeState& state);
 
-/// The rules of one node, or, for ".", of all that are divided or open: + those that can be applied
-/// with their free numbers, * the one that divides it, - others with why not. Lines that can be
-/// moved. For one node also the actions of the paper's modeller.
+/// Lists the rules of one node, or, for ".", of all divided and open nodes: + rules that can be
+/// applied with their free numbers, * the rule that divides the node, - other rules with the
+/// reason. Also lists the lines that can be moved and, for one node, the actions of the paper's
+/// modeller.
 std::string list_text(const modeller::FacadeState& state, const std::string& path);
 
 }  // namespace vug::cli

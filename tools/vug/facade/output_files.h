@@ -1,4 +1,4 @@
-// What verbs of facades write and say beside their results.
+// Output files and warnings shared by the verbs of `vug facade`.
 #pragma once
 
 #include "scene_options.h"
@@ -11,19 +11,19 @@
 
 namespace vug::cli {
 
-/// How a file is named from another folder, as in a drawing over a picture.
+/// Path of a file relative to a folder, e.g. of a picture that a drawing refers to.
 std::string relative_path_from(const std::filesystem::path& folder,
                                const std::filesystem::path& file);
 
-/// A name that the texts of scenes can use for a grammar, of what people call files.
+/// Turns a file name into a valid name for a grammar in a scene text.
 std::string valid_grammar_name(const std::string& text);
 
-/// Builds and writes the volumes of a facade that is carved, with its recipe. Error(bad_input)
-/// where its scene cannot be used, after that was told.
+/// Builds and writes the volumes of a carved facade, with their recipe. Error(bad_input) if its
+/// scene has errors, which are printed first.
 void write_carving(const loading::Loaded& loaded, const WorkOptions& work,
                    const std::filesystem::path& vdb);
 
-/// What speaks against a facade in a scan, on stderr.
+/// Prints warnings to stderr if a scan is unsuitable for a facade.
 void print_quality_warnings(const scan::PointCloud& cloud, const scan::PlaneFit& plane,
                             const scan::RangeImage& range);
 

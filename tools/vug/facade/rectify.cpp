@@ -1,4 +1,4 @@
-// vug facade rectify: a photo taken at a slant becomes a view without perspective.
+// vug facade rectify: removes the perspective from an oblique photo of a facade.
 #include "arguments.h"
 #include "output_files.h"
 #include "progress_bar.h"
@@ -23,19 +23,19 @@ struct Options {
   WorkOptions work;
 };
 
-constexpr const char* kInPhoto = "place in the photo, X,Y in pixels without a unit";
+constexpr const char* kInPhoto = "position in the photo; expected X,Y in pixels without a unit";
 
-/// What two numbers may be told in.
+/// Units of a pair of numbers.
 enum class Unit { pixels, lengths };
 
-/// A number without blanks around it.
+/// Parses a number and ignores blanks around it.
 std::optional<Number> number_of(std::string_view text) {
   const size_t first = text.find_first_not_of(' ');
   if (first == text.npos) return std::nullopt;
   return scene::read_number(text.substr(first, text.find_last_not_of(' ') + 1 - first));
 }
 
-/// Two numbers around `between`: plain ones, or lengths where these are taken.
+/// Parses two numbers separated by `between`: plain ones, or lengths if `in` permits them.
 std::pair<Number, Number> parse_pair(const std::string& text, char between, Unit in,
                                      const char* what) {
   const size_t cut = text.find(between);
@@ -48,17 +48,17 @@ std::pair<Number, Number> parse_pair(const std::string& text, char between, Unit
     };
     if (is_valid(a) && is_valid(b)) return {*a, *b};
   }
-  throw Error(ErrorCode::bad_input, fmt::format("'{}' is no {}", text, what));
+  throw Error(ErrorCode::bad_input, fmt::format("'{}' is not a {}", text, what));
 }
 
 scan::FourPoints parse_points(const std::vector<std::string>& texts, Unit in, const char* what) {
   scan::FourPoints out;
   if (texts.size() != out.size())
     throw Error(ErrorCode::bad_input,
-                fmt::format("a rectangle has four corners, and {} told: '{}'",
+                fmt::format("a rectangle has four corners, but {} given: '{}'",
                             texts.size() == 1 ? "one is" : fmt::format("{} are", texts.size()),
                             fmt::join(texts, " ")),
-                {}, "four of X,Y with blanks between them, as 0,0 90,0 90,120 0,120");
+                {}, "write four pairs X,Y separated by blanks, e.g. 0,0 90,0 90,120 0,120");
   for (size_t i = 0; i < 4; ++i) {
     const auto [x, y] = parse_pair(texts[i], ',', in, what);
     out[i] = {x.value, y.value};
@@ -66,7 +66,7 @@ scan::FourPoints parse_points(const std::vector<std::string>& texts, Unit in, co
   return out;
 }
 
-/// An EXR tells how large the facade is, if that is known.
+/// Writes the picture. An EXR contains the size of the facade if that is known.
 void write(const std::string& file, const scan::RectifiedPhoto& out, bool metres) {
   if (extension_of(file) != ".exr") return image::write_png(file, out.picture, image::plain_view());
   image::ExrOptions options;
@@ -79,55 +79,60 @@ image::Image laid_over(const scan::RangeImage& range, const Options& options,
   if (options.corners.empty()) return scan::overlay_photo(range, photo, options.rectify.memory);
   const scan::FourPoints corners = parse_points(options.corners, Unit::pixels, kInPhoto);
   if (!options.at.empty())
-    return scan::overlay_photo(range, photo, corners,
-                           parse_points(options.at, Unit::lengths, "place in metres, X,Y"),
-                           options.rectify.memory);
+    return scan::overlay_photo(
+        range, photo, corners,
+        parse_points(options.at, Unit::lengths, "position; expected X,Y in metres"),
+        options.rectify.memory);
   const double wide = range.metres_wide(), high = range.metres_high();
   return scan::overlay_photo(range, photo, corners,
-                         {Vec2d(0, high), Vec2d(wide, high), Vec2d(wide, 0), Vec2d(0, 0)},
-                         options.rectify.memory);
+                             {Vec2d(0, high), Vec2d(wide, high), Vec2d(wide, 0), Vec2d(0, 0)},
+                             options.rectify.memory);
 }
 
-/// True where the size is in metres, not only a ratio, or nothing.
+/// Sets the size of the rectangle. Returns whether it is in metres rather than a ratio or missing.
 bool set_size(const std::string& text, scan::RectifyOptions& to) {
   if (text.empty()) return false;
-  const auto [wide, high] = parse_pair(text, 'x', Unit::lengths, "size, as 12mx9m or 4x3");
+  const auto [wide, high] =
+      parse_pair(text, 'x', Unit::lengths, "size; expected e.g. 12mx9m or 4x3");
   if (!(wide.value > 0 && high.value > 0))
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no size", text), {},
-                "width and height are above 0, as in 12mx9m or 4x3");
+    throw Error(ErrorCode::bad_input,
+                fmt::format("invalid size '{}': width and height must be above 0", text), {},
+                "write, for instance, 12mx9m or 4x3");
   if (wide.dimension != high.dimension)
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' has a unit at one side only", text), {},
-                "12mx9m are metres, 4x3 is the ratio of the sides");
+    throw Error(ErrorCode::bad_input,
+                fmt::format("invalid size '{}': only one number has a unit", text), {},
+                "write metres as in 12mx9m, or a ratio as in 4x3");
   to.width = wide.value, to.height = high.value;
   return wide.dimension == Dimension::length;
 }
 
-/// A range image has a size, and where the photo lies on it is told by places.
+/// Error(bad_input) for options that do not go together: a range image already has a size, and the
+/// position of the photo on it is given by points.
 void require_consistent(const Options& options) {
   if (options.onto.empty()) return;
   for (const auto& [name, told] :
        {std::pair("--size", !options.size.empty()), {"--pixel", options.rectify.pixel > 0}})
     if (told)
       throw Error(ErrorCode::bad_input,
-                  fmt::format("{} is for a picture of its own: --onto gives it the size and the "
+                  fmt::format("{} does not apply with --onto, which uses the size and the "
                               "pixels of the range image",
                               name),
-                  {}, "leave it out; --at tells where --corners lie on the range image");
+                  {}, "remove it; --at gives the positions of --corners on the range image");
   if (!options.at.empty() && options.corners.empty())
-    throw Error(ErrorCode::bad_input, "--at tells where corners lie, and none are named", {},
-                "name them with --corners, in pixels of the photo");
+    throw Error(ErrorCode::bad_input, "--at requires --corners", {},
+                "write --corners in pixels of the photo");
 }
 
 int run(Options options) {
   const ThreadLimit threads(options.work.threads);
   const bool exr = extension_of(options.output) == ".exr";
-  if (!exr) require_extension(options.output, ".png", "the output is a .exr or a .png");
+  if (!exr) require_extension(options.output, ".png", "the output is an .exr or a .png");
   if (!options.onto.empty() && !exr)
-    throw Error(ErrorCode::bad_input, "what is laid over a range image has depths", {},
-                "write an .exr");
+    throw Error(ErrorCode::bad_input, "the output of --onto has depths and must be an EXR", {},
+                "name an .exr with -o");
   if (options.onto.empty() && options.corners.empty())
     throw Error(ErrorCode::bad_input, "the corners of the facade are missing", {},
-                "name them with --corners: upper left, upper right, lower right, lower left");
+                "write --corners: upper left, upper right, lower right, lower left");
   require_consistent(options);
   std::vector<std::filesystem::path> inputs = {options.photo};
   if (!options.onto.empty()) inputs.emplace_back(options.onto);
@@ -135,9 +140,8 @@ int run(Options options) {
   options.rectify.memory = options.work.memory_limit();
   const bool metres = set_size(options.size, options.rectify);
   if (options.rectify.pixel > 0 && !metres)
-    throw Error(ErrorCode::bad_input,
-                "--pixel is a length, and nothing tells how large the facade is", {},
-                "--size does, in metres: 12mx9m");
+    throw Error(ErrorCode::bad_input, "--pixel is a length, but the size of the facade is unknown",
+                {}, "write --size in metres, e.g. 12mx9m");
   const image::Image photo = fit::read_with_limit(options.photo, image::read_info(options.photo),
                                                   options.work.memory_limit());
   if (!options.onto.empty()) {
@@ -147,8 +151,8 @@ int run(Options options) {
     image::write_exr(options.output, laid_over(range, options, photo), exr_options);
     return kDone;
   }
-  const scan::RectifiedPhoto out = scan::rectify(
-      photo, parse_points(options.corners, Unit::pixels, kInPhoto), options.rectify);
+  const scan::RectifiedPhoto out =
+      scan::rectify(photo, parse_points(options.corners, Unit::pixels, kInPhoto), options.rectify);
   write(options.output, out, metres);
   fmt::print("{} x {} pixels, {:.4g} x {:.4g}{}\n", out.picture.width, out.picture.height,
              out.width, out.height,
@@ -162,28 +166,31 @@ int run(Options options) {
 
 Verb facade_rectify_verb() {
   return {
-      "rectify", "Makes a view without perspective of a photo of a facade.", [](CLI::App& app) {
+      "rectify", "Removes the perspective from a photo of a facade.", [](CLI::App& app) {
         auto o = std::make_shared<Options>();
-        app.add_option("photo", o->photo, "any picture")->required();
-        app.add_option("-o,--output", o->output, ".exr or .png")->required();
-        app.add_option("--corners", o->corners,
-                       "X,Y X,Y X,Y X,Y: of a rectangle on the facade, in pixels from the photo's "
-                       "upper left corner, clockwise from the rectangle's")
+        app.add_option("photo", o->photo, "Photo in any format")->required();
+        app.add_option("-o,--output", o->output, "Output file, an .exr or .png")->required();
+        app.add_option(
+               "--corners", o->corners,
+               "Corners of a rectangle on the facade, X,Y X,Y X,Y X,Y: in pixels from the "
+               "photo's upper left corner, clockwise from the rectangle's upper left corner")
             ->expected(1, 4);
-        app.add_option("--size", o->size,
-                       "of that rectangle, 12mx9m, or only the ratio of its sides, 4x3; without it "
-                       "the ratio follows from the perspective");
+        app.add_option(
+            "--size", o->size,
+            "Size of that rectangle, 12mx9m, or the ratio of its sides, 4x3; default: the "
+            "ratio follows from the perspective");
         app.add_option(
                "--pixel", o->rectify.pixel,
-               "size of the picture's pixels, where --size is in metres; without it as fine as the "
+               "Pixel size of the output if --size is in metres; default: the resolution of the "
                "photo")
             ->transform(number_in(Dimension::length, 1e-6, 1e3));
         auto* onto = app.add_option("--onto", o->onto,
-                                    "a range image of vug facade scan: the photo is laid over it, "
-                                    "and depths are written too");
-        app.add_option("--at", o->at,
-                       "X,Y X,Y X,Y X,Y: where the corners lie on the range image, in metres from "
-                       "its lower left corner; without it they are its corners")
+                                    "Range image of vug facade scan, onto which the photo is "
+                                    "projected; the output also contains the depths");
+        app.add_option(
+               "--at", o->at,
+               "Positions of the corners on the range image, X,Y X,Y X,Y X,Y: in metres from "
+               "its lower left corner; default: its corners")
             ->expected(1, 4)
             ->needs(onto);
         o->work.add_to(app);

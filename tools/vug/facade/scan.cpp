@@ -1,4 +1,4 @@
-// vug facade scan: from a laser scan to a plane, a range image, and windows and doors.
+// vug facade scan: finds the plane, the range image, the windows and the doors of a laser scan.
 #include "arguments.h"
 #include "file_transaction.h"
 #include "output_files.h"
@@ -33,7 +33,7 @@ struct Options {
   WorkOptions work;
 };
 
-/// The files that go with the range image, named as it.
+/// The output files, which share the stem of the range image.
 struct Outputs {
   fs::path range, picture, drawing, report;
 
@@ -44,7 +44,7 @@ struct Outputs {
         report(fs::path(exr).replace_extension(".json")) {}
 };
 
-/// All of them, or none.
+/// Writes all output files in one transaction.
 void write(const fs::path& exr, const scan::RangeImage& range, const scan::SurfaceMap& map,
            const std::vector<scan::Opening>& openings, const std::string& report) {
   FileTransaction transaction(exr.parent_path(), exr.stem().string());
@@ -69,9 +69,10 @@ int run(Options options) {
   if (options.up == "y") options.plane.up = {0, 1, 0};
   for (const double c : options.scanner)
     if (!std::isfinite(c))
-      throw Error(ErrorCode::bad_input, "the scanner stood nowhere", {}, "--scanner is X,Y,Z");
+      throw Error(ErrorCode::bad_input, "the position of the scanner is not finite", {},
+                  "write --scanner X,Y,Z");
   if (options.openings.min_size > options.openings.max_size)
-    throw Error(ErrorCode::bad_input, "--least is more than --most: no opening would be found");
+    throw Error(ErrorCode::bad_input, "--min is greater than --max: no opening would be found");
   if (!options.scanner.empty())
     options.plane.scanner = Vec3d(options.scanner[0], options.scanner[1], options.scanner[2]);
   if (options.nearest) options.range.depth = scan::DepthStatistic::nearest;
@@ -79,7 +80,7 @@ int run(Options options) {
   options.range.memory = options.openings.memory = options.work.memory_limit();
 
   const scan::PointCloud cloud = scan::read_clouds({options.clouds.begin(), options.clouds.end()},
-                                              {.memory = options.range.memory});
+                                                   {.memory = options.range.memory});
   progress.check();
   const scan::PlaneFit plane =
       scan::fit_plane(cloud, options.plane, RandomKey(options.seed).at("plane"));
@@ -102,66 +103,75 @@ int run(Options options) {
 }
 
 void add_plane_options(CLI::App& app, Options& o) {
-  app.add_option("--up", o.up, "the axis of the cloud that goes up: z, or y")
+  app.add_option("--up", o.up, "Up axis of the cloud: y or z; default z")
       ->check(CLI::IsMember({"y", "z"}));
-  app.add_option("--tolerance", o.plane.tolerance, "largest distance of a plane's points, 10cm")
+  app.add_option("--tolerance", o.plane.tolerance,
+                 "Maximum distance of points from the plane; default 10cm")
       ->transform(number_in(Dimension::length, 1e-6, 1e3));
-  app.add_option("--lean", o.plane.max_lean, "how far the plane may lean from the plumb, 20deg")
+  app.add_option("--lean", o.plane.max_lean,
+                 "Maximum angle of the plane to the vertical; default 20deg")
       ->transform(number_in(Dimension::angle, 0, kPi / 2));
-  app.add_option("--scanner", o.scanner, "X,Y,Z: where it stood; tells which side is the front")
+  app.add_option("--scanner", o.scanner,
+                 "Position of the scanner, X,Y,Z; determines the front side")
       ->delimiter(',')
       ->expected(3);
-  app.add_flag("--flip", o.plane.flip, "the other side is the front");
+  app.add_flag("--flip", o.plane.flip, "Swap the front side and the back side");
 }
 
 void add_range_options(CLI::App& app, Options& o) {
-  app.add_option("--pixel", o.range.pixel, "of the range image, 1cm without it")
+  app.add_option("--pixel", o.range.pixel, "Pixel size of the range image; default 1cm")
       ->transform(number_in(Dimension::length, 1e-6, 1e3));
-  app.add_flag("--nearest", o.nearest, "a pixel's depth is its nearest point's, not the median");
-  app.add_option("--before", o.range.before, "points farther before the plane are left out, 50cm")
+  app.add_flag("--nearest", o.nearest,
+               "Use the depth of the nearest point of a pixel instead of the median");
+  app.add_option("--before", o.range.before,
+                 "Maximum distance of points in front of the plane; default 50cm")
       ->transform(number_in(Dimension::length, 0, 1e3));
-  app.add_option("--behind", o.range.behind, "points farther behind the plane are left out, 1m")
+  app.add_option("--behind", o.range.behind,
+                 "Maximum distance of points behind the plane; default 1m")
       ->transform(number_in(Dimension::length, 0, 1e3));
   app.add_option("--fill", o.range.inpaint_radius,
-                 "how far from points pixels take their depth; without it about the distance "
+                 "Maximum distance over which empty pixels are filled; default: about the distance "
                  "between points")
       ->transform(number_in(Dimension::length, 0, 1e3));
 }
 
 void add_opening_options(CLI::App& app, Options& o) {
-  app.add_option("--windows", o.windows, "how they are found: raster, delaunay or none")
+  app.add_option("--windows", o.windows, "Method that finds openings: raster, delaunay or none")
       ->check(CLI::IsMember({"raster", "delaunay", "none"}));
   app.add_option("--set-back", o.surfaces.set_back,
-                 "how far behind the wall openings begin; without it from the wall's roughness")
+                 "Minimum depth of openings behind the wall; default from the wall's roughness")
       ->transform(number_in(Dimension::length, 0, 1e3));
-  app.add_option("--least", o.openings.min_size, "width and height of an opening at least, 50cm")
+  app.add_option("--min", o.openings.min_size,
+                 "Minimum width and height of an opening; default 50cm")
       ->transform(number_in(Dimension::length, 0, 1e3));
-  app.add_option("--most", o.openings.max_size, "width and height of an opening at most, 6m")
+  app.add_option("--max", o.openings.max_size, "Maximum width and height of an opening; default 6m")
       ->transform(number_in(Dimension::length, 0, 1e3));
   app.add_flag("--plain", o.plain,
-               "the methods of the paper alone: the wall is a plane, and no opening is tidied up");
+               "Use only the methods of the paper: a planar wall and openings as found");
 }
 
 }  // namespace
 
 Verb facade_scan_verb() {
-  return {
-      "scan", "Finds the plane, the depths, windows and doors of a scanned facade.",
-      [](CLI::App& app) {
-        auto o = std::make_shared<Options>();
-        app.add_option("cloud", o->clouds, "PLY files or texts of x y z; several make one")
-            ->required();
-        app.add_option("-o,--output", o->output,
-                       "the range image, an EXR; a picture, a drawing and the report are "
-                       "written beside it");
-        add_plane_options(app, *o);
-        add_range_options(app, *o);
-        add_opening_options(app, *o);
-        app.add_option("--seed", o->seed, "of the search for the plane")->transform(seed_number());
-        app.add_flag("--json", o->json, "the report for programs");
-        o->work.add_to(app);
-        return [o] { return run(*o); };
-      }};
+  return {"scan", "Finds the plane, the depths, the windows and the doors of a scanned facade.",
+          [](CLI::App& app) {
+            auto o = std::make_shared<Options>();
+            app.add_option("cloud", o->clouds,
+                           "PLY files or text files of x y z; several files form one scan")
+                ->required();
+            app.add_option(
+                "-o,--output", o->output,
+                "Output range image, an .exr; a picture, a drawing and the report are written "
+                "next to it");
+            add_plane_options(app, *o);
+            add_range_options(app, *o);
+            add_opening_options(app, *o);
+            app.add_option("--seed", o->seed, "Seed of the search for the plane")
+                ->transform(seed_number());
+            app.add_flag("--json", o->json, "Machine-readable report");
+            o->work.add_to(app);
+            return [o] { return run(*o); };
+          }};
 }
 
 }  // namespace vug::cli

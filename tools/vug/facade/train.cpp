@@ -35,10 +35,10 @@ int run(Options options) {
   const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar_mode());
   if (options.output.empty() && options.folds == 0)
-    throw Error(ErrorCode::bad_input, "there is nothing to do", {},
-                "name a file for the looks with -o, or try them with --folds 5");
+    throw Error(ErrorCode::bad_input, "neither -o nor --folds given", {},
+                "write the classifier with -o FILE.json, or evaluate it with --folds 5");
   if (!options.output.empty()) {
-    require_extension(options.output, ".json", "looks are a .json");
+    require_extension(options.output, ".json", "the classifier is a .json");
     require_outputs({options.output}, {options.classes});
   }
   options.looks.max_memory = options.work.memory_limit();
@@ -68,35 +68,36 @@ int run(Options options) {
 }  // namespace
 
 Verb facade_train_verb() {
-  return {"train", "Learns what walls, windows and doors look like from labelled pictures.",
-          [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
-            app.add_option("folder", options->folder,
-                           "with pictures in images/ and, of the same names, labels/: 8-bit grey, "
-                           "the numbers of classes, 255 where there is none")
-                ->required();
-            app.add_option("--classes", options->classes,
-                           "a file that names them: {\"0\": \"door\", \"1\": \"window\", ...}")
-                ->required();
-            app.add_option("-o,--output", options->output,
-                           "the .json for `vug facade fit --looks`; this or --folds is needed");
-            app.add_option(
-                   "--folds", options->folds,
-                   "tells how right looks are that are trained without a part of the "
-                   "pictures, on that part, for each of so many parts; this or -o is needed")
-                ->transform(integer_in(2, 1000));
-            app.add_option("--rows", options->limits.height,
-                           "of pixels that pictures are shrunk to, 360 without it")
-                ->transform(integer_in(1, 4096));
-            app.add_option("--trees", options->looks.first.trees, "in each forest")
-                ->transform(integer_in(1, 1000));
-            app.add_option("--seed", options->seed, "of what is drawn")->transform(seed_number());
-            options->work.add_to(app);
-            return [options] {
-              options->looks.second.trees = options->looks.first.trees;
-              return run(*options);
-            };
-          }};
+  return {
+      "train", "Trains a pixel classifier for walls, windows and doors from labelled pictures.",
+      [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        app.add_option("folder", options->folder,
+                       "Folder with pictures in images/ and 8-bit grey pictures of the same names "
+                       "in labels/: class numbers, 255 for pixels without a class")
+            ->required();
+        app.add_option(
+               "--classes", options->classes,
+               "JSON file with the names of classes: {\"0\": \"door\", \"1\": \"window\", ...}")
+            ->required();
+        app.add_option("-o,--output", options->output,
+                       "Output .json for `vug facade fit --looks`; this or --folds is required");
+        app.add_option("--folds", options->folds,
+                       "Cross-validate with this number of folds and print the accuracy; this or "
+                       "-o is required")
+            ->transform(integer_in(2, 1000));
+        app.add_option("--rows", options->limits.height,
+                       "Number of pixel rows to which pictures are reduced; default 360")
+            ->transform(integer_in(1, 4096));
+        app.add_option("--trees", options->looks.first.trees, "Number of trees per forest")
+            ->transform(integer_in(1, 1000));
+        app.add_option("--seed", options->seed, "Seed of the training")->transform(seed_number());
+        options->work.add_to(app);
+        return [options] {
+          options->looks.second.trees = options->looks.first.trees;
+          return run(*options);
+        };
+      }};
 }
 
 }  // namespace vug::cli

@@ -26,7 +26,7 @@ struct Options {
   building::CheckpointOptions keep;
 };
 
-/// Makes the products of what is loaded; `frame` is empty where there is one only.
+/// Writes the products of the loaded scene. `frame` is empty unless a sequence is built.
 void build_one(const Options& options, building::Builder& builder, const loading::Loaded& loaded,
                const std::string& frame) {
   std::vector<std::filesystem::path> outputs =
@@ -34,7 +34,7 @@ void build_one(const Options& options, building::Builder& builder, const loading
   if (outputs.empty())
     throw Error(ErrorCode::bad_input,
                 fmt::format("'{}' declares nothing to build", options.scene.scene), {},
-                "add for instance: volume rock = level_set(..., voxel: 5cm)");
+                "add, for instance: volume rock = level_set(..., voxel: 5cm)");
   if (!options.checkpoint.empty()) outputs.emplace_back(options.checkpoint);
   require_outputs(outputs, loading::file_dependencies(loaded));
   for (const auto& path : delivery::write_products(builder, options.folder, frame))
@@ -66,10 +66,10 @@ int run_frames(const Options& options, Progress& progress) {
 
 int run(Options options) {
   if (options.keep.resume && options.checkpoint.empty())
-    throw Error(ErrorCode::bad_input, "there is nothing to resume from", {},
+    throw Error(ErrorCode::bad_input, "--resume requires a checkpoint", {},
                 "name the file with --checkpoint");
   if (!options.checkpoint.empty())
-    require_extension(options.checkpoint, ".vdb", "a checkpoint of cells holds their points");
+    require_extension(options.checkpoint, ".vdb", "a checkpoint of cells is a VDB file of points");
   const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar_mode());
   if (!options.frames.empty()) return run_frames(options, progress);
@@ -89,24 +89,26 @@ int run(Options options) {
 }  // namespace
 
 Verb build_verb() {
-  return {"build", "Makes everything a scene declares: .vdb, meshes, points.", [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
-            options->scene.add_to(app, &options->work);
-            app.add_option("-o,--output", options->folder, "the folder to write into")->required();
-            auto* checkpoint = app.add_option("--checkpoint", options->checkpoint,
-                                              "a .vdb from which runs of cells go on");
-            app.add_option("--checkpoint-every", options->keep.every, "in seconds")
-                ->transform(number_in(Dimension::time, 0, 1e6))
-                ->needs(checkpoint);
-            app.add_flag("--resume", options->keep.resume,
-                         "go on from the checkpoint, if there is one");
-            app.add_option("--frames", options->frames,
-                           "A..B or A..BxSTEP: the files of each, with its number in their names")
-                ->excludes("--frame")
-                ->excludes(checkpoint);
-            options->work.add_to(app);
-            return [options] { return run(*options); };
-          }};
+  return {
+      "build", "Builds everything a scene declares: VDB volumes, meshes and points.",
+      [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        options->scene.add_to(app, &options->work);
+        app.add_option("-o,--output", options->folder, "Output folder")->required();
+        auto* checkpoint = app.add_option("--checkpoint", options->checkpoint,
+                                          "Checkpoint file of cell simulations, a .vdb");
+        app.add_option("--checkpoint-every", options->keep.every,
+                       "Interval between checkpoints in seconds")
+            ->transform(number_in(Dimension::time, 0, 1e6))
+            ->needs(checkpoint);
+        app.add_flag("--resume", options->keep.resume, "Continue from the checkpoint if it exists");
+        app.add_option("--frames", options->frames,
+                       "Frames to build, A..B or A..BxSTEP; file names contain the frame number")
+            ->excludes("--frame")
+            ->excludes(checkpoint);
+        options->work.add_to(app);
+        return [options] { return run(*options); };
+      }};
 }
 
 }  // namespace vug::cli

@@ -31,7 +31,7 @@ Json to_json(const loading::Loaded& loaded, const std::string& file) {
   return {{"file", file}, {"fine", loaded.usable()}, {"diagnostics", std::move(faults)}};
 }
 
-/// Loads, and looks for what `vug render` would find in its options' defaults.
+/// Loads the scene and checks what `vug render` with default options would check.
 loading::Loaded examine(const Options& options) {
   loading::Loaded loaded = loading::load(options.scene.scene, options.scene.load_options());
   if (!loaded.usable()) return loaded;
@@ -41,7 +41,7 @@ loading::Loaded examine(const Options& options) {
       loaded.diagnostics.error(error.where(), error.what(), error.hint());
     }
   for (const shot::LSystemPtr& plan : loaded.shot.lsystems) try {
-      plan->drawing();  // of one that nothing in the scene has drawn
+      plan->drawing();  // for systems that nothing in the scene draws
     } catch (const Error& error) {
       const SourceLocation& where = error.where().known() ? error.where() : plan->system->where;
       loaded.diagnostics.error(where, error.what(), error.hint());
@@ -51,13 +51,13 @@ loading::Loaded examine(const Options& options) {
         loaded.diagnostics.warning(plan.where, "the scene has nothing to show");
       image::view_options({plan.view, plan.display, image::environment_config()},
                           plan.working_space);
-    } catch (const Error& error) {  // another --ocio may know it
+    } catch (const Error& error) {  // valid with another --ocio perhaps
       loaded.diagnostics.warning(plan.where, error.what(), error.hint());
     }
   return loaded;
 }
 
-/// Faults as JSON even where there is no text to find any in.
+/// Prints the faults as JSON, even if the scene file cannot be read.
 int run_json(const Options& options) {
   loading::Loaded loaded;
   try {
@@ -96,11 +96,11 @@ int run(const Options& options) {
 }  // namespace
 
 Verb check_verb() {
-  return {"check", "Finds every fault of a scene without computing it.", [](CLI::App& app) {
+  return {"check", "Reports all faults of a scene without building it.", [](CLI::App& app) {
             auto options = std::make_shared<Options>();
             options->scene.add_to(app);
-            app.add_flag("--quiet,-q", options->quiet, "say nothing when all is well");
-            app.add_flag("--json", options->json, "the faults, for programs");
+            app.add_flag("--quiet,-q", options->quiet, "No output if the scene has no faults");
+            app.add_flag("--json", options->json, "Machine-readable output");
             return [options] { return run(*options); };
           }};
 }

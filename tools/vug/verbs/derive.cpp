@@ -27,7 +27,7 @@ struct Options {
   bool json = false;
 };
 
-/// The one that is asked for; of several one has to be named.
+/// The L-system of that name. An empty name selects the only one; error if there are several.
 shot::LSystemPtr select_lsystem(const shot::Shot& shot, const std::string& wanted) {
   std::vector<std::string> names;
   for (const shot::LSystemPtr& each : shot.lsystems) {
@@ -35,19 +35,20 @@ shot::LSystemPtr select_lsystem(const shot::Shot& shot, const std::string& wante
     names.push_back(each->name);
   }
   if (names.empty())
-    throw Error(ErrorCode::bad_input, "the scene has no L-system", {},
-                "grammar NAME: lsystem { ... }; 'vug tree' shows other grammars");
+    throw Error(
+        ErrorCode::bad_input, "the scene has no L-system", {},
+        "declare one with 'grammar NAME: lsystem { ... }'; 'vug tree' shows other grammars");
   if (!wanted.empty())
     throw Error(ErrorCode::bad_input, fmt::format("the scene has no L-system '{}'", wanted), {},
                 suggestion(wanted, names));
   if (names.size() > 1)
     throw Error(ErrorCode::bad_input,
                 fmt::format("the scene has several L-systems: {}", fmt::join(names, ", ")), {},
-                "name one behind the scene");
+                "add one of these names after the scene");
   return shot.lsystems.front();
 }
 
-/// How many modules of each name there are.
+/// Number of modules of each name.
 std::map<std::string, size_t> counts(const lsystem::Word& word, const lsystem::Alphabet& alphabet) {
   std::vector<size_t> by_symbol(alphabet.size());
   for (const lsystem::SymbolId symbol : word.symbols()) ++by_symbol[symbol];
@@ -57,7 +58,7 @@ std::map<std::string, size_t> counts(const lsystem::Word& word, const lsystem::A
   return out;
 }
 
-/// The word as text, a part at a time.
+/// Passes the text of the word to `take` in chunks.
 template <class Take>
 void for_each_chunk(const lsystem::Word& word, const lsystem::Alphabet& alphabet,
                     const Take& take) {
@@ -92,8 +93,8 @@ int run(const Options& options) {
   if (system.timed ? options.steps.has_value() : options.time.has_value())
     throw Error(ErrorCode::bad_input,
                 fmt::format("the L-system '{}' has {}", system.name,
-                            system.timed ? "a time, not steps" : "steps, not a time"),
-                {}, system.timed ? "--time T" : "--steps N");
+                            system.timed ? "a time instead of steps" : "steps instead of a time"),
+                {}, system.timed ? "write --time T" : "write --steps N");
   const ThreadLimit limit(options.threads);
   lsystem::Derivation derivation = plan->derive(options.steps, options.time);
   const lsystem::Word word =
@@ -116,23 +117,28 @@ int run(const Options& options) {
 }  // namespace
 
 Verb derive_verb() {
-  return {"derive", "Prints the word that an L-system of a scene grows.", [](CLI::App& app) {
+  return {"derive", "Prints the word derived by an L-system of a scene.", [](CLI::App& app) {
             auto options = std::make_shared<Options>();
             options->scene.add_to(app);
-            app.add_option("grammar", options->grammar, "which L-system, if there are several");
-            auto* steps = app.add_option("--steps", options->steps, "instead of the scene's")
-                              ->check(CLI::Range(0, 1000000));
-            app.add_option("--time", options->time, "likewise, where modules age")
+            app.add_option("grammar", options->grammar,
+                           "Name of the L-system; required if there are several");
+            auto* steps =
+                app.add_option("--steps", options->steps, "Number of steps; default from the scene")
+                    ->check(CLI::Range(0, 1000000));
+            app.add_option("--time", options->time,
+                           "Derivation time of a timed L-system; default from the scene")
                 ->check(CLI::Range(0.0, 1e9))
                 ->excludes(steps);
-            app.add_flag("--drawn", options->drawn,
-                         "as the turtle reads it: interpreted, with the words of other systems");
-            auto* count = app.add_flag("--count", options->count, "how many modules of each name");
+            app.add_flag(
+                "--drawn", options->drawn,
+                "Print the word as the turtle reads it: interpreted, with sub-systems inserted");
+            auto* count =
+                app.add_flag("--count", options->count, "Print the number of modules of each name");
             app.add_flag("--hash", options->hash,
-                         "SHA-256 of the word as printed, without line end")
+                         "Print the SHA-256 of the printed word without its newline")
                 ->excludes(count);
-            app.add_flag("--json", options->json, "counts, hash and word, for programs");
-            app.add_option("--threads", options->threads, "threads; 0 means all cores")
+            app.add_flag("--json", options->json, "Machine-readable output: counts, hash and word");
+            app.add_option("--threads", options->threads, "Number of threads; 0 uses all cores")
                 ->check(CLI::Range(0, 1024));
             return [options] { return run(*options); };
           }};

@@ -38,15 +38,15 @@ void require_files(const Options& options) {
   require_outputs(outputs, inputs);
 }
 
-/// What is limits twice, one of them in vain.
+/// Error(bad_input) if two limits apply to the same layer and measure.
 void require_distinct(const std::vector<image::Limit>& limits) {
   for (auto a = limits.begin(); a != limits.end(); ++a)
     for (auto b = limits.begin(); b != a; ++b)
       if (a->layer == b->layer && a->measure == b->measure)
         throw Error(ErrorCode::bad_input,
-                    fmt::format("there are two limits of {}{}{}", a->layer,
-                                a->layer.empty() ? "" : ".", a->measure),
-                    {}, "leave out one of them");
+                    fmt::format("duplicate limit for {}{}{}", a->layer, a->layer.empty() ? "" : ".",
+                                a->measure),
+                    {}, "remove one of them");
 }
 
 int run(Options options) {
@@ -80,38 +80,44 @@ int run(Options options) {
 
 Verb diff_verb() {
   return {
-      "diff", "Compares two pictures; exit 1 when they differ by more than limits or noise allow.",
+      "diff",
+      "Compares two pictures; exit code 1 if they differ by more than limits or noise allow.",
       [](CLI::App& app) {
         auto o = std::make_shared<Options>();
-        app.add_option("reference", o->reference, "the picture that is right")->required();
-        app.add_option("test", o->test, "the picture to be judged")->required();
-        app.add_option("--max", o->maxima, "[LAYER.]MEASURE=VALUE that is allowed at most")
+        app.add_option("reference", o->reference, "Reference picture")->required();
+        app.add_option("test", o->test, "Picture to be compared with the reference")->required();
+        app.add_option("--max", o->maxima, "Upper limit of a measure, [LAYER.]MEASURE=VALUE")
             ->take_all()
             ->type_name("LIMIT");
-        app.add_option("--min", o->minima, "the same for psnr and ssim, where more is better")
+        app.add_option("--min", o->minima,
+                       "Lower limit of psnr or ssim, for which higher values are better")
             ->take_all()
             ->type_name("LIMIT");
         app.add_option("--thresholds", o->thresholds,
-                       "a JSON file of limits: {\"rmse\": 0.01, \"N.max\": 0.1}");
+                       "JSON file of limits: {\"rmse\": 0.01, \"N.max\": 0.1}");
         app.add_option("--alarm", o->diff.false_alarm_rate,
-                       "demands the test of significance, at this rate of false alarms (0.01)")
+                       "Require the significance test, with this false-alarm rate; default 0.01")
             ->transform(number_in(Dimension::ratio, 1e-9, 0.5));
-        app.add_option("--layer", o->diff.layers, "compare these layers only, e.g. beauty,albedo")
+        app.add_option("--layer", o->diff.layers,
+                       "Layers to compare, e.g. beauty,albedo; default all")
             ->delimiter(',');
-        app.add_option("--metric", o->diff.measures, "measure these only: " + measure_names())
+        app.add_option("--metric", o->diff.measures,
+                       "Measures to compute; default all: " + measure_names())
             ->delimiter(',');
-        app.add_option("--mask", o->mask, "a picture that is 0.5 or more where pixels count");
-        app.add_option("--exposure", o->diff.exposure,
-                       "stops at which an eye looks; else that makes middle grey")
+        app.add_option("--mask", o->mask,
+                       "Mask picture; pixels with values of at least 0.5 are compared");
+        app.add_option(
+               "--exposure", o->diff.exposure,
+               "Exposure of perceptual measures in stops; default: the mean becomes middle grey")
             ->transform(number_in(Dimension::none, -30, 30));
         app.add_flag("--reference-exposures", o->diff.reference_exposures,
-                     "flip_hdr takes its exposures from the reference alone, as its paper does");
-        app.add_option("--json", o->json, "writes the verdict for programs");
-        app.add_option("--html", o->html, "writes a page with both pictures and the heat map");
-        app.add_option("--heat", o->heat, "writes the heat map, a PNG");
-        app.add_option("--threads", o->threads, "threads to use; 0: all cores")
+                     "Take the exposures of flip_hdr from the reference alone, as in its paper");
+        app.add_option("--json", o->json, "Write the result to this JSON file");
+        app.add_option("--html", o->html, "Write a page with both pictures and the heat map");
+        app.add_option("--heat", o->heat, "Write the heat map to this PNG file");
+        app.add_option("--threads", o->threads, "Number of threads; 0 uses all cores")
             ->check(integer_in(0, 1024));
-        app.add_flag("--quiet,-q", o->quiet, "no table: the exit code is the answer");
+        app.add_flag("--quiet,-q", o->quiet, "No table; the exit code is the result");
         return [o] { return run(*o); };
       }};
 }

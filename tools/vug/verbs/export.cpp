@@ -38,7 +38,7 @@ int run(const Options& options) {
   const delivery::ExportResult written = delivery::export_set(builder, options.folder, what);
   for (const auto& path : written.files) fmt::print("{}\n", path.string());
   clear_progress_bar();
-  for (const std::string& each : written.unsupported) fmt::print(stderr, "left out: {}\n", each);
+  for (const std::string& each : written.unsupported) fmt::print(stderr, "omitted: {}\n", each);
   if (options.work.quiet) return kDone;
   for (const std::string& each : written.notes) fmt::print(stderr, "note: {}\n", each);
   for (const std::string& each : written.levels) fmt::print(stderr, "{}\n", each);
@@ -49,27 +49,29 @@ int run(const Options& options) {
 }  // namespace
 
 Verb export_verb() {
-  return {
-      "export", "Writes what another program reads best: meshes, volumes, cameras, lights.",
-      [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
-        options->scene.add_to(app, &options->work);
-        app.add_option("-o,--output", options->folder, "the folder to write into")->required();
-        std::vector<std::string> programs;
-        for (const exchange::Program* each : exchange::programs())
-          programs.push_back(each->info.name);
-        app.add_option("--for", options->program,
-                       fmt::format("whom it is for: {}; else usd", fmt::join(programs, ", ")));
-        app.add_option("--up", options->up, "the axis that points up, y or z, instead of its own")
-            ->check(CLI::IsMember({"y", "z"}));
-        app.add_option("--unit", options->unit, "the unit, m or cm, instead of its own")
-            ->check(CLI::IsMember({"m", "cm"}));
-        app.add_option("--lod", options->levels,
-                       "levels of detail beside the whole, each with a quarter of the triangles")
-            ->check(integer_in(0, 8));
-        options->work.add_to(app);
-        return [options] { return run(*options); };
-      }};
+  return {"export", "Exports meshes, volumes, cameras and lights for another program.",
+          [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            options->scene.add_to(app, &options->work);
+            app.add_option("-o,--output", options->folder, "Output folder")->required();
+            std::vector<std::string> programs;
+            for (const exchange::Program* each : exchange::programs())
+              programs.push_back(each->info.name);
+            app.add_option(
+                "--for", options->program,
+                fmt::format("Target program: {}; default usd", fmt::join(programs, ", ")));
+            app.add_option("--up", options->up, "Up axis, y or z; default: that of the program")
+                ->check(CLI::IsMember({"y", "z"}));
+            app.add_option("--unit", options->unit,
+                           "Unit of length, m or cm; default: that of the program")
+                ->check(CLI::IsMember({"m", "cm"}));
+            app.add_option(
+                   "--lod", options->levels,
+                   "Number of additional levels of detail, each with a quarter of the triangles")
+                ->check(integer_in(0, 8));
+            options->work.add_to(app);
+            return [options] { return run(*options); };
+          }};
 }
 
 }  // namespace vug::cli

@@ -1,4 +1,4 @@
-// `vug facade VERB ...`: one file each in facade/, listed in CMakeLists.txt.
+// `vug facade VERB ...`: each verb is a file in facade/ and a line in CMakeLists.txt.
 #include "arguments.h"
 #include "verb.h"
 
@@ -24,10 +24,10 @@ namespace {
 }  // namespace
 
 Verb facade_verb() {
-  return {"facade", "Reads facades out of pictures and scans.", [](CLI::App& app) {
+  return {"facade", "Reconstructs and models facades from pictures and scans.", [](CLI::App& app) {
             using Runs = std::map<const CLI::App*, std::function<int()>>;
             auto runs = std::make_shared<Runs>();
-            // Takes what is no verb, so that it can be answered.
+            // Collects unknown words so that they can be reported.
             auto unknown = std::make_shared<std::vector<std::string>>();
             app.add_option("verb", *unknown)->group("")->expected(0, 1000);
             app.require_subcommand(0, 1);
@@ -44,7 +44,7 @@ Verb facade_verb() {
                 refuse(app, unknown->empty() ? "" : unknown->front());
               if (!unknown->empty())
                 throw Error(ErrorCode::bad_input,
-                            fmt::format("there is one argument too many: '{}'", unknown->front()));
+                            fmt::format("unexpected argument: '{}'", unknown->front()));
               return runs->at(app.get_subcommands().at(0))();
             };
           }};

@@ -15,7 +15,7 @@ struct Options {
   bool write = false;
 };
 
-/// A text with faults is no scene to put in order; what it includes does not matter here.
+/// Whether the text parses. A text with faults is not formatted; included files are not read.
 bool parses(const std::string& text, const std::string& file) {
   Diagnostics diagnostics;
   scene::ParseOptions options;
@@ -47,11 +47,13 @@ int run(const Options& options) {
 }  // namespace
 
 Verb format_verb() {
-  return {"format", "Puts a scene's spaces and columns in order.", [](CLI::App& app) {
+  return {"format", "Formats the white space and columns of scene files.", [](CLI::App& app) {
             auto options = std::make_shared<Options>();
-            app.add_option("files", options->files, "scenes")->required();
-            app.add_flag("--check", options->check, "only tell which files would change (exit 1)");
-            app.add_flag("--write,-w", options->write, "change the files instead of printing");
+            app.add_option("files", options->files, "Scene files")->required();
+            app.add_flag("--check", options->check,
+                         "Only list the files that would change (exit code 1)");
+            app.add_flag("--write,-w", options->write,
+                         "Overwrite the files instead of printing them");
             return [options] { return run(*options); };
           }};
 }

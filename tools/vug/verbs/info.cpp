@@ -15,11 +15,11 @@ struct Options {
 }  // namespace
 
 Verb info_verb() {
-  return {"info", "Tells what is in a .vdb, picture, mesh, table, part of a picture or checkpoint.",
+  return {"info", "Describes a .vdb, picture, mesh, table, partial render or checkpoint.",
           [](CLI::App& app) {
             auto options = std::make_shared<Options>();
-            app.add_option("file", options->file, "the file")->required();
-            app.add_flag("--json", options->json, "for programs, with whole texts");
+            app.add_option("file", options->file, "File to describe")->required();
+            app.add_flag("--json", options->json, "Machine-readable output with complete strings");
             return [options] {
               print_report(delivery::describe_file(options->file), options->json);
               return kDone;

@@ -12,7 +12,8 @@ struct Options {
   bool json = false;
 };
 
-/// Categories in order of first appearance, set apart from what stands above.
+/// Prints the kinds by category, in order of first appearance. `first`: no blank line before the
+/// first category.
 void print_overview(const std::vector<const KindInfo*>& kinds, bool first) {
   std::string category;
   for (const KindInfo* kind : kinds) {
@@ -37,8 +38,8 @@ int run(const Options& options) {
   if (kinds.empty()) {
     const std::string near = nearest_name(options.what, loading::kind_words());
     throw Error(
-        ErrorCode::bad_input, fmt::format("there is no kind or category '{}'", options.what), {},
-        near.empty() ? "'vug list' shows them all" : fmt::format("did you mean '{}'?", near));
+        ErrorCode::bad_input, fmt::format("unknown kind or category '{}'", options.what), {},
+        near.empty() ? "'vug list' lists all of them" : fmt::format("did you mean '{}'?", near));
   }
   if (options.json) {
     fmt::print("{}\n", loading::catalogue_json(kinds).dump(2));
@@ -56,13 +57,13 @@ int run(const Options& options) {
 Verb list_verb() {
   return {
       "list",
-      "Lists everything a scene can say, pictures are compared by and export writes, or one kind "
-      "with its parameters.",
+      "Lists the kinds of the scene language, image measures and export formats, or describes one "
+      "kind with its parameters.",
       [](CLI::App& app) {
         auto options = std::make_shared<Options>();
         app.add_option("kind", options->what,
-                       "a kind (torus), a category (primitive) or what is declared (material)");
-        app.add_flag("--json", options->json, "for programs");
+                       "Kind (torus), category (primitive) or declaration (material)");
+        app.add_flag("--json", options->json, "Machine-readable output");
         return [options] { return run(*options); };
       }};
 }

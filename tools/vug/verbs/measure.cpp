@@ -20,7 +20,7 @@ struct Options {
   bool json = false;
 };
 
-/// A file is what it is: nothing of it can be chosen or set.
+/// Error(bad_input) for scene options, which do not apply to a file of geometry.
 void refuse_scene_options(const Options& options) {
   const char* option = !options.scene.defines.empty() ? "-D"
                        : options.scene.seed           ? "--seed"
@@ -30,8 +30,9 @@ void refuse_scene_options(const Options& options) {
                                                       : nullptr;
   if (option)
     throw Error(ErrorCode::bad_input,
-                fmt::format("{} is for scenes, and '{}' is none", option, options.scene.scene), {},
-                "give a .vug file or leave out " + std::string(option));
+                fmt::format("{} requires a scene, but '{}' is not a .vug file", option,
+                            options.scene.scene),
+                {}, "pass a .vug file or remove " + std::string(option));
 }
 
 metrics::Report report_of(const Options& options) {
@@ -69,19 +70,21 @@ int run(const Options& options) {
 }  // namespace
 
 Verb measure_verb() {
-  return {"measure",
-          "Measures a scene's mesh, or a .vdb, .obj, .ply, .stl file; exit 1 when it is broken.",
-          [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
-            options->scene.add_to(app, &options->work);
-            app.add_option("--mesh", options->mesh, "which mesh of the scene; else the first");
-            app.add_option("--cells", options->cells,
-                           "the cells of that name instead: how even they are, how they are linked")
-                ->excludes("--mesh");
-            app.add_flag("--json", options->json, "for programs");
-            options->work.add_to(app);
-            return [options] { return run(*options); };
-          }};
+  return {
+      "measure",
+      "Measures a mesh of a scene, or a .vdb, .obj, .ply or .stl file; exit code 1 if it is not a "
+      "closed solid.",
+      [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        options->scene.add_to(app, &options->work);
+        app.add_option("--mesh", options->mesh, "Mesh of the scene; default the first");
+        app.add_option("--cells", options->cells,
+                       "Measure the cells of this name instead: their regularity and links")
+            ->excludes("--mesh");
+        app.add_flag("--json", options->json, "Machine-readable output");
+        options->work.add_to(app);
+        return [options] { return run(*options); };
+      }};
 }
 
 }  // namespace vug::cli

@@ -16,7 +16,7 @@ struct Options {
 };
 
 int run(const Options& options) {
-  require_extension(options.output, ".exr", "the picture is an EXR; a PNG is written beside it");
+  require_extension(options.output, ".exr", "the picture is an EXR; a PNG is written next to it");
   const std::vector<std::filesystem::path> paths(options.parts.begin(), options.parts.end());
   require_outputs({options.output, picture::png_path(options.output)}, paths);
   const render::PartialRender whole =
@@ -30,14 +30,15 @@ int run(const Options& options) {
 }  // namespace
 
 Verb merge_verb() {
-  return {"merge", "Puts the parts of a picture, made by `vug render --part`, together.",
-          [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
-            app.add_option("parts", options->parts, "all parts of one picture")->required();
-            app.add_option("-o,--output", options->output, "the .exr to write")->required();
-            options->work.add_to(app);
-            return [options] { return run(*options); };
-          }};
+  return {
+      "merge", "Merges the partial renders written by `vug render --part` into a picture.",
+      [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        app.add_option("parts", options->parts, "All partial renders of one picture")->required();
+        app.add_option("-o,--output", options->output, "Output file, an .exr")->required();
+        options->work.add_to(app);
+        return [options] { return run(*options); };
+      }};
 }
 
 }  // namespace vug::cli

@@ -21,7 +21,7 @@ struct Options {
   int max_triangles = 300000;
 };
 
-/// preview.html of the data folders, or that of the build.
+/// The page template: preview.html of the data folders, or that of the build.
 std::filesystem::path page_file() {
   std::vector<std::filesystem::path> files;
   for (const std::filesystem::path& folder : loading::data_folders())
@@ -29,15 +29,15 @@ std::filesystem::path page_file() {
   files.emplace_back(VUG_BUILT_PAGE);
   for (const std::filesystem::path& file : files)
     if (unreadable_reason(file).empty()) return file;
-  throw Error(ErrorCode::bad_input, "this Vug was built without the page that a preview fills", {},
-              "install npm, and build again where it can reach its registry");
+  throw Error(ErrorCode::bad_input, "this build of vug does not contain the preview page", {},
+              "install npm and rebuild with access to the npm registry");
 }
 
 int run(Options options) {
   const std::filesystem::path page = page_file();
   if (options.output.empty())
     options.output = std::filesystem::path(options.scene.scene).stem().string() + ".html";
-  require_extension(options.output, ".html", "the page is one .html file");
+  require_extension(options.output, ".html", "the page is an .html file");
   const ThreadLimit threads(options.work.threads);
   const loading::Loaded loaded = options.scene.load();
   const shot::Shot shot = delivery::with_meshes(loaded.shot);
@@ -56,10 +56,10 @@ int run(Options options) {
   write_text(options.output, made.page);
   fmt::print("{}\n", options.output);
   clear_progress_bar();
-  for (const std::string& each : made.unsupported) fmt::print(stderr, "left out: {}\n", each);
+  for (const std::string& each : made.unsupported) fmt::print(stderr, "omitted: {}\n", each);
   if (options.work.quiet) return kDone;
   if (made.triangles < made.whole)
-    fmt::print(stderr, "thinned out to {} of {} triangles\n", made.triangles, made.whole);
+    fmt::print(stderr, "decimated to {} of {} triangles\n", made.triangles, made.whole);
   options.work.summarise(builder);
   return kDone;
 }
@@ -67,24 +67,24 @@ int run(Options options) {
 }  // namespace
 
 Verb preview_verb() {
-  return {
-      "preview", "Writes a web page, one file, that shows the model, picture, tree and figures.",
-      [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
-        options->scene.add_to(app, &options->work);
-        app.add_option("-o,--output", options->output,
-                       "the .html to write; else the scene's name with that ending");
-        auto* picture =
-            app.add_option("--picture", options->picture, "a .png or .jpg to show beside it");
-        app.add_flag("--render", options->render, "render a small picture to show beside it")
-            ->excludes(picture);
-        app.add_option("--max-triangles", options->max_triangles,
-                       "thin the model out to about so many; else 300000")
-            ->check(integer_in(100, 100000000));
-        app.add_option("--mesh", options->mesh, "whose metrics it tells; else the largest mesh's");
-        options->work.add_to(app);
-        return [options] { return run(*options); };
-      }};
+  return {"preview", "Writes a self-contained web page with the model, picture, tree and metrics.",
+          [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            options->scene.add_to(app, &options->work);
+            app.add_option("-o,--output", options->output,
+                           "Output file, an .html; default: the scene's name with this extension");
+            auto* picture =
+                app.add_option("--picture", options->picture, "Picture to show, a .png or .jpg");
+            app.add_flag("--render", options->render, "Render a small picture to show")
+                ->excludes(picture);
+            app.add_option("--max-triangles", options->max_triangles,
+                           "Number of triangles to which the model is decimated; default 300000")
+                ->check(integer_in(100, 100000000));
+            app.add_option("--mesh", options->mesh,
+                           "Mesh whose metrics are shown; default the largest");
+            options->work.add_to(app);
+            return [options] { return run(*options); };
+          }};
 }
 
 }  // namespace vug::cli

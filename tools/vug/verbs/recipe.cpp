@@ -29,13 +29,13 @@ int run(const Options& options) {
 }  // namespace
 
 Verb recipe_verb() {
-  return {"recipe", "Prints the scene text that made a file, which makes it again.",
+  return {"recipe", "Prints the scene text from which a file was built and can be rebuilt.",
           [](CLI::App& app) {
             auto options = std::make_shared<Options>();
             app.add_option("file", options->file,
-                           "a .vdb, .glb, .usda, .ply, .obj, picture, part or checkpoint")
+                           "A .vdb, .glb, .usda, .ply, .obj, picture, partial render or checkpoint")
                 ->required();
-            app.add_option("-o,--output", options->output, "a file for the text; else it is shown");
+            app.add_option("-o,--output", options->output, "Output file; default standard output");
             return [options] { return run(*options); };
           }};
 }

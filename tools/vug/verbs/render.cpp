@@ -38,7 +38,7 @@ std::vector<std::string> space_names() {
   return names;
 }
 
-/// The whole numbers of a text that reads like `pattern`, in which each 'N' stands for one.
+/// Parses a text of the form `pattern`, in which each 'N' stands for a non-negative integer.
 std::vector<int> parse_numbers(const std::string& text, const std::string& pattern,
                                const std::string& what, const std::string& hint) {
   std::vector<int> numbers;
@@ -55,7 +55,7 @@ std::vector<int> parse_numbers(const std::string& text, const std::string& patte
     at = read.ptr;
   }
   if (!good || at != end)
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no {}", text, what), {}, hint);
+    throw Error(ErrorCode::bad_input, fmt::format("invalid {} '{}'", what, text), {}, hint);
   return numbers;
 }
 
@@ -65,15 +65,18 @@ void parse(Options& options) {
     const auto size = parse_numbers(options.size, "NxN", "size", "write --size 1920x1080");
     render.picture.size = Vec2i(size[0], size[1]);
     if (size[0] < 1 || size[1] < 1)
-      throw Error(ErrorCode::bad_input, fmt::format("'{}' is no size", options.size), {},
-                  "write --size 1920x1080");
+      throw Error(
+          ErrorCode::bad_input,
+          fmt::format("invalid size '{}': width and height must be at least 1", options.size), {},
+          "write --size 1920x1080");
   }
   if (!options.crop.empty()) {
     auto& crop = render.picture.crop;
     crop = parse_numbers(options.crop, "N,N,N,N", "crop", "write --crop left,top,right,bottom");
     if (crop[0] >= crop[2] || crop[1] >= crop[3])
-      throw Error(ErrorCode::bad_input, fmt::format("a crop of '{}' has no pixels", options.crop),
-                  {}, "write --crop left,top,right,bottom; right and bottom are beyond it");
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("invalid crop '{}': it contains no pixels", options.crop), {},
+                  "write --crop left,top,right,bottom; right and bottom are exclusive");
   }
   if (!options.tile.empty()) {
     const auto tile = parse_numbers(options.tile, "N/N", "tile", "write --tile 1/4 to --tile 4/4");
@@ -85,8 +88,9 @@ void parse(Options& options) {
     render.slice.begin = static_cast<uint32_t>(range[0]);
     render.slice.end = static_cast<uint32_t>(range[1]);
     if (range[0] >= range[1])
-      throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no samples", options.samples), {},
-                  "write --samples 0..64: the second number is beyond the range");
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("invalid range of samples '{}': it is empty", options.samples), {},
+                  "write --samples 0..64; the second number is exclusive");
   }
   render.picture.config = options.ocio;
   if (options.ocio.empty()) render.picture.config = image::environment_config();
@@ -98,11 +102,11 @@ void parse(Options& options) {
   if (!options.eye.empty()) render.picture.eye = options.eye == "left" ? -1 : 1;
   if (options.output.empty() == options.part.empty())
     throw Error(ErrorCode::bad_input,
-                options.part.empty() ? "there is no name for the picture"
-                                     : "a part is no picture: it cannot be both",
-                {}, "give -o and an .exr for the picture, or --part and a file for a part of it");
+                options.part.empty() ? "no output file given" : "-o and --part exclude each other",
+                {},
+                "write -o and an .exr for a picture, or --part and a file for a partial render");
   if (!options.output.empty())
-    require_extension(options.output, ".exr", "the picture is an EXR; a PNG is written beside it");
+    require_extension(options.output, ".exr", "the picture is an EXR; a PNG is written next to it");
   if (!options.preview.empty()) require_extension(options.preview, ".png", "");
 }
 
@@ -112,7 +116,7 @@ std::string time_text(double seconds) {
   return fmt::format("about {:.1f} h", seconds / 3600);
 }
 
-/// Renders one picture of what is loaded, and writes it.
+/// Renders and writes one picture of the loaded scene.
 void render_one(const Options& options, building::Builder& builder) {
   const std::vector<picture::RenderResult> rendered =
       picture::render_views(builder, options.render);
@@ -136,7 +140,7 @@ void require_outputs(const Options& options, const loading::Loaded& loaded) {
   for (const std::string& path : {options.output, options.part, options.checkpoint})
     if (!path.empty()) outputs.emplace_back(path);
   if (!options.output.empty()) outputs.push_back(picture::png_path(options.output));
-  // A preview may become the picture.
+  // The preview may have the same name as the final picture.
   if (!options.preview.empty() &&
       (options.output.empty() || options.preview != picture::png_path(options.output)))
     outputs.emplace_back(options.preview);
@@ -148,7 +152,7 @@ void require_outputs(const Options& options, const loading::Loaded& loaded) {
   vug::require_outputs(outputs, loading::file_dependencies(loaded));
 }
 
-/// Puts the frame's number where names have a place for it.
+/// The options with the frame number inserted into file names that contain a placeholder.
 Options with_frame_number(const Options& options, int frame) {
   Options out = options;
   for (std::string* path : {&out.output, &out.part, &out.checkpoint, &out.products, &out.preview})
@@ -162,16 +166,17 @@ Options with_frame_number(const Options& options, int frame) {
 Options options_at_frame(const Options& options, int frame) {
   for (const std::string* path :
        {&options.output, &options.part, &options.checkpoint, &options.products})
-    if (!path->empty()) picture::frame_path(*path, frame);  // refuses a name that all would share
+    if (!path->empty())
+      picture::frame_path(*path, frame);  // throws for a name without a placeholder
   Options out = with_frame_number(options, frame);
-  if (out.checkpoint.empty()) out.render.resume = false;  // nothing but whole frames is kept
+  if (out.checkpoint.empty()) out.render.resume = false;  // only complete frames are kept
   return out;
 }
 
 int run_frames(const Options& options, loading::StaticCache& static_cache, Progress& progress) {
   using Clock = std::chrono::steady_clock;
   const std::vector<int> frames = picture::parse_frames(options.frames);
-  for (const int frame : frames) options_at_frame(options, frame);  // before any work
+  for (const int frame : frames) options_at_frame(options, frame);  // check names before any work
   std::unique_ptr<SceneAtFrame> now;
   double seconds = 0;
   size_t rendered = 0, skipped = 0;
@@ -207,7 +212,7 @@ int run_frames(const Options& options, loading::StaticCache& static_cache, Progr
     ++rendered;
   }
   if (skipped > 0 && !options.work.quiet)
-    fmt::print(stderr, "{} {} there already\n", skipped,
+    fmt::print(stderr, "{} {} finished already\n", skipped,
                skipped == 1 ? "frame was" : "frames were");
   options.work.summarise(now->builder);
   return kDone;
@@ -217,7 +222,7 @@ int run(Options options) {
   parse(options);
   if (!options.work.quiet)
     options.render.estimate = [](double seconds, double bytes) {
-      if (seconds < 5 && bytes < 0x1p30) return;  // not worth a line
+      if (seconds < 5 && bytes < 0x1p30) return;  // too short to report
       clear_progress_bar();
       fmt::print(stderr, "rendering takes {} and {}\n", time_text(seconds), bytes_text(bytes));
     };
@@ -241,62 +246,70 @@ int run(Options options) {
 
 Verb render_verb() {
   return {
-      "render", "Renders a picture: an EXR with layers, and a PNG beside it.", [](CLI::App& app) {
+      "render", "Renders a picture: an EXR with AOVs, and a PNG next to it.", [](CLI::App& app) {
         auto options = std::make_shared<Options>();
         options->scene.add_to(app, &options->work);
         auto& render = options->render;
         auto& picture = render.picture;
-        app.add_option("-o,--output", options->output, "the .exr to write");
+        app.add_option("-o,--output", options->output, "Output file, an .exr");
         app.add_option("--products", options->products,
-                       "a folder for what `vug build` would make, too");
+                       "Folder for the products of `vug build`, which are written as well");
         app.add_option("--sample-seed", options->render.picture.seed,
-                       "draws other samples of the same scene, which --seed may change")
+                       "Seed of the samples; --seed changes the scene itself")
             ->check(seed_number());
-        app.add_option("--spp", picture.spp, "samples per pixel")->check(integer_in(1, 1 << 20));
-        app.add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
-        app.add_option("--crop", options->crop, "LEFT,TOP,RIGHT,BOTTOM: only these pixels");
-        app.add_option("--camera", picture.camera, "which camera");
-        app.add_option("--render", picture.render, "which render block");
+        app.add_option("--spp", picture.spp, "Samples per pixel")->check(integer_in(1, 1 << 20));
+        app.add_option("--size", options->size, "Size of the picture, WIDTHxHEIGHT in pixels");
+        app.add_option(
+            "--crop", options->crop,
+            "Crop window, LEFT,TOP,RIGHT,BOTTOM in pixels; right and bottom are exclusive");
+        app.add_option("--camera", picture.camera, "Name of the camera");
+        app.add_option("--render", picture.render, "Name of the render block");
         app.add_option("--eye", options->eye,
-                       "left or right: one view of a camera for stereo, not both")
+                       "Render only one view of a stereo camera: left or right")
             ->check(CLI::IsMember({"left", "right"}));
-        app.add_option("--layers", picture.layers, "names of layers, or all")->delimiter(',');
-        app.add_option("--noise", picture.noise,
-                       "stop sampling where the relative error is below this, e.g. 5%")
+        app.add_option("--layers", picture.layers, "Names of AOVs, or all")->delimiter(',');
+        app.add_option(
+               "--noise", picture.noise,
+               "Adaptive sampling: stop a pixel once its relative error is below this, e.g. 5%")
             ->transform(number_in(Dimension::ratio, 0, 1));
-        app.add_option("--exposure", picture.exposure, "stops, for the PNG")
+        app.add_option("--exposure", picture.exposure, "Exposure of the PNG in stops")
             ->transform(number_in(Dimension::none, -30, 30));
         app.add_option("--view", picture.view,
-                       "how the PNG shows the light: filmic, standard, aces, or one of --ocio");
-        app.add_option("--display", picture.display, "a display of --ocio, for the PNG");
+                       "View transform of the PNG: filmic, standard, aces, or one of --ocio");
+        app.add_option("--display", picture.display, "Display of --ocio, for the PNG");
         app.add_option("--ocio", options->ocio,
-                       "an OpenColorIO configuration for the PNG; else that of $OCIO");
+                       "OpenColorIO configuration for the PNG; default $OCIO");
         app.add_option("--working-space", options->working_space,
-                       "the primaries that light is computed with")
+                       "Colour space in which light is computed")
             ->check(CLI::IsMember(space_names()));
-        app.add_flag("--float", picture.full_float, "32-bit colour channels");
+        app.add_flag("--float", picture.full_float, "32-bit colour channels in the EXR");
         app.add_flag("--denoise", picture.denoise,
-                     "show the PNG smoothed; the EXR gets a layer \'denoised\', too");
+                     "Denoise the PNG; the EXR gets an additional layer 'denoised'");
         app.add_flag("--deep", picture.deep,
-                     "also a deep EXR, .deep.exr: what is seen at which depth");
-        app.add_flag("--multi-part", picture.multi_part, "a part of the EXR for each layer");
-        app.add_flag("--tiled", picture.tiled, "tiles in the EXR, not lines");
+                     "Also write a deep EXR, .deep.exr, with samples by depth");
+        app.add_flag("--multi-part", picture.multi_part,
+                     "Write each layer to a part of its own in the EXR");
+        app.add_flag("--tiled", picture.tiled, "Store the EXR in tiles instead of scanlines");
         app.add_option("--preview", options->preview,
-                       "a .png of the picture so far, written again and again");
+                       "PNG of the unfinished picture, which is updated during rendering");
         auto* checkpoint = app.add_option("--checkpoint", options->checkpoint,
-                                          "a file to go on from after a failure");
-        app.add_option("--checkpoint-every", render.checkpoint_every, "in seconds")
+                                          "Checkpoint file, from which --resume continues");
+        app.add_option("--checkpoint-every", render.checkpoint_every,
+                       "Interval between checkpoints in seconds")
             ->transform(number_in(Dimension::time, 0, 1e6))
             ->needs(checkpoint);
-        app.add_option("--frames", options->frames,
-                       "A..B or A..BxSTEP: a picture of each, with #### in its name")
+        app.add_option(
+               "--frames", options->frames,
+               "Frames to render, A..B or A..BxSTEP; the file name contains #### as placeholder")
             ->excludes("--frame");
         app.add_flag("--resume", render.resume,
-                     "go on from the checkpoint, if there is one; of --frames skip those that are "
-                     "there already");
-        app.add_option("--part", options->part, "write a part for `vug merge`, no picture");
-        app.add_option("--tile", options->tile, "I/N: band I of N of the picture");
-        app.add_option("--samples", options->samples, "A..B: samples A to B-1 of each pixel");
+                     "Continue from the checkpoint if it exists; with --frames, skip finished "
+                     "frames");
+        app.add_option("--part", options->part,
+                       "Write a partial render for `vug merge` instead of a picture");
+        app.add_option("--tile", options->tile, "Render only band I of N of the picture, I/N");
+        app.add_option("--samples", options->samples,
+                       "Render only samples A to B-1 of each pixel, A..B");
         options->work.add_to(app);
         return [options] { return run(*options); };
       }};

@@ -33,11 +33,11 @@ double value_or_nan(const std::optional<T>& value) {
   return value ? static_cast<double>(*value) : kNaN;
 }
 
-/// A column of the table: its name there, its label in a plot, its value.
+/// A column of the table: its name, its label in plots and its value.
 struct Column {
   const char* name;
   const char* label;
-  int digits;  ///< Significant ones in the table.
+  int digits;  ///< Significant digits in the table.
   double (*value)(const metrics::Report&);
 };
 
@@ -69,7 +69,7 @@ const Column& column(const std::string& name) {
     if (c.name == name) return c;
     names.emplace_back(c.name);
   }
-  throw Error(ErrorCode::bad_input, fmt::format("a sweep has no column '{}'", name), {},
+  throw Error(ErrorCode::bad_input, fmt::format("unknown column '{}'", name), {},
               suggestion(name, names));
 }
 
@@ -79,7 +79,7 @@ bool parses(const std::string& text, T& out) {
   return code == std::errc() && end == text.data() + text.size();
 }
 
-/// "1..100" is every whole number from 1 to 100; any other text stands for itself.
+/// Expands "1..100" to all integers from 1 to 100. Other values are kept as they are.
 std::vector<std::string> expand_ranges(const std::vector<std::string>& values) {
   std::vector<std::string> out;
   for (const std::string& value : values) {
@@ -91,8 +91,8 @@ std::vector<std::string> expand_ranges(const std::vector<std::string>& values) {
       continue;
     }
     if (low > high || high - low >= static_cast<int64_t>(kMaxValues))
-      throw Error(ErrorCode::bad_input, fmt::format("'{}' is no range to sweep", value), {},
-                  fmt::format("write the smaller number first, {} values at most", kMaxValues));
+      throw Error(ErrorCode::bad_input, fmt::format("invalid range '{}'", value), {},
+                  fmt::format("write the smaller number first, and at most {} values", kMaxValues));
     for (int64_t v = low; v <= high; ++v) out.push_back(std::to_string(v));
   }
   return out;
@@ -108,8 +108,8 @@ SweepRow measure_value(const Options& options, const std::string& value) {
   if (options.param == "seed") {
     uint64_t seed = 0;
     if (!parses(value, seed))
-      throw Error(ErrorCode::bad_input, fmt::format("'{}' is no seed", value), {},
-                  "a seed is a whole number from 0 on");
+      throw Error(ErrorCode::bad_input, fmt::format("invalid seed '{}'", value), {},
+                  "a seed is an integer of at least 0");
     scene.seed = seed;
   } else {
     scene.defines.push_back(options.param + "=" + value);
@@ -135,9 +135,9 @@ std::string table(const std::string& param, const std::vector<SweepRow>& rows) {
   return out;
 }
 
-/// Where the values of each column lie.
+/// Minimum, mean and maximum of each column.
 std::string summary(const std::vector<SweepRow>& rows) {
-  std::string out = fmt::format("{:<13} {:>11} {:>11} {:>11}\n", "", "least", "mean", "most");
+  std::string out = fmt::format("{:<13} {:>11} {:>11} {:>11}\n", "", "min", "mean", "max");
   for (const Column& c : columns()) {
     double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0;
     int count = 0;
@@ -160,7 +160,7 @@ std::string plot(const Options& options, const std::vector<SweepRow>& rows) {
   const std::string scene = std::filesystem::path(options.scene.scene).stem().string();
   Plot plot{scene + " against " + options.param, options.param, {}, {}, options.param != "seed"};
   for (size_t i = 0; i < rows.size(); ++i) {
-    double x = 0;  // values that are no numbers, such as +X, stand at their places in the list
+    double x = 0;  // values that are not numbers, such as +X, are plotted at their index
     plot.x.push_back(parses(rows[i].value, x) ? x : static_cast<double>(i + 1));
   }
   for (const std::string& name : options.plot) {
@@ -172,7 +172,7 @@ std::string plot(const Options& options, const std::vector<SweepRow>& rows) {
   return plot_svg(plot);
 }
 
-/// Rows until a value fails; the exit code that goes with its fault, which has been told.
+/// Measures the values until one fails. Returns the exit code; a failure has been reported.
 int measure_all(const Options& options, const std::vector<std::string>& values,
                 std::vector<SweepRow>& rows) {
   for (const std::string& value : values) {
@@ -191,10 +191,10 @@ int measure_all(const Options& options, const std::vector<std::string>& values,
 
 int run(const Options& options) {
   const ThreadLimit threads(options.work.threads);
-  for (const std::string& name : options.plot) column(name);  // refused before the work
+  for (const std::string& name : options.plot) column(name);  // check names before any work
   if (options.param == "seed" && options.scene.seed)
-    throw Error(ErrorCode::bad_input, "the seed is swept and given by --seed", {},
-                "leave out --seed");
+    throw Error(ErrorCode::bad_input, "--seed conflicts with a sweep over the seed", {},
+                "remove --seed");
   const std::string csv = options.output + ".csv", svg = options.output + ".svg";
   if (!options.output.empty()) require_outputs({csv, svg}, {options.scene.scene});
   const std::vector<std::string> values = expand_ranges(options.values);
@@ -202,7 +202,7 @@ int run(const Options& options) {
   const int exit = measure_all(options, values, rows);
   if (rows.empty()) return exit;
   if (exit != kDone)
-    fmt::print(stderr, "the table holds the {} of {} values before that\n", rows.size(),
+    fmt::print(stderr, "the table contains the first {} of {} values\n", rows.size(),
                values.size());
   const std::string text = table(options.param, rows);
   fmt::print("{}", text);
@@ -218,20 +218,23 @@ int run(const Options& options) {
 
 Verb sweep_verb() {
   return {"sweep",
-          "Measures a scene for several values of a parameter or seeds: a table and a plot.",
+          "Measures a scene for several values of a parameter or several seeds; writes a table and "
+          "plots.",
           [](CLI::App& app) {
             auto options = std::make_shared<Options>();
             options->scene.add_to(app, &options->work);
             app.add_option("--param,-p", options->param,
-                           "the parameter, e.g. LD; `seed` for the scene's seed")
+                           "Name of the parameter, e.g. LD; `seed` sweeps the scene's seed")
                 ->required();
-            app.add_option("--values,-v", options->values, "its values: 1,2,4,8 or 1..100")
+            app.add_option("--values,-v", options->values,
+                           "Values of the parameter: 1,2,4,8 or 1..100")
                 ->required()
                 ->delimiter(',');
             app.add_option("--plot", options->plot,
-                           "the columns to plot (seconds,triangles,area,volume)")
+                           "Columns to plot; default seconds,triangles,area,volume")
                 ->delimiter(',');
-            app.add_option("-o,--output", options->output, "writes OUTPUT.csv and OUTPUT.svg");
+            app.add_option("-o,--output", options->output,
+                           "Stem of the output files OUTPUT.csv and OUTPUT.svg");
             options->work.add_to(app);
             return [options] { return run(*options); };
           }};

@@ -29,27 +29,26 @@ struct Options {
 void require_fitting(const Options& options) {
   const bool reasoned = options.cases.reason.find_first_not_of(" \t\n") != std::string::npos;
   if (options.cases.update && !reasoned)
-    throw Error(ErrorCode::bad_input, "a reference changes only with a reason", {},
-                "write --update --reason \"why the pictures are right as they are now\"");
+    throw Error(ErrorCode::bad_input, "an update of a reference requires a reason", {},
+                "write --update --reason \"why the new pictures are correct\"");
   if (!options.cases.update && !options.cases.reason.empty())
-    throw Error(ErrorCode::bad_input, "there is a reason, but nothing to update", {},
-                "write --update as well");
+    throw Error(ErrorCode::bad_input, "--reason requires --update", {}, "write --update as well");
   if (options.cases.update && options.cases.reseed > 0)
-    throw Error(ErrorCode::bad_input, "cases are updated or reseeded, not both");
+    throw Error(ErrorCode::bad_input, "--update and --flaky exclude each other");
   if (options.cases.reason.find('\n') != std::string::npos)
-    throw Error(ErrorCode::bad_input, "a reason is one line");
+    throw Error(ErrorCode::bad_input, "the reason must be a single line");
 }
 
-/// What fits on the line of a case.
+/// Maximum length of a message on the line of its case.
 constexpr size_t kShort = 60;
 
-/// "different  hall" and, if it is short, why.
+/// "different  hall", followed by the message if it is short.
 std::string line_of(const Outcome& outcome) {
   const std::string line = fmt::format("{:<10} {}", to_text(outcome.verdict), outcome.name);
   return line + (outcome.message.size() <= kShort ? "  " + outcome.message : "") + "\n";
 }
 
-/// What did not fit, a reason on each line, and what to do; empty where that was all.
+/// The rest of the message, with one reason per line, and the hint. Empty if nothing is left.
 std::string details_of(const Outcome& outcome) {
   std::string out;
   std::string_view rest = outcome.message;
@@ -95,9 +94,10 @@ int run(Options options) {
   const std::vector<CaseFolder> folders = find_cases(options.folder, options.filter);
   if (folders.empty())
     throw Error(ErrorCode::bad_input,
-                options.filter.empty() ? fmt::format("'{}' holds no case", options.folder)
-                                       : fmt::format("no case in '{}' has '{}' in its name",
-                                                     options.folder, options.filter),
+                options.filter.empty()
+                    ? fmt::format("'{}' contains no case", options.folder)
+                    : fmt::format("no case in '{}' has a name that contains '{}'", options.folder,
+                                  options.filter),
                 {}, "a case is a folder with a case.json; see docs/guides/image_tests.md");
   const int cores = thread_count();
   options.cases.jobs = options.jobs > 0 ? options.jobs : cores;
@@ -132,33 +132,35 @@ int run(Options options) {
     fmt::print("{}\n", (options.cases.output / "index.html").string());
   }
   const int exit = exit_of(outcomes);
-  if (exit == kUnusable) fmt::print(stderr, "error: not every case can be judged\n");
+  if (exit == kUnusable) fmt::print(stderr, "error: some cases are unusable\n");
   return exit;
 }
 
 }  // namespace
 
 Verb test_verb() {
-  return {"test", "Renders the cases of a folder and compares them with their references.",
-          [](CLI::App& app) {
-            auto o = std::make_shared<Options>();
-            app.add_option("folder", o->folder, "a case, or a folder of cases")->required();
-            app.add_option("--filter", o->filter, "only cases with this in their name");
-            app.add_option("-o,--output", o->output,
-                           "a folder for pictures, reports and index.html; else none are kept");
-            app.add_option("--junit", o->junit, "writes the outcome for build servers");
-            app.add_option("-j,--jobs", o->jobs, "cases at the same time; 0: as many as cores")
-                ->check(integer_in(0, 1024));
-            app.add_option("--flaky", o->cases.reseed,
-                           "reseeds each case N times and tells whose verdict changes")
-                ->check(integer_in(1, 1000));
-            app.add_flag("--update", o->cases.update,
-                         "makes what differs or is missing the new reference; needs --reason");
-            app.add_option("--reason", o->cases.reason,
-                           "why, for the reference's history (or VUG_REASON in the environment)");
-            app.add_flag("--quiet,-q", o->quiet, "only cases that are not the same");
-            return [o] { return run(*o); };
-          }};
+  return {
+      "test", "Renders the cases of a folder and compares them with their references.",
+      [](CLI::App& app) {
+        auto o = std::make_shared<Options>();
+        app.add_option("folder", o->folder, "Case, or folder of cases")->required();
+        app.add_option("--filter", o->filter, "Run only cases whose name contains this text");
+        app.add_option("-o,--output", o->output,
+                       "Folder for pictures, reports and index.html; without it they are not kept");
+        app.add_option("--junit", o->junit, "Write a JUnit XML report to this file");
+        app.add_option("-j,--jobs", o->jobs,
+                       "Number of cases that run at the same time; 0 uses all cores")
+            ->check(integer_in(0, 1024));
+        app.add_option("--flaky", o->cases.reseed,
+                       "Repeat each case with N other seeds and report verdicts that change")
+            ->check(integer_in(1, 1000));
+        app.add_flag("--update", o->cases.update,
+                     "Replace references that differ or are missing; requires --reason");
+        app.add_option("--reason", o->cases.reason,
+                       "Reason of the update, for the reference's history; default $VUG_REASON");
+        app.add_flag("--quiet,-q", o->quiet, "List only cases that are not the same");
+        return [o] { return run(*o); };
+      }};
 }
 
 }  // namespace vug::cli

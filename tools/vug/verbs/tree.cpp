@@ -16,9 +16,9 @@ struct Options {
   bool json = false, svg = false, theta = false, elements = false, elevation = false;
   std::string picture;
 
-  /// One document is printed: of one grammar, then.
+  /// Whether the output is one document, which can show only one grammar.
   bool single() const { return json || svg || elements || elevation || !picture.empty(); }
-  /// What only facades have.
+  /// Whether the output exists for facades only.
   bool facade() const { return theta || elements || elevation || !picture.empty(); }
 };
 
@@ -30,7 +30,7 @@ std::string hint_for(const shot::Shot& shot, const Options& options,
   return suggestion(options.grammar, names);
 }
 
-/// The derivations that are asked for: at least one, and only one where one document is printed.
+/// The selected derivations: at least one, and exactly one if the output is one document.
 std::vector<const shot::Derivation*> select_derivations(const shot::Shot& shot,
                                                         const Options& options) {
   std::vector<const shot::Derivation*> found;
@@ -75,24 +75,23 @@ int run(const Options& options) {
 }  // namespace
 
 Verb tree_verb() {
-  return {"tree", "Prints the derivation trees of a scene's grammars.", [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
-            options->scene.add_to(app);
-            app.add_option("--grammar", options->grammar, "only this one");
-            auto* form = app.add_option_group("form", "What is printed; without any: text");
-            form->add_flag("--json", options->json, "as JSON");
-            form->add_flag("--svg", options->svg, "as a drawing of the tree");
-            form->add_flag("--theta", options->theta,
-                           "of a facade: in the notation of Ripperda and Brenner");
-            form->add_flag("--elements", options->elements,
-                           "of a facade: its elements as a table, in metres");
-            form->add_flag("--elevation", options->elevation,
-                           "of a facade: its rectangles as a drawing");
-            form->add_option("--overlay", options->picture,
-                             "of a facade: its rectangles drawn over this picture");
-            form->require_option(0, 1);
-            return [options] { return run(*options); };
-          }};
+  return {
+      "tree", "Prints the derivation trees of a scene's grammars.", [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        options->scene.add_to(app);
+        app.add_option("--grammar", options->grammar, "Name of the grammar; default all");
+        auto* form = app.add_option_group("form", "Output format; default text");
+        form->add_flag("--json", options->json, "JSON");
+        form->add_flag("--svg", options->svg, "Drawing of the tree as SVG");
+        form->add_flag("--theta", options->theta, "Facade in the notation of Ripperda and Brenner");
+        form->add_flag("--elements", options->elements, "Table of a facade's elements, in metres");
+        form->add_flag("--elevation", options->elevation,
+                       "Drawing of a facade's rectangles as SVG");
+        form->add_option("--overlay", options->picture,
+                         "Drawing of a facade's rectangles over this picture");
+        form->require_option(0, 1);
+        return [options] { return run(*options); };
+      }};
 }
 
 }  // namespace vug::cli
