@@ -1,4 +1,4 @@
-// Rays through a WideBvh against a loop over all triangles, and paths that wait together.
+// Rays through a WideBvh against a loop over all triangles, and interleaved paths.
 #include <vug/base/parallel.h>
 #include <vug/base/rng.h>
 #include <vug/mesh/shapes.h>
@@ -23,15 +23,15 @@ Vec3f point(RandomStream& random) {
   const float x = number(random), y = number(random);
   return {x, y, number(random)};
 }
-/// Uniform over the sphere (Archimedes: its z is uniform).
+/// Uniform on the sphere (Archimedes: its z is uniform).
 Vec3f direction(RandomStream& random) {
   const double z = 1 - 2 * random.uniform(), angle = 2 * kPi * random.uniform();
   const double r = std::sqrt(1 - z * z);
   return normalized(Vec3f(Vec3d(r * std::cos(angle), r * std::sin(angle), z)));
 }
 
-/// Triangles here and there; each third shares an edge with the one before it.
-mesh::MeshPtr strewn(size_t count, uint64_t seed) {
+/// Scattered triangles; each third shares an edge with the one before it.
+mesh::MeshPtr scattered_triangles(size_t count, uint64_t seed) {
   auto mesh = std::make_shared<mesh::Mesh>();
   RandomStream random{RandomKey(seed)};
   for (size_t i = 0; i < count; ++i) {
@@ -53,8 +53,8 @@ struct Nearest {
   double distance = 1e30;
   uint32_t part = 0, triangle = 0;
 };
-/// In double precision, one triangle after the other.
-Nearest by_hand(const std::vector<WideBvh::Geometry>& parts, const Ray& ray) {
+/// Tests all triangles in double precision.
+Nearest brute_force(const std::vector<WideBvh::Geometry>& parts, const Ray& ray) {
   Nearest nearest;
   const Vec3d o(ray.origin), d(ray.direction);
   for (const WideBvh::Geometry& part : parts)
@@ -69,12 +69,12 @@ Nearest by_hand(const std::vector<WideBvh::Geometry>& parts, const Ray& ray) {
   return nearest;
 }
 
-/// What a plan is, looked at from its root.
-struct Planned {
+/// Properties of a tree, collected from its root.
+struct TreeStats {
   std::multiset<uint32_t> boxes;
   size_t nodes = 0, deepest = 0;
 };
-void look_at(const BvhBuilder::BuildNode& part, size_t depth, Planned& out) {
+void collect(const BvhBuilder::BuildNode& part, size_t depth, TreeStats& out) {
   out.deepest = std::max(out.deepest, depth);
   if (part.quads > 0) {
     const auto& leaf = static_cast<const BvhBuilder::Leaf&>(part);
@@ -89,13 +89,13 @@ void look_at(const BvhBuilder::BuildNode& part, size_t depth, Planned& out) {
       EXPECT_GE(child->box.min[axis], part.box.min[axis]);
       EXPECT_LE(child->box.max[axis], part.box.max[axis]);
     }
-    look_at(*child, depth + 1, out);
+    collect(*child, depth + 1, out);
   }
 }
-Planned planned(const std::vector<RTCBuildPrimitive>& boxes) {
+TreeStats build_and_check(const std::vector<RTCBuildPrimitive>& boxes) {
   const BvhBuilder plan(boxes);
-  Planned out;
-  look_at(*plan.root(), 0, out);
+  TreeStats out;
+  collect(*plan.root(), 0, out);
   EXPECT_EQ(out.boxes.size(), boxes.size());
   EXPECT_EQ(std::set<uint32_t>(out.boxes.begin(), out.boxes.end()).size(), boxes.size());
   EXPECT_LE(out.deepest, size_t{BvhBuilder::kDepth});
@@ -109,35 +109,35 @@ TEST(BvhBuilder, HoldsEachBoxOnce) {
   RandomStream random{RandomKey(3)};
   std::vector<RTCBuildPrimitive> boxes;
   for (size_t i = 0; i < 20000; ++i) boxes.push_back(box_at(direction(random), 0.01f, i));
-  EXPECT_LE(planned(boxes).deepest, 8u);
+  EXPECT_LE(build_and_check(boxes).deepest, 8u);
 }
 
-/// 128 leaves in a row. From the top down, always the largest in two, a root has eight nodes of
-/// eight pairs: 73 nodes. With 16 leaves made into a full node, a pair and six leaves it is 25, and
-/// a little more where Embree parts a row beside its middle.
+/// 128 leaves in a row. Splitting the largest child from the top down would give a root with eight
+/// nodes of eight pairs: 73 nodes. With 16 leaves collapsed into a full node, a pair and six leaves
+/// there are 25, and a few more where Embree splits a row off its middle.
 TEST(BvhBuilder, FillsItsNodes) {
   std::vector<RTCBuildPrimitive> row;
   for (size_t i = 0; i < 256; ++i) row.push_back(box_at({static_cast<float>(i), 0, 0}, 1, i));
-  EXPECT_LE(planned(row).nodes, 30u);
+  EXPECT_LE(build_and_check(row).nodes, 30u);
 }
 
-/// Of all sizes that numbers have, and all in one place: what ends builders that part by middles.
-TEST(BvhBuilder, TakesBoxesOfAllSizesAndAllInOnePlace) {
+/// Boxes of all magnitudes, and all at one position, which break builders that split at midpoints.
+TEST(BvhBuilder, HandlesBoxesOfAllSizesAndAllAtOnePlace) {
   std::vector<RTCBuildPrimitive> shrinking, same;
   for (size_t i = 0; i < 20000; ++i) {
     const float size = std::ldexp(1.0f, static_cast<int>(i % 250) - 125);
     shrinking.push_back(box_at(Vec3f(size), size, i));
     same.push_back(box_at(Vec3f(1), 1, i));
   }
-  planned(shrinking);
-  planned(same);
+  build_and_check(shrinking);
+  build_and_check(same);
   EXPECT_EQ(BvhBuilder({}).root(), nullptr);
 }
 
 TEST(Quads, HoldEachTriangleOnceInItsOrder) {
-  const mesh::MeshPtr strewn_mesh = strewn(1000, 1);
+  const mesh::MeshPtr scattered_mesh = scattered_triangles(1000, 1);
   const mesh::Mesh ball = mesh::sphere_mesh(Vec3d(0), 1, 4);
-  for (const mesh::Mesh* mesh : {strewn_mesh.get(), &ball}) {
+  for (const mesh::Mesh* mesh : {scattered_mesh.get(), &ball}) {
     const std::vector<Quad> quads = pair_triangles(*mesh);
     std::set<uint32_t> seen;
     for (const Quad& quad : quads)
@@ -153,22 +153,23 @@ TEST(Quads, HoldEachTriangleOnceInItsOrder) {
       }
     EXPECT_EQ(seen.size(), mesh->triangles.size());
   }
-  // A closed mesh leaves few without a partner.
+  // A closed mesh has few triangles without a partner.
   EXPECT_LT(static_cast<double>(pair_triangles(ball).size()),
             0.56 * static_cast<double>(ball.triangles.size()));
 }
 
-TEST(WideBvh, FindsWhatALoopOverAllTrianglesFinds) {
-  const std::vector<WideBvh::Geometry> parts{{strewn(700, 1), 3}, {strewn(500, 2), 7}};
+TEST(WideBvh, FindsTheSameHitsAsBruteForce) {
+  const std::vector<WideBvh::Geometry> parts{{scattered_triangles(700, 1), 3},
+                                             {scattered_triangles(500, 2), 7}};
   const WideBvh tree(parts);
   RandomStream random{RandomKey(3)};
   int found = 0;
   for (int i = 0; i < 4000; ++i) {
     Ray ray{point(random) * 1.5f, direction(random)};
-    // Along the axes, too, and from so far away that planes of boxes are rounded off.
+    // Also along the axes, and from so far away that the planes of boxes are rounded.
     if (i % 10 == 0) ray.direction = Vec3f(0.0f), ray.direction[i / 10 % 3] = i % 20 ? 1.f : -1.f;
     if (i % 10 == 1) ray.origin -= ray.direction * 30;
-    const Nearest wanted = by_hand(parts, ray);
+    const Nearest wanted = brute_force(parts, ray);
     BvhTraversal search(tree, ray, kFar, BvhTraversal::Query::closest);
     search.run();
     ASSERT_EQ(search.hit(), wanted.distance < 1e30) << i;
@@ -199,7 +200,7 @@ TEST(WideBvh, LetsNoRayOutOfAClosedMesh) {
   const WideBvh tree({{ball, 0}});
   RandomStream random{RandomKey(4)};
   for (int i = 0; i < 200000; ++i) {
-    // At corners and at edges, where triangles meet.
+    // Towards corners and edges, where triangles meet.
     const mesh::Triangle& t =
         ball->triangles[random.below(static_cast<uint32_t>(ball->triangles.size()))];
     const float part = i % 2 ? 0 : static_cast<float>(random.uniform());
@@ -211,7 +212,7 @@ TEST(WideBvh, LetsNoRayOutOfAClosedMesh) {
   }
 }
 
-TEST(WideBvh, OfNothingOfOneAndOfManyInOnePlace) {
+TEST(WideBvh, HandlesNoneOneAndManyAtOnePlace) {
   const Ray down{{0.2f, 1, 0.2f}, {0, -1, 0}};
   const auto hits = [&](const WideBvh& tree) {
     BvhTraversal search(tree, down, kFar, BvhTraversal::Query::closest);
@@ -231,8 +232,8 @@ TEST(WideBvh, OfNothingOfOneAndOfManyInOnePlace) {
 }
 
 TEST(WideBvh, IsTheSameForAnyNumberOfThreads) {
-  const std::vector<WideBvh::Geometry> parts{{strewn(20000, 5), 0}};
-  const auto told = [&](int threads) {
+  const std::vector<WideBvh::Geometry> parts{{scattered_triangles(20000, 5), 0}};
+  const auto trace_all = [&](int threads) {
     const ThreadLimit limit(threads);
     const WideBvh tree(parts);
     std::vector<std::pair<uint32_t, float>> all;
@@ -245,12 +246,12 @@ TEST(WideBvh, IsTheSameForAnyNumberOfThreads) {
     }
     return std::pair(tree.bytes(), all);
   };
-  EXPECT_EQ(told(1), told(7));
+  EXPECT_EQ(trace_all(1), trace_all(7));
 }
 
-TEST(Together, WorkIsWhatALoopDoes) {
-  const WideBvh tree({{strewn(2000, 7), 0}});
-  // Paths of different lengths that turn where they meet something.
+TEST(PathScheduler, GivesTheResultsOfALoop) {
+  const WideBvh tree({{scattered_triangles(2000, 7), 0}});
+  // Paths of different lengths that turn at each hit.
   const auto path = [&](size_t index) {
     RandomStream random{RandomKey(index)};
     Vec3f at = point(random);
@@ -288,25 +289,26 @@ struct Level {
   const Level* above;
   std::array<char, 512> own{};
 };
-/// Goes down so many levels, all of which stay on the stack, and counts them there.
-size_t levels_counted(size_t levels, const Level* above = nullptr) {
+/// Recurses this many levels, all of which stay on the stack, and counts them there.
+size_t recurse(size_t levels, const Level* above = nullptr) {
   const Level level{above};
-  if (levels > 1) return levels_counted(levels - 1, &level);
+  if (levels > 1) return recurse(levels - 1, &level);
   size_t count = 0;
   for (const Level* at = &level; at; at = at->above) ++count;
   return count;
 }
 
-TEST(Together, PathsGoAsDeepAsThreads) {
+TEST(PathScheduler, PathsHaveStacksAsLargeAsThreads) {
   std::array<size_t, kMaxInFlight> depths{};
   run_interleaved(
-      kMaxInFlight, [&](size_t i) { depths[i] = levels_counted(5000); }, [](size_t) {});
+      kMaxInFlight, [&](size_t i) { depths[i] = recurse(5000); }, [](size_t) {});
   EXPECT_THAT(depths, testing::Each(5000u));
 }
 
-TEST(Together, WorkMayThrowAndCatch) {
-  const WideBvh tree({{strewn(2000, 7), 0}});
-  // With arrays on the stack, which the address sanitizer fences in, and others' turns between.
+TEST(PathScheduler, WorkMayThrowAndCatch) {
+  const WideBvh tree({{scattered_triangles(2000, 7), 0}});
+  // With arrays on the stack, which the address sanitizer guards, and other paths' turns in
+  // between.
   const auto work = [&](size_t i, const auto& deeper) -> float {
     std::array<float, 50> own;
     own.fill(static_cast<float>(i));
@@ -329,8 +331,8 @@ TEST(Together, WorkMayThrowAndCatch) {
   for (size_t i = 0; i < results.size(); ++i) EXPECT_EQ(results[i], caught(i));
 }
 
-TEST(Together, ThrowsWhatWorkThrows) {
-  const WideBvh tree({{strewn(2000, 7), 0}});
+TEST(PathScheduler, PropagatesExceptions) {
+  const WideBvh tree({{scattered_triangles(2000, 7), 0}});
   const auto look = [&](size_t i) {
     RandomStream random{RandomKey(i)};
     const Vec3f from = point(random);
@@ -350,7 +352,7 @@ TEST(Together, ThrowsWhatWorkThrows) {
   EXPECT_EQ(came_back, before);
   EXPECT_THROW(run_interleaved(1000, look, [](size_t) { throw std::runtime_error("full"); }),
                std::runtime_error);
-  // And all is as before.
+  // And the scheduler works as before.
   came_back.clear();
   run_interleaved(100, look, [&](size_t i) { came_back.push_back(i); });
   EXPECT_EQ(came_back.size(), 100u);

@@ -1,4 +1,4 @@
-// Sampling down to a noise: as bright as sampling all, and less work.
+// Adaptive sampling: as bright as sampling everything, with less work.
 #include <vug/image/view.h>
 
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 namespace vug::render {
 namespace {
 
-/// A dark hall: a light at one end behind a wall's edge, so that noise differs a lot over the
-/// picture and a good part of the light comes over bounces.
+/// A dark hall with a light at one end behind the edge of a wall, so that the noise varies over the
+/// picture and much of the light is indirect.
 Scene hall() {
   Scene scene;
   scene.camera = view({-3, 1.2, 0}, {3, 0.8, 0}, 1.2);
@@ -23,7 +23,7 @@ Scene hall() {
   return scene;
 }
 
-TEST(Adaptive, MeanIsThatOfAllSamplesAndWorkIsLess) {
+TEST(Adaptive, MeanIsThatOfAllSamplesWithLessWork) {
   const Scene scene = hall();
   double difference = 0, squares = 0, light = 0, taken = 0;
   constexpr int kPictures = 20;
@@ -41,7 +41,7 @@ TEST(Adaptive, MeanIsThatOfAllSamplesAndWorkIsLess) {
     light += mean_of(all, "G").value;
     taken += mean_of(few, "samples").value;
   }
-  // The mean of the differences against their own spread, and that spread is small.
+  // The mean of the differences is compared with their own spread, which is small.
   const double n = kPictures, mean = difference / n;
   const double error = std::sqrt((squares / n - mean * mean) / (n - 1));
   EXPECT_LT(std::fabs(mean), 3.5 * error);
@@ -50,11 +50,11 @@ TEST(Adaptive, MeanIsThatOfAllSamplesAndWorkIsLess) {
   EXPECT_GE(taken / n, 16);
 }
 
-TEST(Adaptive, NoiseIsWhatWasAskedFor) {
+TEST(Adaptive, NoiseIsTheRequestedOne) {
   Options o = options(112, 80, 1 << 13, 3);
   o.noise = 0.25;
   const image::Image picture = render(hall(), o);
-  // The log-average of pixels, where the criterion takes that of blocks: the same within a little.
+  // The log-average of pixels; the criterion uses that of tiles, which is nearly the same.
   const double key = 0.18 / std::exp2(image::grey_exposure(picture).value());
   double squares = 0;
   for (int y = 0; y < picture.height; ++y)
@@ -62,13 +62,13 @@ TEST(Adaptive, NoiseIsWhatWasAskedFor) {
       const auto at = [&](const char* c) {
         return static_cast<double>(picture.at(x, y, static_cast<size_t>(picture.find_channel(c))));
       };
-      const double light = at("G") + 0.25 * key;  // grey walls, white light: any channel will do
+      const double light = at("G") + 0.25 * key;  // grey walls, white light: all channels are equal
       squares += at("variance.G") / (light * light);
     }
   const double noise = std::sqrt(squares / static_cast<double>(picture.pixel_count()));
   EXPECT_LT(noise, 1.2 * o.noise);
   EXPECT_GT(noise, 0.4 * o.noise);
-  // Samples go where the noise is: some blocks have many times those of others.
+  // Samples are taken where the noise is: some tiles have many times more than others.
   float least = 1e9f, most = 0;
   const auto samples = picture.select({"samples"});
   for (const float n : samples.pixels) least = std::min(least, n), most = std::max(most, n);

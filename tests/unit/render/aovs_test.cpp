@@ -1,4 +1,4 @@
-// What layers promise of each other.
+// Relations between AOVs.
 #include <vug/base/error.h>
 #include <vug/render/film/aovs.h>
 
@@ -9,7 +9,7 @@
 namespace vug::render {
 namespace {
 
-/// A lit corner with a wet floor, a lamp in view and haze: every part has light.
+/// A lit corner with a wet floor, a visible light and haze: every component receives light.
 Scene corner() {
   Scene scene;
   scene.camera = view({0, 1.5, 4}, {0, 0.5, 0}, 1.1);
@@ -28,7 +28,7 @@ double sum_of(const image::Image& picture, const std::string& channel) {
   return mean_of(picture, channel).value;
 }
 
-TEST(Layers, PartsSumToTheBeauty) {
+TEST(Aovs, ComponentsSumToTheBeauty) {
   for (const bool clamp : {false, true}) {
     Options o = options(40, 30, 16, 4);
     if (clamp) o.integrator = make_integrator("path", {{"max_bounces", 4.0}, {"clamp", 0.02}});
@@ -52,9 +52,9 @@ TEST(Layers, PartsSumToTheBeauty) {
   }
 }
 
-// Direct light is what a path without bounces brings; none that a bounce finds is left to chance
-// here.
-TEST(Layers, DirectLightIsThatOfAShortPath) {
+// Direct light equals the result of a path without bounces; all of it is sampled here, none found
+// by chance in a bounce.
+TEST(Aovs, DirectLightIsThatOfAPathWithoutBounces) {
   Scene scene = corner();
   scene.medium = nullptr;
   Options o = options(40, 30, 64, 4);
@@ -70,8 +70,8 @@ TEST(Layers, DirectLightIsThatOfAShortPath) {
   EXPECT_EQ(sum_of(direct, "diffuse_indirect.R"), 0);
 }
 
-// Light groups hold the light of their lights: what a picture with those alone shows.
-TEST(Layers, GroupsAreThePicturesOfTheirLights) {
+// The AOV of a light group equals the picture with only the lights of this group.
+TEST(Aovs, GroupsArePicturesWithOnlyTheirLights) {
   const auto scene_with = [](bool lamp, bool sky) {
     Scene scene = corner();
     scene.lights.clear();
@@ -97,9 +97,9 @@ TEST(Layers, GroupsAreThePicturesOfTheirLights) {
   }
 }
 
-// Attributes are interpolated as positions are, so one that is linear in the position is the same
-// function of the layer P.
-TEST(Layers, AttributesAreThoseOfTheMeshWherePIs) {
+// Attributes are interpolated like positions, so an attribute that is linear in the position is the
+// same function of the AOV P.
+TEST(Aovs, AttributesMatchTheMeshAtP) {
   Scene scene = corner();
   mesh::Mesh floor = *scene.objects[0].mesh, wall = *scene.objects[1].mesh;
   mesh::Attribute age{"age", 1, {}}, flow{"flow", 3, {}};
@@ -136,7 +136,7 @@ TEST(Layers, AttributesAreThoseOfTheMeshWherePIs) {
         ASSERT_NEAR(value(x, y, "wetness"), 1, 1e-6);
         ++on_floor;
       } else if (value(x, y, "N.Z") > 0.9999) {
-        ASSERT_EQ(value(x, y, "attribute_age.X"), 0);  // this mesh has none
+        ASSERT_EQ(value(x, y, "attribute_age.X"), 0);  // this mesh has no such attribute
         ASSERT_NEAR(value(x, y, "wetness"), 0.25, 1e-6);
         ++on_wall;
       }
@@ -146,8 +146,9 @@ TEST(Layers, AttributesAreThoseOfTheMeshWherePIs) {
   EXPECT_THROW(scene_aovs(scene, {"beauty", "attribute_agee"}), Error);
 }
 
-// What water and glass let through is the transmission part, and the whole is still the beauty.
-TEST(Layers, PartsOfClearBodiesSumToTheBeauty) {
+// Light through water and glass is in the transmission component, and the components sum to the
+// beauty.
+TEST(Aovs, ComponentsOfTransparentBodiesSumToTheBeauty) {
   Scene scene = corner();
   Object ball = object(mesh::sphere_mesh({0, 0.7, 0.5}, 0.7, 3), 0.5);
   ball.material = make_material("surface", {{"transmission", 0.8}, {"roughness", 0.1}});
@@ -169,14 +170,14 @@ TEST(Layers, PartsOfClearBodiesSumToTheBeauty) {
   EXPECT_GT(through, 0);
 }
 
-TEST(Layers, WhatIsAskedForDoesNotChangeTheRest) {
+TEST(Aovs, RequestedAovsDoNotChangeOthers) {
   Options o = options(20, 15, 4, 2);
   const image::Image usual = render(corner(), o);
   o.aovs = plan_aovs({"all"}, {});
   EXPECT_EQ(render(corner(), o).select(usual.channels), usual);
 }
 
-TEST(Layers, NamesAreChecked) {
+TEST(Aovs, NamesAreChecked) {
   EXPECT_EQ(plan_aovs({"samples", "beauty"}, {}).channels(),
             (std::vector<std::string>{"R", "G", "B", "samples"}));
   EXPECT_TRUE(plan_aovs({"beauty", "lights"}, {"key", "sky"}).has("light_sky"));

@@ -45,8 +45,8 @@ TEST(Perspective, LensKeepsTheFocusPlaneSharp) {
   }
 }
 
-// What the EXR's header says of the camera sends points to where their rays were.
-TEST(Perspective, MatricesSayWhereThePictureShowsAPoint) {
+// The matrices of the EXR header map points to the film positions of their rays.
+TEST(Perspective, MatricesProjectPointsToTheFilm) {
   const CameraPtr camera = make_camera(
       "perspective", {{"eye", Vec3d(1, 2, 3)}, {"target", Vec3d(-2, 1, 0)}, {"fov", radians(1.1)}});
   const auto times = [](const Vec3f& p, const std::array<float, 16>& m) {
@@ -101,7 +101,7 @@ void expect_places(const Camera& camera, float aspect) {
   }
 }
 
-TEST(EveryCamera, ShowsPointsWhereTheirRaysAre) {
+TEST(EveryCamera, ProjectInvertsRay) {
   for (const auto* kind : cameras())
     for (const float aspect : {0.7f, 1.0f, 2.0f}) {
       SCOPED_TRACE(kind->info.name + ", aspect " + std::to_string(aspect));
@@ -123,19 +123,20 @@ TEST(EveryCamera, ShowsPointsWhereTheirRaysAre) {
     }
 }
 
-TEST(Stereo, EyesMeetAtTheConvergenceAndPartAsTheInverseOfDepth) {
+TEST(Stereo, DisparityIsZeroAtTheConvergenceAndInverseToDepth) {
   const CameraPtr camera = make_camera(
       "perspective", {{"fov", radians(kPi / 2)}, {"interaxial", 0.1}, {"convergence", 4.0}});
   const auto parallax = [&](float depth) {
     const Vec3f point(0.3f, -0.2f, 5 - depth);
-    return camera->stereo_view(1)->project(point, 1.5f)->x - camera->stereo_view(-1)->project(point, 1.5f)->x;
+    return camera->stereo_view(1)->project(point, 1.5f)->x -
+           camera->stereo_view(-1)->project(point, 1.5f)->x;
   };
   EXPECT_NEAR(parallax(4), 0, 1e-6);
   for (const float depth : {1.0f, 2.0f, 9.0f})
     EXPECT_NEAR(parallax(depth), 0.1f / 2 * (1 / 4.0f - 1 / depth), 1e-6);
 }
 
-TEST(Stereo, RoundPanoramasHaveTheirEyesBesideEachOther) {
+TEST(Stereo, PanoramaEyesAreOffsetPerpendicularly) {
   const CameraPtr camera = make_camera("panoramic", {{"interaxial", 0.1}});
   for (const float x : {0.0f, 0.2f, 0.5f, 0.9f}) {
     const Ray left = camera->stereo_view(-1)->ray({x, 0.5f}, 2, {});
@@ -144,13 +145,13 @@ TEST(Stereo, RoundPanoramasHaveTheirEyesBesideEachOther) {
     EXPECT_NEAR(dot(right.origin - left.origin, left.direction), 0, 1e-6);
     EXPECT_NEAR(dot(right.origin - left.origin, cross(left.direction, Vec3f(0, 1, 0))), 0.1, 1e-6);
     const Ray up = camera->stereo_view(1)->ray({x, 0.02f}, 2, {});
-    EXPECT_EQ(up.origin, camera->position()) << "at the zenith there is no beside";
+    EXPECT_EQ(up.origin, camera->position()) << "at the zenith the eyes coincide";
   }
 }
 
-// Rays of places that are even on the film arrive at a large ball about the scene as densely as
-// the ball's points crowd on the film.
-TEST(EveryCamera, SamplesDirectionsEvenlyOnTheFilm) {
+// Rays of uniform film positions hit a large sphere around the scene with the density with which
+// the camera projects the sphere's points to the film.
+TEST(EveryCamera, SamplesDirectionsUniformlyOnTheFilm) {
   constexpr float kBall = 20, kAspect = 1.5f;
   constexpr int kSamples = 200000;
   for (const auto* kind : cameras()) {
@@ -179,7 +180,7 @@ TEST(EveryCamera, SamplesDirectionsEvenlyOnTheFilm) {
         const auto b = camera->project((d + way) * kBall, kAspect);
         if (!a || !b) return 0;
         across[i] = *b - *a;
-        across[i].x -= std::round(across[i].x);  // over the seam of a picture all round
+        across[i].x -= std::round(across[i].x);  // across the seam of a panorama
       }
       const auto middle = camera->project(d * kBall, kAspect);
       if (!middle || middle->x < 0 || middle->x >= 1 || middle->y < 0 || middle->y >= 1) return 0;
@@ -200,7 +201,7 @@ TEST(EveryCamera, SamplesDirectionsEvenlyOnTheFilm) {
   }
 }
 
-TEST(EveryCamera, FillsItsOpeningEvenly) {
+TEST(EveryCamera, SamplesItsApertureUniformly) {
   constexpr int kCells = 16, kFine = 32, kSamples = 100000;
   constexpr double kRadius = 0.25, kTurn = 0.3;
   int found = 0;
@@ -213,7 +214,7 @@ TEST(EveryCamera, FillsItsOpeningEvenly) {
           {{"aperture", 2 * kRadius}, {"blades", blades}, {"blade_turn", radians(kTurn)}});
       const auto inside = [&](double x, double y) {
         if (blades == 0) return x * x + y * y < 1;
-        for (int i = 0; i < blades; ++i) {  // before the blade between two corners
+        for (int i = 0; i < blades; ++i) {  // the side of the polygon between two corners
           const double angle = kPi / 2 + kTurn + (2 * i + 1) * kPi / blades;
           if (x * std::cos(angle) + y * std::sin(angle) > std::cos(kPi / blades)) return false;
         }
@@ -265,7 +266,7 @@ TEST(Orthographic, RaysAreParallelAndSpanTheWidth) {
   EXPECT_FALSE(camera->project({0, 0, 4}, 2)) << "behind";
 }
 
-TEST(Panoramic, HoldsLongitudeAndLatitude) {
+TEST(Panoramic, MapsLongitudeAndLatitude) {
   const CameraPtr all = make_camera("panoramic", {{"target", Vec3d(0, 0, 0)}});
   const auto way = [&](float x, float y) { return all->ray({x, y}, 2, Vec2f(0.5f)).direction; };
   EXPECT_NEAR(length(way(0.5f, 0.5f) - Vec3f(0, 0, -1)), 0, 1e-6);
@@ -280,7 +281,7 @@ TEST(Panoramic, HoldsLongitudeAndLatitude) {
   EXPECT_FALSE(all->matrices(2)->world_to_ndc) << "no matrix bends";
 }
 
-TEST(Perspective, RefusesViewsThatAreNone) {
+TEST(Perspective, RejectsDegenerateFrames) {
   EXPECT_THROW(make_camera("perspective", {{"blades", 2}}), Error);
   EXPECT_THROW(make_camera("perspective", {{"eye", Vec3d(0, 0, 0)}, {"target", Vec3d(0, 0, 0)}}),
                Error);

@@ -1,6 +1,6 @@
-// Cryptomatte: hashes of the specification, and shares that are those of the samples.
-#include <vug/render/film/cryptomatte.h>
+// Cryptomatte: hashes of the specification, and coverage equal to that of the samples.
 #include <vug/render/film/aovs.h>
+#include <vug/render/film/cryptomatte.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ TEST(Cryptomatte, HashIsMurmur3) {
   EXPECT_EQ(murmur3("The quick brown fox jumps over the lazy dog"), 0x2e4ff723u);
 }
 
-TEST(Cryptomatte, IdsAreUsableFloats) {
+TEST(Cryptomatte, IdsAreNormalFloats) {
   for (int i = 0; i < 20000; ++i) {
     const uint32_t id = crypto_id("object" + std::to_string(i));
     float value = 0;
@@ -28,7 +28,7 @@ TEST(Cryptomatte, IdsAreUsableFloats) {
   }
 }
 
-TEST(Cryptomatte, SharesAreSortedAndObjectsOfOneNameJoined) {
+TEST(Cryptomatte, SharesAreSortedAndEqualNamesMerged) {
   const CryptoIds ids = crypto_ids({"a", "b", "a"});
   float out[2 * kCryptoRanks];
   EXPECT_EQ(write_crypto({{0, 2}, {1, 5}, {2, 4}}, 16, ids, out), out + 2 * kCryptoRanks);
@@ -58,7 +58,7 @@ TEST(Cryptomatte, MattesSplitTheAlpha) {
     for (int x = 0; x < 40; ++x) {
       const float first = at(x, y, "CryptoObject00.G"), second = at(x, y, "CryptoObject00.A");
       ASSERT_EQ(first + second, at(x, y, "A"));
-      ASSERT_EQ(at(x, y, "CryptoMaterial00.G"), at(x, y, "A")) << "both are of one material";
+      ASSERT_EQ(at(x, y, "CryptoMaterial00.G"), at(x, y, "A")) << "both have the same material";
       mixed |= second > 0;
     }
   EXPECT_TRUE(mixed);
@@ -67,7 +67,7 @@ TEST(Cryptomatte, MattesSplitTheAlpha) {
   EXPECT_EQ(std::memcmp(&id, &expected, 4), 0);
 }
 
-// Seen from above, the left half of a floor is a door and the right half a window.
+// From above, the left half of a floor is a door and the right half a window.
 TEST(Cryptomatte, ElementsOfAMesh) {
   Scene scene;
   scene.camera = view({0, 3, 0.01}, {0, 0, 0}, 0.55);
@@ -84,8 +84,8 @@ TEST(Cryptomatte, ElementsOfAMesh) {
   for (Object& object : scene.objects) object.elements = {"window", "door"};
   EXPECT_TRUE(scene_aovs(scene, {"all"}).has("CryptoElement"));
 
-  Options o = options(41, 30, 16, 0);  // the seam goes through the pixels in the middle
-  // Beside layers of the same attributes and what stands behind them in a film.
+  Options o = options(41, 30, 16, 0);  // the seam runs through the pixels in the middle
+  // Together with AOVs of the same attributes and those stored after them in the film.
   o.aovs = scene_aovs(
       scene, {"beauty", "A", "attribute_window", "motion", "wetness", "CryptoElement", "parts"});
   EXPECT_EQ(o.aovs.crypto_names("CryptoElement"), (std::vector<std::string>{"door", "window"}));

@@ -1,4 +1,4 @@
-// A deep picture composited from front to back is the picture.
+// A deep picture composited from front to back equals the picture.
 #include <vug/base/rng.h>
 #include <vug/render/film/deep.h>
 
@@ -15,7 +15,7 @@ PathResult sample(bool hit, float alpha, const Rgb& light) {
   return s;
 }
 
-/// What compositing makes of it: R, G, B, A.
+/// The composite of deep samples: R, G, B, A.
 std::array<double, 4> flat(const std::vector<image::DeepSample>& samples) {
   image::DeepImage one(1, 1);
   one.at(0, 0) = samples;
@@ -36,7 +36,7 @@ TEST(Deep, CompositingGivesTheMeansOfAnySamples) {
     double mean[4] = {0, 0, 0, 0};
     for (size_t i = 0; i < count; ++i) {
       const bool hit = any() < 0.8;
-      // Before the sky there may be fog or nothing.
+      // In front of the sky there may be fog or nothing.
       const auto alpha = static_cast<float>(hit ? 1 : any() < 0.5 ? 0 : any());
       const Rgb light(static_cast<float>(any()), static_cast<float>(9 * any()), 0.5f);
       mean[0] += static_cast<double>(light.x), mean[1] += static_cast<double>(light.y);
@@ -61,27 +61,27 @@ TEST(Deep, CompositingGivesTheMeansOfAnySamples) {
   }
 }
 
-TEST(Deep, SurfacesOfOneDepthAreOneSample) {
+TEST(Deep, SurfacesOfEqualDepthAreMerged) {
   DeepPixel pixel({});
   for (int i = 0; i < 10; ++i) pixel.add(sample(true, 1, Rgb(1.0f)), i < 6 ? 2 + 0.001 * i : 5);
   const auto samples = pixel.finish();
   ASSERT_EQ(samples.size(), 2u);
   EXPECT_FLOAT_EQ(samples[0].near, 2);
   EXPECT_FLOAT_EQ(samples[0].far, 2.005f);
-  EXPECT_FLOAT_EQ(samples[0].alpha, 0.6f);  // of the pixel
+  EXPECT_FLOAT_EQ(samples[0].alpha, 0.6f);  // relative to the pixel
   EXPECT_FLOAT_EQ(samples[1].near, 5);
-  EXPECT_FLOAT_EQ(samples[1].alpha, 1);  // of what is left
+  EXPECT_FLOAT_EQ(samples[1].alpha, 1);  // relative to the remaining visibility
   EXPECT_TRUE(pixel.finish().empty());
 }
 
-TEST(Deep, SamplesThatAreNoNumbersAreLeftOut) {
+TEST(Deep, InvalidSamplesAreDiscarded) {
   DeepPixel pixel({});
   pixel.add(sample(true, 1, Rgb(std::numeric_limits<float>::quiet_NaN())), 1);
   pixel.add(sample(true, 1, Rgb(0.5f)), 1);
   EXPECT_NEAR(flat(pixel.finish())[0], 0.5, 1e-6);
 }
 
-TEST(Deep, ARendersDeepPictureIsItsBeauty) {
+TEST(Deep, DeepRenderCompositesToTheBeauty) {
   Scene scene;
   scene.camera = view({0, 1.5, 4}, {0, 0.5, 0}, 1.1);
   scene.objects = {object(floor_mesh(1.5), 0.5)};

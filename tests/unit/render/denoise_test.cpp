@@ -1,4 +1,4 @@
-// The denoiser on a rendered picture: nearer to what many samples give, edges and means kept.
+// The denoiser on a rendered picture: closer to the converged picture, with edges and means kept.
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/image/denoise.h>
@@ -10,7 +10,7 @@
 namespace vug::render {
 namespace {
 
-/// A checkered floor before a wall, lit by a light and over bounces.
+/// A checkered floor in front of a wall, lit directly and indirectly.
 Scene checkers() {
   Scene scene;
   scene.camera = view({0, 1.5, 3.5}, {0, 0.5, 0}, 1.1);
@@ -48,7 +48,7 @@ double squared_error(const image::Image& a, const image::Image& b) {
   return sum / static_cast<double>(a.pixels.size());
 }
 
-TEST(Denoise, SixteenSamplesComeNearerToFourThousand) {
+TEST(Denoise, SixteenSamplesGetCloserToTheReference) {
   Options o = options(60, 40, 4096, 3);
   o.sampler = make_sampler("independent");
   const std::vector<std::string> rgb = {"R", "G", "B"};
@@ -60,8 +60,8 @@ TEST(Denoise, SixteenSamplesComeNearerToFourThousand) {
   const double after = squared_error(smooth, reference);
   const double gain = std::sqrt(before / after);
   RecordProperty("gain_in_rmse", std::to_string(gain));
-  EXPECT_GT(gain, 1.73) << "as if of three times the samples or more";
-  // Smoothing moves light around, and hardly takes any.
+  EXPECT_GT(gain, 1.73) << "equivalent to at least three times the samples";
+  // Smoothing redistributes light and hardly removes any.
   EXPECT_NEAR(mean_of(smooth, "denoised.G").value, mean_of(noisy, "G").value,
               0.02 * mean_of(noisy, "G").value);
 }

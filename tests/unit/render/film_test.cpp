@@ -1,4 +1,4 @@
-// The film's sums against exact arithmetic, and its variance against pictures made again.
+// Compares the film's sums with exact arithmetic, and its variance with repeated renders.
 #include <vug/base/rng.h>
 #include <vug/render/film/film.h>
 
@@ -12,7 +12,7 @@
 namespace vug::render {
 namespace {
 
-/// Radiances of forty powers of two, and all else a path tells.
+/// Random path results: radiances over forty powers of two, and random values of the other fields.
 std::vector<PathResult> some_samples(size_t count) {
   RandomStream random(RandomKey(3).at("film"));
   std::vector<PathResult> samples(count);
@@ -50,13 +50,13 @@ TEST(Film, AnySplitAndOrderGivesTheSameBits) {
   }
 }
 
-TEST(Film, StepsAreAsFineAsPromised) {
+TEST(Film, UnitsHaveTheDocumentedPrecision) {
   for (const double v :
        {1.0, -1.0, 0.0, 0x1.fp-60, static_cast<double>(-7e-10f), 123456.789, 0x1p28, 0x1p-64})
     EXPECT_EQ(from_wide(to_wide(v, kLightBits), kLightBits), v) << v;
   EXPECT_EQ(to_wide(0x1p-65, kLightBits), 0);
   EXPECT_EQ(from_wide(to_wide(0x1p56, kSquareBits), kSquareBits), 0x1p56);
-  // 2^20 of the brightest samples, and their squares, are still positive.
+  // Sums of 2^20 of the brightest samples, and of their squares, do not overflow.
   EXPECT_GT(to_wide(kMaxLight, kLightBits) << 20, 0);
   EXPECT_GT(to_wide(kMaxLight * kMaxLight, kSquareBits) << 20, 0);
   EXPECT_LT(kMaxPlain * (1 << kPlainBits) * (1 << 20), 0x1p63);
@@ -80,7 +80,7 @@ TEST(Film, MeansAndVariancesAreThoseOfTheSamples) {
   EXPECT_NEAR(sum.variance(2), spread / 500, 1e-12 * spread);
 }
 
-TEST(Film, WhatIsNoNumberIsCountedAndLeftOut) {
+TEST(Film, InvalidSamplesAreCountedAndDiscarded) {
   const CameraPtr camera = view({0, 0, 5}, {0, 0, 0}, 1.0);
   PathResult good, bad, bright;
   good.radiance = Rgb(2.0f);
@@ -96,9 +96,9 @@ TEST(Film, WhatIsNoNumberIsCountedAndLeftOut) {
   EXPECT_EQ(sum.samples, 3u);
 }
 
-// A lit floor again and again with other seeds: the mean of the variance layer is the variance of
-// the pixels between the pictures. With independent samples, for which that is exact.
-TEST(Film, VarianceIsThatOfPicturesMadeAgain) {
+// Renders of a lit floor with different seeds: the mean of the variance AOV equals the variance of
+// the pixels between the pictures. With independent samples this is exact.
+TEST(Film, VarianceIsThatOfRepeatedRenders) {
   Scene scene;
   scene.camera = view({0, 3, 2}, {0, 0, 0}, 0.9);
   scene.objects = {object(floor_mesh(4), 0.5)};
@@ -125,7 +125,7 @@ TEST(Film, VarianceIsThatOfPicturesMadeAgain) {
       seen += d * d / (kPictures - 1);
     }
   }
-  // 192 pixels with 63 degrees of freedom each: the ratio's own error is about 2 %.
+  // 192 pixels with 63 degrees of freedom each: the ratio has an error of about 2 %.
   EXPECT_NEAR(told / seen, 1, 0.08);
 }
 

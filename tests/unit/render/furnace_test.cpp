@@ -1,4 +1,4 @@
-// White furnace tests: whatever the paths do, the sum of reflections is known.
+// White furnace tests: the sum of all reflections is known.
 #include "scenes.h"
 
 #include <vug/base/rng.h>
@@ -28,7 +28,7 @@ TEST(Furnace, WhiteSphereVanishesInAWhiteSky) {
   EXPECT_LT(largest_error(render(scene, options(48, 32, 16, 8)), 1), 1e-5);
 }
 
-// With smooth normals some directions are below the real surface and are lost: only a little.
+// With smooth normals some directions are below the actual surface and are lost, but few.
 TEST(Furnace, SmoothNormalsLoseLittle) {
   Scene scene;
   scene.camera = view({0, 0, 4}, {0, 0, 0}, 0.4);
@@ -64,7 +64,7 @@ TEST(Furnace, ClosedBoxOfLightsIsAGeometricSeries) {
   }
 }
 
-// Rays that leave a convex body hit nothing, wherever it is: no false self-shadowing.
+// Rays that leave a convex body hit nothing, at any position: no false self-shadowing.
 TEST(Furnace, ConvexBodiesDoNotHitThemselves) {
   const std::pair<Vec3d, double> bodies[] = {
       {{0, 0, 0}, 0.05}, {{0, 0, 0}, 1}, {{0.02, -3, 700}, 30}, {{1e4, -20, 0.5}, 1000}};
@@ -80,7 +80,7 @@ TEST(Furnace, ConvexBodiesDoNotHitThemselves) {
   }
 }
 
-/// A closed shell with sharp dents, so that rays graze and corners are acute.
+/// A closed shell with sharp dents, with grazing rays and acute corners.
 mesh::Mesh dented_shell() {
   mesh::Mesh shell = mesh::sphere_mesh({0, 0, 0}, 3, 5);
   for (size_t i = 0; i < shell.positions.size(); ++i)
@@ -88,8 +88,8 @@ mesh::Mesh dented_shell() {
   return shell;
 }
 
-// Inside a sealed shell the sky is invisible. Single rays may still slip through exactly at a
-// vertex: 2e-7 of the camera's samples, so 400,000 of them see at most two (p = 1e-4).
+// Inside a sealed shell the sky is invisible. Single rays may still pass exactly through a vertex:
+// 2e-7 of the camera's samples, so 400,000 samples contain at most two (p = 1e-4).
 TEST(Furnace, SealedShellStaysDark) {
   for (const bool smooth : {false, true}) {
     Scene scene;

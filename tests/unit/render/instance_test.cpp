@@ -1,4 +1,4 @@
-// An instance is the mesh that one would get by moving the vertices.
+// An instance behaves like the mesh with transformed vertices.
 #include "scenes.h"
 
 #include <vug/base/rng.h>
@@ -27,7 +27,7 @@ mesh::MeshPtr lump() {
   return std::make_shared<const mesh::Mesh>(std::move(made));
 }
 
-/// Turned, stretched unevenly, sheared; far away; mirrored.
+/// Rotated, non-uniformly scaled and sheared; far away; mirrored.
 std::vector<Transform> places() {
   const Transform turn = Transform::rotation({1, 2, 3}, 1.1);
   return {turn,
@@ -69,7 +69,7 @@ Scene only(Object object) {
   return scene;
 }
 
-/// Rays through the box from all sides, and from inside of it.
+/// Rays through the box from all sides, and from inside it.
 std::vector<Ray> rays_at(const Box3f& box, size_t count) {
   std::vector<Ray> rays;
   RandomStream random(RandomKey(7));
@@ -88,19 +88,19 @@ std::vector<Ray> rays_at(const Box3f& box, size_t count) {
   return rays;
 }
 
-TEST(Instance, IsHitAsTheMovedMeshIs) {
+TEST(Instance, IsHitLikeTheTransformedMesh) {
   const mesh::MeshPtr mesh = lump();
   for (const Transform& place : places()) {
     const PreparedScene own(only(baked(mesh, place))), world(only(placed(mesh, place)));
     const float scale = own.bounds().size().length();
-    // Single precision at the distance the place is from the origin of the scene.
+    // Single precision at the instance's distance from the origin.
     const float close = 2e-6f * (scale + Vec3f(place.origin()).length());
     size_t hits = 0, other = 0;
     for (const Ray& ray : rays_at(own.bounds(), 20000)) {
       Hit a, b;
       const bool hit = own.intersect(ray, a);
       if (hit != world.intersect(ray, b) || (hit && a.triangle != b.triangle)) {
-        ++other;  // along an edge
+        ++other;  // at an edge
         continue;
       }
       ASSERT_EQ(world.occluded(ray, kFar), hit);
@@ -118,8 +118,8 @@ TEST(Instance, IsHitAsTheMovedMeshIs) {
   }
 }
 
-/// From wherever a ray has met the surface, no ray that stays inside finds a way out.
-TEST(Instance, IsTightWhereverItStands) {
+/// From any hit point, no ray inside the closed instance escapes.
+TEST(Instance, IsWatertightUnderAnyTransform) {
   const mesh::MeshPtr mesh = lump();
   for (const Transform& place : places()) {
     const PreparedScene world(only(placed(mesh, place)));
@@ -156,9 +156,9 @@ std::vector<double> stripes(const image::Image& picture) {
   return means;
 }
 
-/// A floor under lamps that are instances, against the same meshes moved: evenly bright, and
-/// brighter towards one edge.
-TEST(Instance, ThatShinesLightsAsTheMovedMeshDoes) {
+/// A floor below emissive instances, compared with emissive meshes with the same transform:
+/// uniform, and brighter towards one edge.
+TEST(Instance, EmissiveInstancesLightLikeTransformedMeshes) {
   mesh::Mesh square = floor_mesh(0.6f);
   square.attributes.push_back({"glow", 1, {0, 0, 1, 1}});
   const mesh::MeshPtr mesh = std::make_shared<const mesh::Mesh>(square);
@@ -170,7 +170,7 @@ TEST(Instance, ThatShinesLightsAsTheMovedMeshDoes) {
     Scene scene;
     scene.camera = view({0, 3, 6}, {0, 0.5, 0}, 0.9);
     scene.objects.push_back(object(floor_mesh(4), 0.5));
-    // Facing down: turned over, and mirrored, which keeps the front outside of a solid.
+    // Facing down: rotated, and mirrored, which keeps the outside of a solid outside.
     for (const Transform& place :
          {Transform::translation({-1.2, 0.7, 0}) * Transform::rotation({1, 0, 0}, kPi),
           Transform::translation({1, 0.6, 0}) * Transform::scaling({2, -1, 0.5})}) {
@@ -193,7 +193,7 @@ TEST(Instance, ThatShinesLightsAsTheMovedMeshDoes) {
   }
 }
 
-TEST(Instance, ThatShinesAndMovesIsRefused) {
+TEST(Instance, MovingEmissiveInstancesAreRejected) {
   Object lamp = placed(std::make_shared<const mesh::Mesh>(floor_mesh(1)), Transform());
   lamp.instance = std::make_shared<const InstanceTransform>(
       std::vector<Transform>{Transform(), Transform::translation({1, 0, 0})});
@@ -201,8 +201,8 @@ TEST(Instance, ThatShinesAndMovesIsRefused) {
   EXPECT_THROW(PreparedScene(only(lamp)), Error);
 }
 
-/// What masks are asked about: the mesh's own space, or where the instance stands.
-TEST(Instance, IsPaintedInItsOwnSpaceOrByItsPlace) {
+/// Masks are evaluated in the mesh's own space or in world space.
+TEST(Instance, MaterialsUseOwnOrWorldSpace) {
   Object piece = placed(std::make_shared<const mesh::Mesh>(floor_mesh(1)),
                         Transform::translation({0, 3, 0}) * Transform::scaling(Vec3d(2)));
   for (const bool by_place : {false, true}) {
@@ -230,9 +230,10 @@ TEST(Instance, ManyOfOneMeshTakeLittleMemory) {
   EXPECT_LT(all - tree, 999 * 2000.0);
 }
 
-TEST(InstanceTransform, BlendsItsSteps) {
-  const InstanceTransform instance({Transform(), Transform::translation({2, 0, 0}),
-                         Transform::translation({2, 4, 0}) * Transform::scaling(Vec3d(3))});
+TEST(InstanceTransform, InterpolatesItsKeyframes) {
+  const InstanceTransform instance(
+      {Transform(), Transform::translation({2, 0, 0}),
+       Transform::translation({2, 4, 0}) * Transform::scaling(Vec3d(3))});
   EXPECT_EQ(instance.at(0).origin, Vec3f(0.0f));
   EXPECT_EQ(instance.at(0.25f).origin, Vec3f(1, 0, 0));
   EXPECT_EQ(instance.at(0.75f).origin, Vec3f(2, 2, 0));

@@ -1,4 +1,4 @@
-// What moves while the shutter is open, against closed forms.
+// Motion blur against closed forms.
 #include <vug/base/error.h>
 #include <vug/render/cameras/moving_camera.h>
 
@@ -9,7 +9,7 @@
 namespace vug::render {
 namespace {
 
-/// Looks down on the floor; up in the picture is -z.
+/// Looks down at the floor; up in the picture is -z.
 CameraPtr from_above(double x) {
   return make_camera("orthographic", {{"eye", Vec3d(x, 3, 0)},
                                       {"target", Vec3d(x, 0, 0)},
@@ -29,8 +29,8 @@ float alpha_at(const image::Image& picture, int x, int y) {
   return picture.at(x, y, static_cast<size_t>(picture.find_channel("A")));
 }
 
-// While the camera moves on by `way`, an edge passes over so much of the picture: what a pixel
-// there sees of the square grows in proportion to its distance from the ramp's end.
+// While the camera moves by `way`, an edge sweeps over that part of the picture: the coverage of a
+// pixel grows in proportion to its distance from the end of the ramp.
 TEST(Motion, AMovingEdgeIsARamp) {
   constexpr double kWay = 0.8;
   Options o = options(80, 20, 1024, 0);
@@ -39,20 +39,21 @@ TEST(Motion, AMovingEdgeIsARamp) {
       render(square_under(moving_camera({from_above(-kWay / 2), from_above(kWay / 2)})), o);
   constexpr double kPixel = 4.0 / 80;
   for (int x = 0; x < 80; ++x) {
-    // Of the time, what lies at u in the picture's middle position is at u + way (t - 1/2).
+    // A point at u in the picture's middle position is at u + way (t - 1/2) at time t.
     const auto covered = [&](double u) {
       const double from = std::max(u - kWay / 2, -0.5), to = std::min(u + kWay / 2, 0.5);
       return std::max(0.0, to - from) / kWay;
     };
     double expected = 0;
     for (int i = 0; i < 64; ++i) expected += covered(-2 + kPixel * (x + (i + 0.5) / 64)) / 64;
-    // Samples are in strata of time and place: the error is far below that of independent ones.
+    // Samples are stratified over time and film: the error is far below that of independent
+    // samples.
     const double error = 4 * std::sqrt(expected * (1 - expected) / 1024) + 1e-6;
     EXPECT_NEAR(alpha_at(picture, x, 10), expected, error) << "pixel " << x;
   }
 }
 
-// The same ramp, and the same light, where the square moves instead.
+// The same ramp and the same light if the square moves instead of the camera.
 TEST(Motion, AMovingInstanceIsARamp) {
   constexpr double kWay = 0.8;
   const auto moved = [](double x) { return Transform::translation({x, 0, 0}); };
@@ -73,16 +74,16 @@ TEST(Motion, AMovingInstanceIsARamp) {
             render(square_under(from_above(0)), options(80, 20, 4, 1)).select({"A"}));
 }
 
-// Shadows move with what casts them: the mean light below a sheet that is there for a part of the
-// time is that of the part without it.
-TEST(Motion, ShadowsHaveTheTimeOfTheirPath) {
+// Shadows move with their casters: the mean light below a sheet that is present for a fraction of
+// the exposure is that of the fraction without it.
+TEST(Motion, ShadowsUseTheTimeOfTheirPath) {
   Scene scene;
   scene.camera = from_above(0);
   mesh::Mesh sheet = floor_mesh(100);
-  for (Vec3f& p : sheet.positions) p.y = 4;  // above the camera, so that only its shadow shows
+  for (Vec3f& p : sheet.positions) p.y = 4;  // above the camera, so that only its shadow is visible
   scene.objects = {object(floor_mesh(1), 0.5), object(sheet, 0)};
   scene.lights = {make_light("sky")};
-  // 300 m in eight steps: gone after the first third of the time.
+  // 300 m in eight steps: out of reach after the first third of the time.
   std::vector<Transform> places;
   for (int i = 0; i <= 8; ++i) places.push_back(Transform::translation({300.0 * i / 8, 0, 0}));
   scene.objects[1].instance = std::make_shared<InstanceTransform>(places);
@@ -95,18 +96,18 @@ TEST(Motion, ShadowsHaveTheTimeOfTheirPath) {
   EXPECT_NEAR(seen / light(), 2.0 / 3, 0.03);
 }
 
-TEST(Motion, OfNothingIsThePictureAtRest) {
+TEST(Motion, WithoutMovingObjectsThePictureIsStatic) {
   Options o = options(40, 10, 16, 2);
   const image::Image still = render(square_under(from_above(0)), o);
   EXPECT_EQ(render(square_under(moving_camera({from_above(0)})), o), still);
   const CameraPtr pretends = moving_camera({from_above(0), from_above(0), from_above(0)});
   EXPECT_TRUE(pretends->moves());
   const image::Image moved = render(square_under(pretends), o);
-  for (size_t i = 0; i < still.pixels.size(); ++i)  // the numbers that paths spend are the same
+  for (size_t i = 0; i < still.pixels.size(); ++i)  // the same numbers are used
     ASSERT_NEAR(moved.pixels[i], still.pixels[i], 1e-5f * std::fabs(still.pixels[i]) + 1e-6f) << i;
 }
 
-TEST(Motion, GoesThroughItsMoments) {
+TEST(Motion, CameraPassesItsMoments) {
   const auto at = [](double x) {
     return make_camera("perspective", {{"eye", Vec3d(x, 0, 5)}, {"target", Vec3d(x, 0, 0)}});
   };
@@ -123,8 +124,8 @@ TEST(Motion, GoesThroughItsMoments) {
   EXPECT_THROW(moving_camera({}), Error);
 }
 
-// A camera that goes to the right makes the picture go to the left, the more the nearer it is.
-TEST(Motion, LayerTellsPixelsToTheNextFrame) {
+// A camera that moves to the right moves the picture to the left, nearer objects faster.
+TEST(Motion, AovIsInPixelsToTheNextFrame) {
   const auto at = [](double x) {
     return make_camera("perspective", {{"eye", Vec3d(x, 2, 0)},
                                        {"target", Vec3d(x, 0, 0)},
@@ -149,11 +150,12 @@ TEST(Motion, LayerTellsPixelsToTheNextFrame) {
                                            {"target", Vec3d(0, 0, 0.2)},
                                            {"up", Vec3d(0, 0, -1)},
                                            {"fov", radians(kPi / 2)}});
-  EXPECT_NEAR(mean("motion.Y").value, 2, 1e-4) << "what the camera leaves behind goes up";
+  EXPECT_NEAR(mean("motion.Y").value, 2, 1e-4) << "the floor behind the camera's motion moves up";
   step->next = step->now;
-  scene.objects[0].instance = std::make_shared<InstanceTransform>(Transform::translation({1, 0, 0}));
+  scene.objects[0].instance =
+      std::make_shared<InstanceTransform>(Transform::translation({1, 0, 0}));
   step->transforms[0] = {Affine(Transform::translation({1, 0, 0})),
-                     Affine(Transform::translation({1.2, 0, 0}))};
+                         Affine(Transform::translation({1.2, 0, 0}))};
   EXPECT_NEAR(mean("motion.X").value, 2, 1e-4);
   scene.objects[0].instance = nullptr, step->transforms.clear();
   const auto round = [](double turn) {
@@ -162,13 +164,13 @@ TEST(Motion, LayerTellsPixelsToTheNextFrame) {
   };
   step->now = round(0), step->next = round(0.1 * kPi);
   scene.camera = step->now;
-  // 1/20 of a turn to the right on 40 pixels, also over the seam; half of the picture is sky.
+  // 1/20 of a turn to the right on 40 pixels, also across the seam; half of the picture is sky.
   const image::Image all = render(scene, o);
   const auto motion = static_cast<size_t>(all.find_channel("motion.X"));
   for (int x = 0; x < 40; ++x) EXPECT_NEAR(all.at(x, 18, motion), -2, 1e-3) << x;
 }
 
-// A picture of parts is the whole one also where things move.
+// A picture of slices equals the whole picture also with motion.
 TEST(Motion, DoesNotDependOnThreads) {
   Options o = options(40, 10, 16, 2);
   const Scene scene = square_under(moving_camera({from_above(-0.2), from_above(0.3)}));

@@ -1,4 +1,4 @@
-// Shares of the sky with answers in closed form.
+// Openness with known closed forms.
 #include <vug/base/parallel.h>
 #include <vug/mesh/shapes.h>
 #include <vug/render/geometry/occlusion.h>
@@ -20,7 +20,7 @@ mesh::MeshPtr quad(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& 
 
 const mesh::MeshPtr kFloor = quad({-9, 0, -9}, {-9, 0, 9}, {9, 0, 9}, {9, 0, -9});
 
-/// Of many places that see the same, so that what is left is error of the method.
+/// Averages points with equal surroundings, so that only the method's error remains.
 double mean(const Openness& around, const std::vector<Vec3f>& places, const Vec3f& normal,
             const OpennessOptions& options) {
   const std::vector<float> got =
@@ -41,7 +41,7 @@ OpennessOptions sky() {
   return options;
 }
 
-TEST(Openness, OfAnOpenPlaneIsOneOfAWallAHalfOfACeilingNothing) {
+TEST(Openness, IsOneOnAPlaneHalfOnAWallZeroOnACeiling) {
   const Openness around({kFloor});
   EXPECT_EQ(mean(around, along_z(Vec3f(0)), {0, 1, 0}, {}), 1);
   EXPECT_EQ(mean(around, along_z(Vec3f(0)), {0, 1, 0}, sky()), 1);
@@ -49,8 +49,8 @@ TEST(Openness, OfAnOpenPlaneIsOneOfAWallAHalfOfACeilingNothing) {
   EXPECT_EQ(mean(around, along_z({0, 1, 0}), {0, -1, 0}, sky()), 0);
 }
 
-TEST(Openness, BesideAWallIsThatOfTheAngleToItsTop) {
-  // Of a long wall whose top stands at the angle b above the horizon, (1 - cos b) / 2 is covered.
+TEST(Openness, NextToAWallFollowsTheAngleToItsTop) {
+  // For a long wall whose top is at the angle b above the horizon, (1 - cos b) / 2 is occluded.
   const Openness around({kFloor, quad({0, 0, -500}, {0, 0, 500}, {0, 2, 500}, {0, 2, -500})});
   for (const double d : {0.5, 1.0, 2.0, 4.0}) {
     const double b = std::atan2(2, d);
@@ -61,9 +61,9 @@ TEST(Openness, BesideAWallIsThatOfTheAngleToItsTop) {
   }
 }
 
-TEST(Openness, ReachesNoFurtherThanItIsTold) {
-  // Right beside a wall, half of the directions meet it: within r of a place at a distance d those
-  // with sin * cos(turn) > d / r. Integrated over the disc below them: a segment of a circle.
+TEST(Openness, IgnoresOccludersBeyondTheMaximumDistance) {
+  // Next to a wall, half of the directions hit it; within r of a point at the distance d, those
+  // with sin * cos(turn) > d / r. Integrated over the projected disk, this is a circular segment.
   const Openness around({kFloor, quad({0, 0, -500}, {0, 0, 500}, {0, 500, 500}, {0, 500, -500})});
   OpennessOptions options;
   options.max_distance = 1;
@@ -76,7 +76,7 @@ TEST(Openness, ReachesNoFurtherThanItIsTold) {
   EXPECT_EQ(mean(around, along_z({1.01f, 0, 0}), {0, 1, 0}, options), 1);
 }
 
-TEST(Openness, InsideOfABoxIsNothingForAnyNumberOfThreads) {
+TEST(Openness, IsZeroInsideABoxForAnyNumberOfThreads) {
   const auto box =
       std::make_shared<const mesh::Mesh>(mesh::box_mesh(Box3d(Vec3d(-1), Vec3d(1, 2, 3))));
   const Openness around({box, kFloor});

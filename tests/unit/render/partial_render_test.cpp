@@ -1,4 +1,4 @@
-// Parts as files: they come back whole, are refused when they are not, and merge to the picture.
+// Partial render files: round trips, errors of damaged files, and merging.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/render/film/partial_render.h>
@@ -20,7 +20,7 @@ Scene lit_floor() {
   return scene;
 }
 
-class Parts : public ::testing::Test {
+class PartialRenders : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_ = fs::temp_directory_path() / ("vug_parts_" + std::to_string(getpid()));
@@ -36,8 +36,8 @@ class Parts : public ::testing::Test {
     write_partial_render(file(name), partial_render_header(o), state);
     return file(name);
   }
-  /// What merging them is refused with; empty when it is not.
-  std::string refusal(const std::vector<fs::path>& paths) const {
+  /// The error message of merging; empty without an error.
+  std::string merge_error(const std::vector<fs::path>& paths) const {
     try {
       merge(paths);
     } catch (const Error& error) {
@@ -57,7 +57,7 @@ Options small() {
   return o;
 }
 
-TEST_F(Parts, MergeToTheBitsOfTheWhole) {
+TEST_F(PartialRenders, MergeToTheBitsOfTheWhole) {
   const Options o = small();
   const std::vector<fs::path> paths = {part("c", o, {1, 2, 0, 0}), part("a", o, {0, 2, 8, 12}),
                                        part("b", o, {0, 2, 0, 8})};
@@ -65,7 +65,7 @@ TEST_F(Parts, MergeToTheBitsOfTheWhole) {
   EXPECT_EQ(develop(whole.state, whole.header.aovs), render(lit_floor(), o));
 }
 
-TEST_F(Parts, ComeBackAsTheyWere) {
+TEST_F(PartialRenders, RoundTrip) {
   const Options o = small();
   PartialRenderHeader header = partial_render_header(o);
   header.identity = "abc", header.notes = {{"half", "true"}, {"", "empty name"}};
@@ -84,32 +84,34 @@ TEST_F(Parts, ComeBackAsTheyWere) {
   EXPECT_EQ(read_partial_render_info(file("p")).region, state.region());
 }
 
-TEST_F(Parts, ThatDoNotBelongTogetherAreNamed) {
+TEST_F(PartialRenders, MismatchesAreNamed) {
   const Options o = small();
   const fs::path top = part("top", o, {0, 2, 0, 0}), low = part("low", o, {1, 2, 0, 0});
   Options other = o;
   other.seed = 3;
-  EXPECT_NE(refusal({top, part("seed", other, {1, 2, 0, 0})}).find("seeds, 0 and 3"),
+  EXPECT_NE(merge_error({top, part("seed", other, {1, 2, 0, 0})}).find("seeds, 0 and 3"),
             std::string::npos);
   other = o, other.width = 65;
-  EXPECT_NE(refusal({top, part("size", other, {1, 2, 0, 0})}).find("sizes, 64 x 48 and 65 x 48"),
+  EXPECT_NE(
+      merge_error({top, part("size", other, {1, 2, 0, 0})}).find("sizes, 64 x 48 and 65 x 48"),
+      std::string::npos);
+  EXPECT_NE(merge_error({top, low, low}).find("both have the samples 0..12"), std::string::npos);
+  EXPECT_NE(merge_error({top}).find("samples 0..12 of the pixels x 0..63, y 24..47 are missing"),
             std::string::npos);
-  EXPECT_NE(refusal({top, low, low}).find("both have the samples 0..12"), std::string::npos);
-  EXPECT_NE(refusal({top}).find("samples 0..12 of the pixels x 0..63, y 24..47 are missing"),
+  EXPECT_NE(merge_error({top, part("some", o, {1, 2, 0, 7})}).find("samples 7..12"),
             std::string::npos);
-  EXPECT_NE(refusal({top, part("some", o, {1, 2, 0, 7})}).find("samples 7..12"), std::string::npos);
   RenderState state = begin_render(o, {1, 2, 0, 0});
   PartialRenderHeader header = partial_render_header(o);
   write_partial_render(file("begun"), header, state);
-  EXPECT_NE(refusal({top, file("begun")}).find("done only to 0 %"), std::string::npos);
+  EXPECT_NE(merge_error({top, file("begun")}).find("done only to 0 %"), std::string::npos);
   header.identity = "another scene";
   std::fill(state.done.begin(), state.done.end(), state.end);
   write_partial_render(file("scene"), header, state);
-  EXPECT_NE(refusal({top, file("scene")}).find("different scenes"), std::string::npos);
-  EXPECT_EQ(refusal({low, top}), "");
+  EXPECT_NE(merge_error({top, file("scene")}).find("different scenes"), std::string::npos);
+  EXPECT_EQ(merge_error({low, top}), "");
 }
 
-TEST_F(Parts, BrokenFilesAreRefused) {
+TEST_F(PartialRenders, DamagedFilesAreRejected) {
   const std::string whole = read_text(part("p", small(), {}));
   const auto refused = [&](const std::string& text) {
     write_text(file("broken"), text);

@@ -40,7 +40,7 @@ std::string refusal(const std::string& kind, const NamedValues& parameters) {
   return "accepted";
 }
 
-TEST(Kinds, TellWhatDoesNotFit) {
+TEST(Kinds, ReportInvalidParameters) {
   EXPECT_NE(refusal("rekt", {}).find("rect"), std::string::npos);
   EXPECT_NE(refusal("rect", {{"wdth", 1.0}}).find("width"), std::string::npos);
   EXPECT_NE(refusal("rect", {{"width", 0.0}}).find("width"), std::string::npos);

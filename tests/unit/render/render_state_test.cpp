@@ -1,4 +1,4 @@
-// Pictures rendered in parts, in passes and down to a noise.
+// Pictures rendered in slices, in passes and adaptively.
 #include <vug/base/error.h>
 #include <vug/render/film/render_state.h>
 
@@ -18,14 +18,15 @@ Scene lit_floor() {
   return scene;
 }
 
-RenderState rendered(const Options& o, const RenderSlice& slice = {}, const RenderCallbacks& callbacks = {}) {
+RenderState rendered(const Options& o, const RenderSlice& slice = {},
+                     const RenderCallbacks& callbacks = {}) {
   RenderState state = begin_render(o, slice);
   Progress progress;
   continue_render(lit_floor(), o, state, callbacks, progress);
   return state;
 }
 
-TEST(RenderState, PartsHaveTheBitsOfTheWhole) {
+TEST(RenderState, SlicesHaveTheBitsOfTheWhole) {
   Options o = options(50, 37, 10, 2);
   o.aovs = plan_aovs({"all"}, {});
   const image::Image whole = render(lit_floor(), o);
@@ -59,14 +60,14 @@ TEST(RenderState, SavingChangesNoDecision) {
   EXPECT_GT(saves, 0);
 }
 
-TEST(RenderState, WorkThatWasStoppedGoesOn) {
+TEST(RenderState, CancelledRendersCanBeResumed) {
   for (const double noise : {0.0, 0.08}) {
     Options o = options(50, 37, 64, 2);
     o.noise = noise;
     const image::Image whole = render(lit_floor(), o);
     RenderState kept = begin_render(o);
     for (int stop = 0; stop < 12; ++stop) {
-      // Saves after every block, and lets go of all after some.
+      // Saves after every tile, and cancels after some of them.
       RenderState state = kept;
       Progress progress;
       int saves = 0;
@@ -107,7 +108,7 @@ TEST(RenderState, ACropHasThePixelsOfTheWhole) {
   EXPECT_THROW(render(lit_floor(), o), Error);
 }
 
-TEST(RenderState, SharesThatAreNoneAreRefused) {
+TEST(RenderState, InvalidSlicesAreRejected) {
   Options o = options(50, 37, 4, 2);
   EXPECT_THROW(begin_render(o, {3, 3, 0, 0}), Error);
   EXPECT_THROW(begin_render(o, {0, 38, 0, 0}), Error);

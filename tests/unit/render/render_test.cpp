@@ -1,4 +1,4 @@
-// Pictures as a whole: determinism, layers, convergence, refusals.
+// Properties of whole pictures: determinism, AOVs, convergence, errors.
 #include "scenes.h"
 
 #include <vug/base/error.h>
@@ -12,12 +12,12 @@
 namespace vug::render {
 namespace {
 
-/// A lamp, a ball and haze in a box with a hole to the sky.
+/// A light, a ball and haze in a box with a hole to the sky.
 Scene room(bool portal = false) {
   Scene scene;
   scene.camera = view({0, -0.2, 1.8}, {0, -0.3, 0}, 1.2);
   mesh::Mesh box = mesh::box_mesh({Vec3d(-2), Vec3d(2)});
-  // The lid goes, and comes back with a square hole of a metre in it.
+  // Replaces the lid by one with a square hole of one metre.
   std::vector<mesh::Triangle> kept;
   for (const mesh::Triangle& t : box.triangles)
     if (box.positions[t[0]].y < 1 || box.positions[t[1]].y < 1 || box.positions[t[2]].y < 1)
@@ -67,14 +67,14 @@ TEST(Render, SameBytesForAnyThreadsAndTiles) {
   EXPECT_NE(bytes(render(scene, o)), one);
 }
 
-TEST(Render, PortalsKeepTheMeanAndCalmTheNoise) {
+TEST(Render, PortalsKeepTheMeanAndReduceTheNoise) {
   Options o = options(48, 32, 128, 3);
   o.openings = false;
   const image::Image with = render(room(true), o), without = render(room(false), o);
   Options other = o;
   other.seed = 5;
   const image::Image again = render(room(true), other), and_again = render(room(false), other);
-  // Pairs of renders with other seeds tell the noise of the mean.
+  // Pairs of renders with different seeds estimate the noise of the mean.
   for (const char* channel : {"R", "G", "B"}) {
     const auto c = static_cast<size_t>(with.find_channel(channel));
     double difference = 0, variance = 0, calm = 0, loud = 0;
@@ -105,9 +105,9 @@ TEST(Render, HazeAndPortalsAgree) {
   EXPECT_LT(std::sqrt(squares / static_cast<double>(a.pixel_count())), 0.2);
 }
 
-// The floor hides a lamp of a thousand times the weight: it may not take the samples of the lamp
-// that shines, whether lights are chosen or all sampled.
-TEST(Render, AHiddenLampDoesNotSpoilTheOthers) {
+// The floor hides a light of a thousand times the power: it must not take samples from the visible
+// light, whether lights are selected or all sampled.
+TEST(Render, AnOccludedLightDoesNotAffectOthers) {
   const auto lit = [](size_t hidden) {
     Scene scene = room();
     scene.lights.erase(scene.lights.begin());  // the sky
@@ -131,21 +131,21 @@ TEST(Render, AHiddenLampDoesNotSpoilTheOthers) {
   }
 }
 
-TEST(Render, ClampDarkensOnlyWhatBounced) {
+TEST(Render, ClampOnlyAffectsIndirectLight) {
   const Scene scene = room();
   const auto red = [&](int bounces, double clamp) {
     Options o = options(24, 16, 64, bounces);
     o.integrator = make_integrator("path", {{"max_bounces", double(bounces)}, {"clamp", clamp}});
     return mean_of(render(scene, o), "R").value;
   };
-  EXPECT_EQ(red(0, 1e-3), red(0, 1e6)) << "direct light is not cut";
+  EXPECT_EQ(red(0, 1e-3), red(0, 1e6)) << "direct light is not clamped";
   EXPECT_EQ(mean_of(render(scene, options(24, 16, 64, 3)), "R").value, red(3, 1e6));
   EXPECT_LT(red(3, 0.05), 0.98 * red(3, 1e6));
   EXPECT_GT(red(3, 0.05), red(0, 1e6));
 }
 
-// Error against the mean of many samples falls as 1/N for independent samples (in the square),
-// and no slower for Sobol points.
+// The squared error against the mean of many samples falls as 1/N for independent samples, and at
+// least as fast for Sobol points.
 TEST(Render, ErrorFallsWithSamples) {
   const Scene scene = room(true);
   Options o = options(32, 24, 1024, 3);
@@ -170,7 +170,7 @@ TEST(Render, ErrorFallsWithSamples) {
   EXPECT_LT(sobol, 0.9 * independent);
 }
 
-TEST(Render, LayersTellTheFirstHit) {
+TEST(Render, AovsDescribeTheFirstHit) {
   Scene scene;
   scene.camera = view({0, 3, 0}, {0, 0, 0}, 1.0, {0, 0, -1});
   mesh::Mesh floor = floor_mesh(0.5f);
@@ -185,14 +185,14 @@ TEST(Render, LayersTellTheFirstHit) {
   EXPECT_NEAR(at(16, 16, "N.Y"), 1, 1e-6);
   EXPECT_NEAR(at(16, 16, "P.Y"), 0, 1e-6);
   EXPECT_NEAR(at(16, 16, "albedo.G"), 0.4, 1e-6);
-  // The plane's depth is one number all over, distances are not.
+  // The depth is constant on the plane; the distances are not.
   EXPECT_NEAR(at(12, 12, "Z"), 3, 1e-5);
   EXPECT_EQ(at(0, 0, "A"), 0);
   EXPECT_EQ(at(0, 0, "Z"), 1e10f);
   EXPECT_EQ(at(0, 0, "albedo.R"), 0);
 }
 
-TEST(Render, LampsShowOnlyWhenVisible) {
+TEST(Render, OnlyVisibleLightsAreSeen) {
   for (const bool visible : {true, false}) {
     Scene scene;
     scene.camera = view({0, 0, 3}, {0, 0, 0}, 0.1);
@@ -203,7 +203,7 @@ TEST(Render, LampsShowOnlyWhenVisible) {
   }
 }
 
-TEST(Render, RefusesAndStops) {
+TEST(Render, RejectsInvalidInputAndCancels) {
   Scene scene = room();
   EXPECT_THROW(render(scene, options(0, 4, 4, 0)), Error);
   EXPECT_THROW(render(scene, options(4, 4, 0, 0)), Error);
@@ -223,10 +223,10 @@ TEST(Render, RefusesAndStops) {
   EXPECT_THROW(render(scene, options(4, 4, 4, 0)), Error);
 }
 
-// A tiny lamp before a mirror: what comes to the floor by way of the mirror is found by chance
-// only, and is exactly the light of the lamp's image. Regularized it is found each time, a little
-// blurred.
-TEST(Render, RegularizingMakesSoftLightOfBrightDots) {
+// A tiny light in front of a mirror: light that reaches the floor by way of the mirror is found
+// only by chance, and equals the light of the mirror image. With regularization it is always found,
+// a little blurred.
+TEST(Render, RegularizingBlursCaustics) {
   const auto lit = [](bool mirror, double regularize) {
     Scene scene;
     scene.camera = view({0.6, 0.8, 0.7}, {0.6, 0, 0}, 0.3);
@@ -252,12 +252,12 @@ TEST(Render, RegularizingMakesSoftLightOfBrightDots) {
   };
   const Mean image = lit(false, 0), dots = lit(true, 0), soft = lit(true, 0.25);
   EXPECT_NEAR(soft.value, image.value, 0.03 * image.value);
-  // The image gives about a third of all light.
+  // The mirror image contributes about a third of all light.
   EXPECT_NEAR(dots.value, image.value, 4 * dots.error);
   EXPECT_GT(dots.error, 3 * soft.error);
 }
 
-TEST(Render, SaysWhatIsNotExact) {
+TEST(Render, ReportsBiasedSettings) {
   EXPECT_EQ(make_integrator("path")->inexact(), "");
   EXPECT_EQ(make_integrator("path", {{"clamp", 3.0}, {"regularize", 0.25}})->inexact(),
             "clamp 3, regularize 0.25");

@@ -27,7 +27,7 @@ TEST(Samplers, GiveTheSameBitsInAnyOrder) {
   }
 }
 
-TEST(Samplers, FourPairsAreThoseOfFourDimensions) {
+TEST(Samplers, FourPairsEqualFourDimensions) {
   for (const auto* kind : samplers()) {
     SCOPED_TRACE(kind->info.name);
     const SamplerPtr sampler = make_sampler(kind->info.name);
@@ -66,7 +66,7 @@ TEST(Samplers, PixelsSeedsAndDimensionsDiffer) {
     std::set<float> seen;
     for (uint32_t pixel = 0; pixel < 32; ++pixel)
       for (uint32_t d = 0; d < 32; ++d) seen.insert(sampler->pair(place(pixel, 2, 0, 4), d).x);
-    EXPECT_GT(seen.size(), 1020u);  // of 1024; 24-bit numbers coincide by chance at times
+    EXPECT_GT(seen.size(), 1020u);  // of 1024; 24-bit numbers occasionally coincide
     SampleId other = place(1, 2, 0, 4);
     other.seed = 4;
     EXPECT_NE(sampler->pair(other, 0), sampler->pair(place(1, 2, 0, 4), 0));
@@ -91,9 +91,9 @@ TEST(Sobol, EveryPixelHoldsANetInEveryDimensionPair) {
       }
 }
 
-// The whole picture is one net: with a sample a pixel, an aligned block of 8 x 8 pixels holds
-// one too, which is what spreads the error as blue noise.
-TEST(Sobol, BlocksOfPixelsHoldANetTogether) {
+// The whole picture is a net: with one sample per pixel, an aligned block of 8 x 8 pixels is a net,
+// too, which makes the error blue noise.
+TEST(Sobol, BlocksOfPixelsFormANet) {
   const SamplerPtr sampler = make_sampler("sobol");
   for (uint32_t across = 0; across <= 6; ++across) {
     std::set<uint32_t> cells;
@@ -107,7 +107,8 @@ TEST(Sobol, BlocksOfPixelsHoldANetTogether) {
   }
 }
 
-// Error of a mean over the pixel's samples, over many pixels: Sobol against independent.
+// Compares the error of a mean over a pixel's samples, for many pixels, of Sobol and independent
+// samples.
 TEST(Sobol, IntegratesSmoothFunctionsMuchBetter) {
   const auto error = [](const char* kind) {
     const SamplerPtr sampler = make_sampler(kind);

@@ -19,7 +19,7 @@ inline Object object(mesh::Mesh mesh, double albedo) {
   return out;
 }
 
-/// A square of the floor y = 0 with its front up.
+/// A square of the floor y = 0, facing up.
 inline mesh::Mesh floor_mesh(float half) {
   mesh::Mesh mesh;
   mesh.positions = {{-half, 0, -half}, {-half, 0, half}, {half, 0, half}, {half, 0, -half}};
@@ -45,8 +45,8 @@ inline Options options(int width, int height, int spp, int max_bounces) {
   return o;
 }
 
-/// Mean of a channel over all pixels and its standard error, from the spread between pixels that
-/// should all be equal.
+/// Mean of a channel over all pixels and its standard error, from the spread of pixels with equal
+/// expected values.
 struct Mean {
   double value = 0, error = 0;
 };

@@ -1,4 +1,4 @@
-// The test of significance on renders of this renderer: what a user meets who guards a look.
+// Significance tests on real renders, as in a user's regression test.
 #include "scenes.h"
 
 #include <vug/image/significance.h>
@@ -8,7 +8,7 @@
 namespace vug::render {
 namespace {
 
-/// A ball in a closed room of rock, lit by one light.
+/// A ball in a closed rock room, lit by one light.
 Scene room(double ball_albedo = 0.7) {
   Scene scene;
   scene.camera = view({0, 0, 1.9}, {0, -0.3, 0}, 1.2);
@@ -53,7 +53,7 @@ TEST(SignificanceOfRenders, FewSamplesAgainstManyRaiseNoAlarm) {
   EXPECT_LE(alarms, 2);
 }
 
-TEST(SignificanceOfRenders, OnePercentLessLightIsFound) {
+TEST(SignificanceOfRenders, OnePercentLessLightIsDetected) {
   const Scene scene = room();
   const image::NoisyPicture reference = shot(scene, 256, 1);
   for (uint64_t seed = 2; seed < 5; ++seed) {
@@ -66,7 +66,7 @@ TEST(SignificanceOfRenders, OnePercentLessLightIsFound) {
   }
 }
 
-TEST(SignificanceOfRenders, AnotherMaterialIsFound) {
+TEST(SignificanceOfRenders, AnotherMaterialIsDetected) {
   const image::NoisyPicture reference = shot(room(0.7), 256, 1);
   for (uint64_t seed = 2; seed < 5; ++seed)
     EXPECT_TRUE(test_significance(reference, shot(room(0.6), 256, seed)).different) << seed;

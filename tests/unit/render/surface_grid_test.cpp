@@ -1,4 +1,4 @@
-// The surface of a level set without a mesh, against closed forms.
+// Ray tracing of a level set's surface without a mesh, against closed forms.
 #include "surface_scenes.h"
 
 #include <vug/base/error.h>
@@ -18,13 +18,13 @@ double angle(const Vec3f& a, const Vec3d& b) {
   return std::asin(std::min(1.0, Vec3d(a).normalized().cross(b.normalized()).length()));
 }
 
-/// Distances from the origin bend by 2 / R together along the axes; interpolation in between is off
-/// by at most voxel^2 / 8 of that, and values by half a step.
+/// The second derivatives of the distance to the origin sum to 2 / R along the axes; interpolation
+/// errors are at most voxel^2 / 8 of that, and values are off by at most half a step.
 double distance_bound(const volume::SurfaceBricks& surface) {
   return kVoxel * kVoxel / 8 * 2 / (1 - 2 * kVoxel) + surface.step();
 }
 
-TEST(SurfaceGrid, BallIsHitWhereItIs) {
+TEST(SurfaceGrid, BallIsHitAtItsSurface) {
   const Object object = traced(ball());
   const PreparedScene world(only(object));
   const double bound = distance_bound(*object.surface);
@@ -42,13 +42,13 @@ TEST(SurfaceGrid, BallIsHitWhereItIs) {
     const Vec3d o(ray.origin), d(ray.direction);
     const double b = o.dot(d), nearest = std::sqrt(std::max(0.0, o.dot(o) - b * b));
     const bool inside = o.length() < 1;
-    if (!inside && std::fabs(nearest - 1) < 2 * bound) continue;  // it grazes
+    if (!inside && std::fabs(nearest - 1) < 2 * bound) continue;  // grazing
     ASSERT_EQ(found, inside || (nearest < 1 && b < 0)) << i;
     if (!found) continue;
     ++hits;
     const double root = std::sqrt(std::max(0.0, 1 - nearest * nearest));
     const double t = inside ? -b + root : -b - root;
-    // Along a ray that meets it at a slant, the error of the surface counts for more.
+    // For slanted rays, the error of the surface has a larger effect on the distance.
     ASSERT_NEAR(static_cast<double>(hit.distance), t, 2 * bound / std::max(root, 0.05));
     ASSERT_EQ(hit.surface.inside, inside);
     const Vec3d out = Vec3d(hit.surface.position) * (inside ? -1 : 1);
@@ -58,14 +58,15 @@ TEST(SurfaceGrid, BallIsHitWhereItIs) {
   }
   EXPECT_GT(hits, 50000u);
   EXPECT_LT(off, bound);
-  // Central differences, and what is between them, err by the voxel's square; the interpolant's own
-  // slope by the voxel. Surfaces seen at a slant are turned towards the viewer: see Surface::face.
+  // Central differences, and interpolation between them, have errors of the order of the squared
+  // voxel; the interpolant's own gradient of the order of the voxel. Normals at slanted surfaces
+  // are turned towards the viewer: see Surface::face.
   EXPECT_LT(bend, 2 * kVoxel * kVoxel + 0.01);
   EXPECT_LT(sharp, 2 * kVoxel);
 }
 
-/// Places a tenth of a voxel apart have normals that differ by that, over cells' borders as well:
-/// no facets. The interpolant's own have: they show that this test can tell.
+/// Points a tenth of a voxel apart have normals that differ accordingly, also across cells: no
+/// facets. The interpolant's own gradient has facets, which shows that this test detects them.
 TEST(SurfaceGrid, NormalsAreSmoothFromCellToCell) {
   const PreparedScene world(only(traced(ball())));
   constexpr double kApart = 0.1 * kVoxel;
@@ -94,9 +95,8 @@ TEST(SurfaceGrid, NormalsAreSmoothFromCellToCell) {
   EXPECT_GT(sharp_jump, 2 * kApart);
 }
 
-/// Random walks through air or rock whose every step begins where rays may begin: how many get out
-/// of a world that has no way out. `behind` counts those that are met right behind what they
-/// passed.
+/// Random walks through air or rock whose steps start at hit origins. Counts how many leave a
+/// closed world. `behind` counts hits right behind the surface that was passed.
 struct Walk {
   size_t out = 0, behind = 0;
 };
@@ -125,11 +125,11 @@ TEST(SurfaceGrid, SealedSolidsAreTightFromWithin) {
   for (const field::Field& solid : {ball(), rough()}) {
     const Walk done = walk(PreparedScene(only(traced(solid))), Vec3f(0.0f), true, 300000);
     EXPECT_EQ(done.out, 0u);
-    EXPECT_LT(done.behind, 600u);  // straight through there is nothing near, but in sharp valleys
+    EXPECT_LT(done.behind, 600u);  // nothing is close behind a surface, except in sharp valleys
   }
 }
 
-/// A cave behind walls of a voxel and a half: what counts as a leak in a picture.
+/// A cave behind walls of one and a half voxels: this would be a visible leak in a picture.
 TEST(SurfaceGrid, SealedCavesAreTight) {
   const double wall = 1.5 * kVoxel;
   const PreparedScene smooth_cave(only(traced(field::subtract(ball(1 + wall), {ball()}))));
@@ -138,8 +138,8 @@ TEST(SurfaceGrid, SealedCavesAreTight) {
   EXPECT_EQ(walk(rough_cave, Vec3f(0.0f), false, 500000).out, 0u);
 }
 
-/// Rays along the axes run along faces, edges and lattice points of cells; floors that lie in a
-/// plane of lattice points are 0 there.
+/// Rays along the axes run along faces, edges and lattice points of cells; floors in a plane of
+/// lattice points have the value 0 there.
 TEST(SurfaceGrid, IsTightOnTheLattice) {
   const field::Field slab = field::make("box", {{"size", Vec3d(2, 1, 2)}});
   for (const field::Field& solid : {rough(), slab}) {
@@ -165,8 +165,8 @@ TEST(SurfaceGrid, IsTightOnTheLattice) {
   }
 }
 
-/// Where bricks meet, and everywhere else, a ray goes in and out by turns.
-TEST(SurfaceGrid, EveryWayThroughIsInAndOut) {
+/// Where bricks meet, and everywhere else, a ray enters and leaves alternately.
+TEST(SurfaceGrid, RaysEnterAndLeaveAlternately) {
   const PreparedScene world(only(traced(rough())));
   RandomStream random(RandomKey(5));
   for (int i = 0; i < 20000; ++i) {
@@ -184,7 +184,7 @@ TEST(SurfaceGrid, EveryWayThroughIsInAndOut) {
   }
 }
 
-/// Light that grazes a smooth ball meets nothing on the lit side: no shadows of cells.
+/// Light that grazes a smooth ball is not occluded on the lit side: cells cast no shadows.
 TEST(SurfaceGrid, CellsCastNoShadowsOnEachOther) {
   const PreparedScene world(only(traced(ball())));
   RandomStream random(RandomKey(9));
@@ -196,7 +196,7 @@ TEST(SurfaceGrid, CellsCastNoShadowsOnEachOther) {
     const Vec3f n = hit.surface.shading_normal;
     const Frame frame(n);
     const float turn = 6.2831853f * static_cast<float>(random.uniform());
-    // Up to 6 degrees above the horizon; the polygon that a mesh would be is half of that off.
+    // Up to 6 degrees above the horizon; a polygonal mesh would have an error of half of that.
     const float rise = 0.002f + 0.1f * static_cast<float>(random.uniform());
     const Vec3f to = frame.to_world({std::cos(turn), std::sin(turn), rise});
     ++asked;
@@ -229,7 +229,7 @@ TEST(SurfaceGrid, HasTheSameBytesForAnyThreads) {
   }
 }
 
-TEST(SurfaceGrid, LeavesOutCrumbs) {
+TEST(SurfaceGrid, RemovesSmallComponents) {
   const field::Field both =
       field::unite({ball(), field::transformed(ball(0.2), Transform::translation({3, 0, 0}))});
   const volume::SurfaceBricks all(level_set(both)), large(level_set(both), 1.0);
@@ -242,7 +242,7 @@ TEST(SurfaceGrid, LeavesOutCrumbs) {
   EXPECT_EQ(alone.bytes(), large.bytes());
 }
 
-TEST(SurfaceGrid, IsPaintedWhereItIsMet) {
+TEST(SurfaceGrid, PaintIsEvaluatedAtTheHit) {
   Object object = traced(ball());
   object.color = paint::make_paint([](const paint::EvalPoint& spot) {
     return spot.position.y > 0 ? Vec3d(0.9, 2, -1) : spot.normal * -1.0;
@@ -255,13 +255,13 @@ TEST(SurfaceGrid, IsPaintedWhereItIsMet) {
   EXPECT_NEAR(hit.surface.color.y, 1, 1e-5);
 }
 
-TEST(SurfaceGrid, CannotShine) {
+TEST(SurfaceGrid, CannotBeEmissive) {
   Object object = traced(ball());
   object.emission = Rgb(1);
   EXPECT_THROW(PreparedScene(only(object)), Error);
 }
 
-/// A mesh takes some 550 bytes where the surface crosses a square of a voxel's edge.
+/// A mesh needs about 550 bytes where the surface crosses a square of the size of a voxel.
 TEST(SurfaceGrid, TakesLittleMemory) {
   const volume::SurfaceBricks bricks(level_set(ball()));
   const double area = 4 * kPi;

@@ -1,4 +1,4 @@
-// Level sets to trace: smooth, rough, hollow.
+// Level sets to be ray traced: smooth, rough, hollow.
 #pragma once
 
 #include "scenes.h"
@@ -8,8 +8,8 @@
 #include <vug/field/displace.h>
 #include <vug/field/noise.h>
 #include <vug/field/registry.h>
-#include <vug/render/sampling.h>
 #include <vug/render/prepared_scene.h>
+#include <vug/render/sampling.h>
 #include <vug/volume/surface_bricks.h>
 #include <vug/volume/voxelize.h>
 

@@ -15,7 +15,8 @@ Object coarse_ball() {
   return object(with_radial_normals(mesh::sphere_mesh({0, 0, 0}, 1, 1), 1), kAlbedo);
 }
 
-/// Triangles face away from the sun, or are hidden by others, where their smooth normals face it.
+/// Triangles that face away from the sun, or are hidden by others, with smooth normals that face
+/// it.
 void expect_smooth_terminator(Object ball, float tolerance) {
   Scene scene = only(std::move(ball));
   scene.camera = view({0, 0, 8}, {0, 0, 0}, 0.26);
@@ -53,7 +54,7 @@ TEST(Terminator, FollowsASmoothLevelSet) {
   expect_smooth_terminator(std::move(ball), 0.02f);
 }
 
-// Reflected light also leaves below the triangle's horizon: none is lost in a uniform sky.
+// Reflected light also leaves below the triangle's horizon; none is lost in a uniform sky.
 TEST(Terminator, KeepsAllLightOfAUniformSky) {
   Scene scene = only(coarse_ball());
   scene.camera = view({0, 0, 8}, {0, 0, 0}, 0.1);

@@ -1,4 +1,4 @@
-// A level set without a mesh: as an instance, in motion, and in pictures beside its mesh.
+// A level set without a mesh: as an instance, in motion, and in pictures compared with its mesh.
 #include "surface_scenes.h"
 
 #include <vug/base/transform.h>
@@ -23,8 +23,8 @@ Object placed(Object object, std::vector<Transform> way) {
   return object;
 }
 
-/// Seen from the instance, its ball is a ball.
-TEST(SurfacePlace, InstancesAreHitWhereTheyStand) {
+/// In the instance's own space, its ball is a ball.
+TEST(InstancedSurface, InstancesAreHitAtTheirTransform) {
   const Object own = traced(ball());
   for (const Transform& place : places()) {
     const PreparedScene world(only(placed(own, {place})));
@@ -53,7 +53,7 @@ TEST(SurfacePlace, InstancesAreHitWhereTheyStand) {
   }
 }
 
-/// Steps of a random walk inside that end outside.
+/// Number of steps of a random walk inside that end outside.
 size_t leaks(const PreparedScene& world, const Vec3f& from, int steps) {
   RandomStream random(RandomKey(3));
   const Ray start{from, {0, 0, 1}};
@@ -80,9 +80,9 @@ render::Object meshed(const field::Field& solid) {
   return out;
 }
 
-/// A lump is tight wherever it stands. In sharp valleys rays begin nearer to the other wall than
-/// single precision tells apart there: some get lost, but fewer than with a mesh.
-TEST(SurfacePlace, InstancesAreTight) {
+/// A lump is watertight under any transform. In sharp valleys rays start closer to the opposite
+/// wall than single precision can resolve there: some escape, but fewer than with a mesh.
+TEST(InstancedSurface, InstancesAreTight) {
   const render::Object smooth = traced(lump()), sharp = traced(rough()), mesh = meshed(rough());
   for (const Transform& place : places()) {
     const auto lost = [&](const render::Object& object, int steps) {
@@ -93,8 +93,9 @@ TEST(SurfacePlace, InstancesAreTight) {
   }
 }
 
-TEST(SurfacePlace, GoesItsWayWhileTheShutterIsOpen) {
-  const PreparedScene world(only(placed(traced(ball()), {Transform(), Transform::translation({4, 0, 0})})));
+TEST(InstancedSurface, MovesWhileTheShutterIsOpen) {
+  const PreparedScene world(
+      only(placed(traced(ball()), {Transform(), Transform::translation({4, 0, 0})})));
   EXPECT_TRUE(world.moves());
   for (const float time : {0.0f, 0.25f, 1.0f}) {
     const PreparedScene now = world.at(time);
@@ -106,10 +107,10 @@ TEST(SurfacePlace, GoesItsWayWhileTheShutterIsOpen) {
   }
 }
 
-/// Under a sky and a light, on a floor: without the mesh it is the same picture. Both start from the
-/// same samples, so what is left is the noise of paths that part where the surfaces differ by
-/// thousandths of a voxel. The lump has no creases: those the mesh keeps sharper.
-TEST(SurfacePlace, LooksLikeItsMesh) {
+/// On a floor under a sky and a light, the picture without the mesh is the same. Both use the same
+/// samples, so only the noise of paths remains that diverge where the surfaces differ by
+/// thousandths of a voxel. The lump has no creases, which the mesh would keep sharper.
+TEST(InstancedSurface, LooksLikeItsMesh) {
   const field::Field solid = lump();
   const auto picture = [&](bool direct) {
     Scene scene;
