@@ -191,12 +191,12 @@ class CellsFiles(VugTest):
         self.assertIn("hint: continue from it with --resume, or remove it", error)
         error = self.expect(2, "build", "long.vug", "-o", "new", "--seed", 4, "--checkpoint", "kept.vdb", "--resume").err
         self.assertIn("belongs to another scene", error)
-        # Asked to stop, it keeps what is done.
+        # Asked to stop, it saves the work so far.
         process = self.start("--resume", "-o", "new", "--checkpoint-every", "0")
         step = self.info("kept.vdb")["grids"][0]["metadata"]["vug:step"]
         said = self.stop_at(process, step + 50, signal.SIGINT)
         self.assertEqual(process.returncode, 3)
-        self.assertRegex(said, r"'kept\.vdb' keeps what is done, \d+ of 1000 steps of 'crust'; the same command goes on from it")
+        self.assertRegex(said, r"'kept\.vdb' contains the work so far, \d+ of 1000 steps of 'crust'; the same command continues from it")
         self.expect(0, "build", "long.vug", "-o", "new", "--checkpoint", "kept.vdb", "--resume")
         self.assertFalse((self.folder / "kept.vdb").exists())
         for name in os.listdir(self.folder / "whole"):
@@ -226,7 +226,7 @@ class CellsFiles(VugTest):
                       self.expect(2, "build", "s.vug", "-o", "x", "--checkpoint", "kept.state").err)
         self.write("bad.vug", SCENE % ('files ["ply"]', 60))
         error = self.expect(2, "check", "bad.vug").err
-        self.assertRegex(error, r"bad\.vug:\d+:\d+: error: 'ply' is no file of cells")
+        self.assertRegex(error, r"bad\.vug:\d+:\d+: error: unknown file of cells 'ply'")
         self.assertIn(error.splitlines()[1][error.splitlines()[2].index("^"):][:5], '"ply"')
         self.write("from.vug", SCENE % ('from "out/s.vdb"', 60))
         self.write("lost.vug", SCENE % ('from "lost.vdb"', 60))

@@ -170,8 +170,8 @@ class Farm(VugTest):
         said = process.communicate()[1].decode()
         self.assertEqual(process.returncode, 3)
         self.assertTrue((self.folder / "state").exists())
-        self.assertRegex(said, r"error: stopped on request\nhint: 'state' keeps what is done, [\d.]+ %; "
-                               r"the same command with --resume goes on from it\n")
+        self.assertRegex(said, r"error: stopped on request\nhint: 'state' contains the work so far, [\d.]+ %; "
+                               r"the same command with --resume continues from it\n")
         held = json.loads(self.expect(0, "info", "state", "--json").out)
         self.assertEqual(held["holds"]["samples"], [0, 100000])
         self.assertEqual(held["holds"]["pixels"], [0, 0, 64, 40])

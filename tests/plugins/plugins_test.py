@@ -97,13 +97,13 @@ class Plugins(unittest.TestCase):
         (self.room / "stale.cpp").write_text(STALE)
         need(COMPILER, "-shared", "-fPIC", self.room / "stale.cpp", "-o", stale)
         error = self.vug(2, "list", "--plugin", stale)
-        self.assertIn(f"error: the plugin '{stale}' is for interface 0 of vug 0.0.9, and this is "
+        self.assertIn(f"error: the plugin '{stale}' was built for interface 0 of vug 0.0.9, but this is "
                       "interface 1 of vug ", error)
-        self.assertIn("hint: build it again with the headers of this version", error)
+        self.assertIn("hint: rebuild it with the headers of this version", error)
         empty = broken / "empty.so"
         (self.room / "empty.cpp").write_text("")
         need(COMPILER, "-shared", "-fPIC", self.room / "empty.cpp", "-o", empty)
-        self.assertIn("is none: it lacks VUG_PLUGIN", self.vug(2, "list", "--plugin", empty))
+        self.assertIn("is not a plugin: it lacks VUG_PLUGIN", self.vug(2, "list", "--plugin", empty))
         done = run(PROGRAM, "check", "lens.vug", cwd=self.room, env={
             **os.environ, "VUG_PLUGIN_PATH": f"{broken}:{self.lens.parent}"})
         self.assertEqual(done.returncode, 0, done.stderr)  # those of the path are done without
@@ -121,7 +121,7 @@ class Plugins(unittest.TestCase):
         self.vug(0, "check", "lens.vug", "--plugin", self.lens, "--plugin", self.lens)
         copy = self.room / "copy.so"
         shutil.copy(self.lens, copy)
-        self.assertIn("brings a field 'lens', which is there already",
+        self.assertIn("provides a field 'lens', which already exists",
                       self.vug(2, "check", "lens.vug", "--plugin", self.lens, "--plugin", copy))
 
     @unittest.skipUnless(PYTHON, "there is no Python module")

@@ -97,7 +97,7 @@ class Faults(Case):
         with self.assertRaises(vug.Error) as caught:
             mesh.save("file/a.ply")
         self.assertEqual(caught.exception.code, "io")
-        with self.assertRaisesRegex(vug.Error, "not rendered deep"):
+        with self.assertRaisesRegex(vug.Error, "has no deep image"):
             image.save("a.deep.exr")
         self.write("scene.vug", BALL)
         with self.assertRaises(vug.Error):
@@ -112,7 +112,7 @@ class Warnings(Case):
             warnings.simplefilter("always")
             vug.loads(text).build().level_set()
         self.assertEqual([w.category for w in seen], [vug.SceneWarning])
-        self.assertIn("the volume 'rock' comes out empty", str(seen[0].message))
+        self.assertIn("the volume 'rock' is empty", str(seen[0].message))
         self.assertIn("scene.vug:2:8: warning:", str(seen[0].message))
         self.assertEqual(seen[0].filename, __file__)
 

@@ -8,14 +8,15 @@
 namespace vug::building {
 namespace {
 
-/// Metres in a unit that someone makes out who has written nonsense.
+/// Rejects displacements that are far too large, usually due to wrong units.
 void require_near(const mesh::Mesh& bare, const mesh::Mesh& moved) {
   const double size = mesh::bounds(bare).size().length(), way = mesh::max_displacement(bare, moved);
   if (way > 10 * size)
-    throw Error(ErrorCode::bad_input,
-                fmt::format("cells move the surface by up to {:.3g} m, and all of it is {:.3g} m",
-                            way, size),
-                {}, "'height' is in metres; with 'move false' the mesh stays where it is");
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("cells displace the surface by up to {:.3g} m, but its size is only {:.3g} m",
+                    way, size),
+        {}, "'height' is in metres; 'move false' turns the displacement off");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Why nothing of a volume is there, as far as its plan tells.
+/// The probable reason why a volume is empty.
 std::string why_empty(const shot::VolumePlan& plan) {
   const Box3d& bounds = plan.field.bounds();
   if (plan.source_mesh) return "its mesh is empty or thinner than a voxel";
@@ -42,13 +42,14 @@ std::string why_empty(const shot::VolumePlan& plan) {
   return "its solid is empty or thinner than a voxel";
 }
 
-/// What a volume fails by: its line where the text is at fault, else while `doing` what.
+/// Locates an error at the volume's line if the scene text is at fault; else adds `doing` as
+/// context.
 Error volume_error(const shot::VolumePlan& plan, Error& error, std::string doing) {
   if (error.code() == ErrorCode::bad_input && !error.where().known()) return error.at(plan.where);
   return error.within(std::move(doing));
 }
 
-/// The plan and all that it is made of.
+/// Adds the plan and all meshes that it depends on.
 void add_with_parts(const shot::MeshPtr& plan, std::vector<shot::MeshPtr>& meshes) {
   meshes.push_back(plan);
   for (const shot::MeshPtr& part : plan->parts) add_with_parts(part, meshes);
@@ -148,8 +149,7 @@ const volume::LevelSet& Builder::level_set(const shot::VolumePtr& plan) {
     const volume::LevelSet& made = level_sets_.emplace(plan, make_level_set(*plan)).first->second;
     held_ += made.statistics().memory_bytes;
     if (!made.holds_solid())
-      warn(plan->where, fmt::format("the volume '{}' comes out empty", plan->name),
-           why_empty(*plan));
+      warn(plan->where, fmt::format("the volume '{}' is empty", plan->name), why_empty(*plan));
     return made;
   } catch (Error& error) {
     throw volume_error(*plan, error, fmt::format("making the volume '{}'", plan->name));
@@ -210,8 +210,8 @@ Builder::BuiltMesh Builder::build_with_cells(const shot::MeshPlan& plan) {
   const bool refine = plan.cells->refine.value_or(!plan.volume);
   if (plan.volume && !refine && plan.volume->voxel > 1.01 * plan.cells->spacing)
     warn(plan.cells->where,
-         fmt::format("the voxels of '{}' are larger than the cells, so that not all of these can "
-                     "show",
+         fmt::format("the voxels of '{}' are larger than the cells, so some cells will not "
+                     "be visible",
                      plan.volume->name),
          "use smaller voxels, a larger spacing or refine true");
   const CellLayerPtr layer = this->cell_layer(plan.cells);
@@ -220,18 +220,18 @@ Builder::BuiltMesh Builder::build_with_cells(const shot::MeshPlan& plan) {
   const Stopwatch watch(seconds_);
   if (refine) bare = refine_for_cells(*plan.cells, *bare, memory_budget());
   MeshWithCells made = apply_cells(*bare, *layer, *plan.cells, progress_);
-  // A sliver or two of a hundred thousand triangles nobody sees.
+  // A few inverted slivers among many triangles are invisible.
   if (made.flipped_triangles > bare->triangles.size() / 2000)
     warn(plan.cells->where,
          fmt::format(
-             "where cells move the mesh '{}' it folds: {} of its {} triangles are turned over",
+             "the displacement by cells folds the mesh '{}': {} of its {} triangles are inverted",
              plan.name, made.flipped_triangles, bare->triangles.size()),
-         "let them move less, or make a volume of it and a mesh of that: volume NAME on " +
+         "reduce the displacement, or convert the mesh to a volume and back: volume NAME on " +
              plan.name);
   const auto worn = std::make_shared<const mesh::Mesh>(std::move(made.mesh));
   if (worn->triangles.empty() && !bare->triangles.empty())
-    warn(plan.cells->where, fmt::format("nothing is left of the mesh '{}'", plan.name),
-         "all of its cells are gone and 'holes' cuts them away");
+    warn(plan.cells->where, fmt::format("nothing remains of the mesh '{}'", plan.name),
+         "all of its cells have been removed, and 'holes' cuts the mesh there");
   return {worn, components_removed(under)};
 }
 

@@ -32,7 +32,8 @@ std::vector<float> cell_context(const cells::Network& cells, const std::string& 
                                 const std::vector<mesh::MeshPtr>& meshes, Progress& progress) {
   if (name == shot::kCurvature) return curvature(cells);
   render::OpennessOptions options;
-  // Cells lie on the facets of a mesh, whose smooth normals see a little way into their neighbours.
+  // Cells lie on flat facets, whose interpolated normals may point slightly into neighbouring
+  // facets.
   options.offset = cells.spacing / 4;
   options.sky = name == shot::kExposure;
   if (name == shot::kOcclusion) options.max_distance = kNear;

@@ -21,7 +21,7 @@ cells::BuildOptions build_options(const shot::CellsPlan& plan, uint64_t memory) 
   return options;
 }
 
-/// Meshes that cannot have cells, as those turned inside out in part, are told at the cells' name.
+/// Errors about unsuitable meshes, such as partly inverted ones, are located at the cells' name.
 cells::Surface surface_of(const std::vector<mesh::MeshPtr>& meshes, const shot::CellsPlan& plan) {
   try {
     return cells::Surface(meshes);
@@ -34,7 +34,7 @@ cells::Surface surface_of(const std::vector<mesh::MeshPtr>& meshes, const shot::
 cells::BuildResult network(const shot::CellsPlan& plan, const std::vector<CellSupport>& supports,
                            uint64_t memory, Progress& progress) {
   std::vector<mesh::MeshPtr> meshes;
-  std::vector<uint32_t> numbers;  // of those with a surface among all
+  std::vector<uint32_t> numbers;  // indices of the non-empty meshes
   for (uint32_t i = 0; i < supports.size(); ++i)
     if (!supports[i].mesh->triangles.empty())
       meshes.push_back(supports[i].mesh), numbers.push_back(i);
@@ -54,7 +54,7 @@ std::vector<cells::Stage> stages(const shot::CellsPlan& plan) {
   std::vector<cells::Stage> all;
   std::map<std::string, int> used;
   for (const shot::CellStagePtr& stage : plan.run) {
-    // Two of one rule choose differently.
+    // Repeated rules need different random numbers.
     const int before = used[stage->name]++;
     cells::Stage each{stage->rule, stage->name, stage->begin, stage->span(), {}};
     if (before > 0) each.name += fmt::format(" {}", before + 1);
@@ -78,12 +78,12 @@ void restore_points(const volume::Grid& points, const shot::CellsPlan& plan,
     restore_cells(points, cells);
   } catch (const Error& error) {
     throw Error(error.code(),
-                fmt::format("cannot go on from '{}': {}", plan.from.string(), error.what()),
+                fmt::format("cannot continue from '{}': {}", plan.from.string(), error.what()),
                 error.where(), error.hint());
   }
 }
 
-/// What masks and rules ask of the rock under cells and around them.
+/// Adds the data on the supporting meshes that masks and rules query.
 void add_context(const shot::CellsPlan& plan, const std::vector<CellSupport>& supports,
                  cells::Simulation& cells, Progress& progress) {
   std::vector<mesh::MeshPtr> meshes;
@@ -109,9 +109,9 @@ CellLayer make_cell_layer(const shot::CellsPlan& plan, const std::vector<CellSup
     if (how.checkpoint) how.checkpoint->restore(plan, layer);
     if (layer.simulation.step() > plan.length() && !how.from)
       throw Error(ErrorCode::bad_input,
-                  fmt::format("the points are at step {} already, the run ends at {}",
+                  fmt::format("the points are already at step {}, but the run ends at step {}",
                               layer.simulation.step(), plan.length()),
-                  {}, "raise 'steps', or leave 'from' out");
+                  {}, "increase 'steps' or remove 'from'");
     add_context(plan, supports, layer.simulation, progress);
     const auto after = [&] { how.checkpoint->after_step(plan, layer); };
     layer.simulation.run(stages(plan), plan.length() - layer.simulation.step(), progress,

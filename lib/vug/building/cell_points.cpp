@@ -34,7 +34,7 @@ void restore_cells(const volume::Grid& grid, cells::Simulation& simulation) {
   const auto keep = metadata.find(kKeep);
   const bool exact = keep != metadata.end() && keep->second == volume::MetaValue(kExact);
   const volume::Points points = volume::points(grid);
-  // A step of 16 bits along each axis, and the rounding of floats.
+  // Tolerance: a step of 16-bit quantisation along each axis, and the rounding of floats.
   float far = 0;
   for (const Vec3f& p : points.position)
     far = std::max({far, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
@@ -50,8 +50,8 @@ std::optional<volume::Grid> initial_points(const shot::CellsPlan& plan) {
     for (const volume::Grid& grid : volume::read(plan.from))
       if (volume::is_points(grid) && (!found || grid.name() == plan.name)) found = grid;
     if (found) return found;
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' holds no points", plan.from.string()), {},
-                "vug build writes them of cells whose files are not told to leave them out");
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' contains no points", plan.from.string()),
+                {}, "vug build writes points unless 'files' of the cells excludes them");
   } catch (const Error& error) {
     throw error.at(plan.where);
   }

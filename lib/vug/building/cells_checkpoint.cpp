@@ -15,7 +15,7 @@ constexpr const char* kIdentity = "vug:identity";
 constexpr double kMinInterval = 10;
 constexpr double kMaxInterval = 600;
 
-/// Tells runs with other results apart.
+/// A hash that differs for runs with different results.
 std::string identity(const shot::Shot& shot) {
   Hasher hash;
   hash.add("cells").add_value(shot.text_digest).add_value(shot.seed).add_value(shot.frame);
@@ -24,7 +24,7 @@ std::string identity(const shot::Shot& shot) {
 }
 
 std::vector<volume::Grid> read_checkpoint(const fs::path& file, const std::string& identity) {
-  constexpr const char* kAnew = "remove it to begin anew";
+  constexpr const char* kAnew = "remove it to start again";
   try {
     const std::vector<volume::Grid> grids = volume::read(file);
     for (const volume::Grid& grid : grids) {
@@ -32,11 +32,12 @@ std::vector<volume::Grid> read_checkpoint(const fs::path& file, const std::strin
       const auto own = metadata.find(kIdentity);
       if (own == metadata.end())
         throw Error(ErrorCode::bad_input,
-                    fmt::format("'{}' is no checkpoint of cells", file.string()));
+                    fmt::format("'{}' is not a checkpoint of cells", file.string()));
       if (own->second != volume::MetaValue(identity))
-        throw Error(ErrorCode::bad_input,
-                    fmt::format("the checkpoint '{}' is of another scene, or of other parameters",
-                                file.string()));
+        throw Error(
+            ErrorCode::bad_input,
+            fmt::format("the checkpoint '{}' belongs to another scene or to other parameters",
+                        file.string()));
     }
     return grids;
   } catch (const Error& error) {
@@ -54,8 +55,8 @@ CellsCheckpoint::CellsCheckpoint(CheckpointOptions options, const shot::Shot& sh
   if (!fs::exists(options_.file)) return;
   if (!options_.resume)
     throw Error(ErrorCode::bad_input,
-                fmt::format("the checkpoint '{}' is there already", options_.file.string()), {},
-                "go on from it with --resume, or remove it");
+                fmt::format("the checkpoint '{}' already exists", options_.file.string()), {},
+                "continue from it with --resume, or remove it");
   restored_ = read_checkpoint(options_.file, identity_);
 }
 
@@ -68,7 +69,7 @@ void CellsCheckpoint::save(const shot::CellsPlan& plan, const CellLayer& layer) 
   const Clock::time_point start = Clock::now();
   std::vector<volume::Grid> grids = finished_;
   grids.push_back(cell_points(plan, layer, cells::PointFormat::exact));
-  // What is yet to come of a file that this run goes on from stays there.
+  // Keep those grids of the resumed file whose runs are still to come.
   for (const volume::Grid& old : restored_)
     if (std::none_of(grids.begin(), grids.end(),
                      [&](const volume::Grid& grid) { return grid.name() == old.name(); }))
@@ -93,7 +94,7 @@ Error CellsCheckpoint::save_cancelled(const shot::CellsPlan& plan, const CellLay
   save(plan, layer);
   return Error(
       cancelled.code(), cancelled.what(), cancelled.where(),
-      fmt::format("'{}' keeps what is done, {} of {} steps of '{}'; {} goes on from it",
+      fmt::format("'{}' contains the work so far, {} of {} steps of '{}'; {} continues from it",
                   options_.file.string(), layer.simulation.step(), plan.length(), plan.name,
                   options_.resume ? "the same command" : "the same command with --resume"));
 }

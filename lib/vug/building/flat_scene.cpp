@@ -68,7 +68,8 @@ Transform transform_of(const render::Affine& a) {
 /// One transform, or one for each time sample.
 using TransformSamples = std::vector<Transform>;
 
-render::InstanceTransformPtr instance_transform(TransformSamples sample, const render::InstanceTransformPtr& own) {
+render::InstanceTransformPtr instance_transform(TransformSamples sample,
+                                                const render::InstanceTransformPtr& own) {
   if (own)
     for (Transform& instance : sample) instance = instance * transform_of(own->at(0));
   return std::make_shared<const render::InstanceTransform>(sample);
@@ -105,9 +106,10 @@ void add_instance(const FlatScene& model, const Instance& instance, const Transf
 int choose_model(const Instance& instance, const shot::PointInstancer& plan) {
   const auto count = static_cast<int>(plan.of.size());
   if (instance.model >= count)
-    throw Error(ErrorCode::bad_input,
-                fmt::format("a place asks for thing number {}, but the last of '{}' is number {}",
-                            instance.model, plan.name, count - 1));
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("an instance uses model number {}, but the last model of '{}' is number {}",
+                    instance.model, plan.name, count - 1));
   if (instance.model >= 0 || count == 1) return std::max(instance.model, 0);
   double total = 0;
   for (int i = 0; i < count; ++i)
@@ -137,7 +139,7 @@ std::string empty_reason(Builder& builder, const shot::PointInstancer& plan) {
     if (const auto* known = plan.at[i]->target<IndexedInstanceSource>();
         known && known->empty_reason)
       if (std::string why = known->empty_reason(builder, plan.key.at(i)); !why.empty()) return why;
-  return "its places are all masked out, or what they come from is empty";
+  return "all its instances are masked out, or their source is empty";
 }
 
 bool same(const Transform& a, const Transform& b) {
@@ -145,8 +147,8 @@ bool same(const Transform& a, const Transform& b) {
          a.column(2) == b.column(2);
 }
 
-/// The transforms of each instance at the time samples; a single transform for each static instance,
-/// even if other instances of the declaration move.
+/// The transforms of each instance at the time samples; a single transform for each static
+/// instance, even if other instances of the declaration move.
 std::vector<TransformSamples> transform_samples(Builder& builder, const shot::PointInstancer& plan,
                                                 const std::vector<Instance>& instances,
                                                 const TimeSamples& time_samples) {
@@ -177,7 +179,7 @@ void add_instances(Builder& builder, const shot::PointInstancer& plan,
   const std::string material = material_name(builder.shot(), plan.material, plan.name);
   const std::vector<Instance> instances = instances_of(builder, plan);
   if (instances.empty())
-    builder.warn(plan.where, fmt::format("'{}' stands nowhere", plan.name),
+    builder.warn(plan.where, fmt::format("'{}' has no instances", plan.name),
                  empty_reason(builder, plan));
   const auto object_count = [&] {
     size_t count = 0;
@@ -188,7 +190,7 @@ void add_instances(Builder& builder, const shot::PointInstancer& plan,
   if (instances.size() > 1 && object_count() > kManyInstances)
     for (FlatScene& model : models) model.objects = merge_copies(model.objects);
   require_memory(kInstanceBytes * static_cast<double>(object_count()), builder.memory_budget(),
-                 fmt::format("{} instances", object_count()), "place fewer");
+                 fmt::format("{} instances", object_count()), "use fewer instances");
   const std::vector<TransformSamples> samples =
       transform_samples(builder, plan, instances, time_samples);
   for (size_t i = 0; i < instances.size(); ++i)

@@ -71,7 +71,7 @@ mesh::Mesh merge_meshes(const std::vector<mesh::MeshPtr>& parts) {
 
 mesh::MeshPtr refine_for_cells(const shot::CellsPlan& plan, const mesh::Mesh& mesh,
                                uint64_t memory) {
-  // With its vertices, half as many, and the table of edges.
+  // Includes its vertices (half as many) and the table of edges.
   constexpr uint64_t kTriangleBytes = 120;
   try {
     return std::make_shared<const mesh::Mesh>(

@@ -21,8 +21,8 @@ uint64_t bytes_of(const mesh::Mesh& mesh) {
   return bytes;
 }
 
-// A surface of area A has 1.5 A / voxel^2 vertices on average over its directions; each took 420
-// bytes, measured with a ball and a rough one.
+// A surface of area A has 1.5 A / voxel^2 vertices, averaged over orientations; measured for a
+// smooth and a rough sphere, each vertex takes 420 bytes.
 double meshing_bytes(double active_voxels, double band) {
   constexpr double kVertexBytes = 420;
   return kVertexBytes * 1.5 * active_voxels / band;

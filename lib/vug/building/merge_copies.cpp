@@ -23,12 +23,12 @@ Transform transform_of(const render::Object& object) {
 std::vector<render::Object> merge_copies(const std::vector<render::Object>& objects) {
   using Alike = std::tuple<const mesh::Mesh*, const render::Material*, std::string, bool>;
   struct Group {
-    size_t at = 0;  ///< Of what is returned.
+    size_t at = 0;  ///< Index in the result.
     std::vector<flora::MeshInstance> copies;
   };
   std::vector<render::Object> out;
-  std::map<Alike, Group> groups;  // asked for by what is alike, gone through by `at`
-  std::vector<Group*> of;         // of each that is returned; null: none
+  std::map<Alike, Group> groups;  // looked up by equal properties
+  std::vector<Group*> of;         // group of each result; null: none
   for (const render::Object& object : objects) {
     if (!can_merge(object)) {
       out.push_back(object), of.push_back(nullptr);

@@ -70,12 +70,12 @@ class AttributeChecker {
     if (std::find(names_.begin(), names_.end(), name) != names_.end()) return;
     const std::string near = nearest_name(name, names_);
     if (near.empty() && where.file != file_) return;
-    diagnostics_.warning(where, fmt::format("nobody brings an attribute '{}'", name),
+    diagnostics_.warning(where, fmt::format("unknown attribute '{}'", name),
                          near.empty() ? others() : fmt::format("did you mean '{}'?", near));
   }
 
   std::string others() const {
-    if (names_.empty()) return "cells, stems, leaves, facades and files of meshes bring some";
+    if (names_.empty()) return "cells, stems, leaves, facades and mesh files provide attributes";
     const bool cut = names_.size() > kMaxListed;
     const auto end = names_.begin() + static_cast<std::ptrdiff_t>(cut ? kMaxListed : names_.size());
     return fmt::format("there are {}{}", fmt::join(names_.begin(), end, ", "), cut ? ", ..." : "");

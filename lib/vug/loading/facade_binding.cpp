@@ -21,15 +21,15 @@ struct FacadeBlock {
   std::optional<int> seed;
 
   static void describe(Schema<FacadeBlock>& s) {
-    s.doc("A facade that rules divide: grammar NAME: facade { axiom ...  SYMBOL -> rows(...) }.")
+    s.doc("A facade that rules subdivide: grammar NAME: facade { axiom ...  SYMBOL -> rows(...) }.")
         .cite("ripperda2009")
         .param("width", &FacadeBlock::width, positive_length("of the whole facade"))
         .param("height", &FacadeBlock::height, positive_length("of the whole facade"))
         .param("thickness", &FacadeBlock::thickness,
-               positive_length("of the wall that it is carved into when it stands alone"))
-        .param("at", &FacadeBlock::at, any_length("the middle of its foot"))
+               positive_length("of the wall into which a standalone facade is carved"))
+        .param("at", &FacadeBlock::at, any_length("the centre of its base"))
         .param("yaw", &FacadeBlock::yaw,
-               {.doc = "its turn about the upright axis; it looks along +z at 0",
+               {.doc = "rotation about the vertical axis; at 0 it faces +z",
                 .dimension = Dimension::angle})
         .param("steps", &FacadeBlock::steps, {.doc = "rules applied at most", .min = 1})
         .param("limit", &FacadeBlock::limit, {.doc = "symbols at most", .min = 1})

@@ -128,7 +128,7 @@ double Binder::number(const scene::Expr& expr, RandomKey key, const scene::Scope
 
 sgm::Label Binder::label(const std::string& name, const SourceLocation& where) {
   if (const auto found = sgm::label_from(name)) return *found;
-  fail(where, fmt::format("'{}' is no label", name), suggestion(name, sgm::label_names()));
+  fail(where, fmt::format("unknown label '{}'", name), suggestion(name, sgm::label_names()));
 }
 
 /// The choice that a clause's value is, such as +X or random, whatever is declared as X or random.
@@ -174,7 +174,7 @@ void Binder::read_clause(const scene::Entry& clause, RandomKey key, const scene:
            "a whole number between 0 and 1000");
     out.pieces = std::max(1, static_cast<int>(n->value));
   } else {
-    fail(clause.where, fmt::format("there is no clause '{}'", clause.key),
+    fail(clause.where, fmt::format("unknown clause '{}'", clause.key),
          suggestion(clause.key, clause_names()));
   }
 }
@@ -217,8 +217,8 @@ grammar::Content Binder::step(const scene::Item& item, const std::vector<scene::
   if (item.amount) {
     step.amount = number(*item.amount, site.key.at("amount"), scope);
     if (!(step.amount >= 0 && step.amount <= 1))
-      fail(item.amount->where,
-           fmt::format("a morph's amount lies between 0% and 100%, not {}%", 100 * step.amount));
+      fail(item.amount->where, fmt::format("a morph's amount must lie between 0% and 100%, not {}%",
+                                           100 * step.amount));
   }
   std::string names;
   for (const sgm::Piece& piece : step.pieces) names += (names.empty() ? "" : " ") + piece.name;
@@ -276,7 +276,7 @@ grammar::Grammar Binder::bind() {
           const Value holds = value(*rule.guard, site.key, scope_of(rule.formals, site));
           if (const bool* truth = holds.get<bool>()) return *truth;
           fail(rule.guard->where,
-               fmt::format("a guard is true or false, not {}", holds.type_name()));
+               fmt::format("a guard must be true or false, not {}", holds.type_name()));
         });
       };
     if (rule.weight)
@@ -284,7 +284,8 @@ grammar::Grammar Binder::bind() {
         return growing(site, [&] {
           const double weight = number(*rule.weight, site.key, scope_of(rule.formals, site));
           if (!(weight >= 0) || !std::isfinite(weight))
-            fail(rule.weight->where, fmt::format("a weight is a number from 0 on, not {}", weight));
+            fail(rule.weight->where,
+                 fmt::format("a weight must be a number of at least 0, not {}", weight));
           return weight;
         });
       };
@@ -300,7 +301,7 @@ int64_t Binder::limit(const std::string& option, int64_t fallback) {
     if (entry.key != option) continue;
     const double n = number(*entry.values.at(0), key_.at(option), {});
     if (!(n >= 1 && n <= 1e9))
-      fail(entry.where, fmt::format("'{}' is a whole number from 1 on", option));
+      fail(entry.where, fmt::format("'{}' must be a whole number of at least 1", option));
     return static_cast<int64_t>(n);
   }
   return fallback;
@@ -339,7 +340,7 @@ Value bind_grammar(const scene::Grammar& source, ReadContext& context) {
       context.diagnostics.warning(d.where.known() ? d.where : source.where, d.message, d.hint);
     if (result.field.bounds().isEmpty())
       context.diagnostics.warning(
-          source.where, fmt::format("the grammar '{}' grows nothing", source.name),
+          source.where, fmt::format("the grammar '{}' produces nothing", source.name),
           result.counts.total() == 0 ? "no production of a shape was applied; see 'vug tree'" : "");
     context.shot.derivations.push_back(
         {source.name, std::move(result.tree), result.counts.total()});

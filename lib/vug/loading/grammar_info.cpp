@@ -33,28 +33,28 @@ const KindInfo& grammar_info() {
   static const KindInfo kind = [] {
     KindInfo info{"grammar",
                   "declaration",
-                  "A solid that rules grow: grammar NAME { axiom ...  SYMBOL -> + SHAPE ... }.",
+                  "A solid that rules generate: grammar NAME { axiom ...  SYMBOL -> + SHAPE ... }.",
                   "zawadzki2012",
                   {}};
     ParamInfo blend;
     blend.name = "blend";
     blend.type = "blend";
-    blend.doc = "how a shape meets what is there";
+    blend.doc = "blend between a shape and the existing solid";
     ParamInfo overlap;
     overlap.name = "overlap";
     overlap.type = "number";
     overlap.min = 0;
     overlap.max = 1;
     overlap.dimension = Dimension::ratio;
-    overlap.doc = "how far a shape is pressed in, as a share of its extent; else by its operation";
+    overlap.doc = "penetration of a shape as a fraction of its extent; default: by its operation";
     info.params = {
-        choice("label", sgm::label_names(), "random", "the side that a shape is glued to"),
+        choice("label", sgm::label_names(), "random", "side to which a shape is attached"),
         blend,
         overlap,
-        choice("reach", {"local", "whole"}, "local", "how far the effect of a shape goes"),
+        choice("reach", {"local", "whole"}, "local", "range of the effect of a shape"),
         whole("pieces", 0, 1000, "1",
-              "shapes that are joined before they are glued; 0 counts as 1"),
-        choice("piece_label", sgm::label_names(), "random", "the side that each piece is glued to"),
+              "number of shapes joined before they are attached; 0 counts as 1"),
+        choice("piece_label", sgm::label_names(), "random", "side to which each piece is attached"),
         whole("steps", 1, 1e9, std::to_string(kMaxProductions), "productions at most"),
         whole("limit", 1, 1e9, std::to_string(kMaxSymbols), "symbols at most")};
     return info;

@@ -86,7 +86,7 @@ const std::vector<KindRegistry>& kind_registries() {
 
 void add_kinds(const std::vector<std::pair<std::string, RegisteredKind>>& kinds) {
   if (asked_for)
-    throw Error(ErrorCode::bad_input, "comes too late: the kinds are in use already", {},
+    throw Error(ErrorCode::bad_input, "is loaded too late: kinds are already in use", {},
                 "load plugins before the first scene");
   std::vector<KindRegistry> all = own_registries();
   for (const auto& [type, kind] : kinds) {
@@ -95,10 +95,10 @@ void add_kinds(const std::vector<std::pair<std::string, RegisteredKind>>& kinds)
         all.begin(), all.end(), [&](const KindRegistry& each) { return each.type == wanted; });
     if (registry == all.end())
       throw Error(ErrorCode::bad_input,
-                  fmt::format("brings a {}, of which a scene knows none", type));
+                  fmt::format("provides a {}, which scenes do not support", type));
     if (registry->find(kind.info->name))
       throw Error(ErrorCode::bad_input,
-                  fmt::format("brings a {} '{}', which is there already", type, kind.info->name));
+                  fmt::format("provides a {} '{}', which already exists", type, kind.info->name));
     registry->kinds.push_back(kind);
   }
   own_registries() = std::move(all);

@@ -37,9 +37,10 @@ void check_target(const scene::Declaration& declaration, const DeclarationKind& 
   if (!declaration.target) return;
   if (!kind.stands_on.empty()) {
     if (!declaration.more_targets.empty() && !kind.on_several)
-      diagnostics.error(declaration.more_targets[0]->where,
-                        fmt::format("a {} stands on one {}", declaration.kind, kind.stands_on),
-                        "what stands on several: cells");
+      diagnostics.error(
+          declaration.more_targets[0]->where,
+          fmt::format("'{}' takes a single {} after 'on'", declaration.kind, kind.stands_on),
+          "several are allowed for: cells");
     return;
   }
   std::vector<std::string> standing;
@@ -47,8 +48,8 @@ void check_target(const scene::Declaration& declaration, const DeclarationKind& 
     if (!each->stands_on.empty())
       standing.push_back(fmt::format("{} (on a {})", each->info.name, each->stands_on));
   diagnostics.error(
-      declaration.on_where, fmt::format("a {} stands on nothing", declaration.kind),
-      fmt::format("leave out 'on'; what stands on something: {}", fmt::join(standing, ", ")));
+      declaration.on_where, fmt::format("'{}' does not take 'on'", declaration.kind),
+      fmt::format("remove 'on'; declarations with 'on': {}", fmt::join(standing, ", ")));
 }
 
 /// The scene's own text and what was changed from outside: enough to make it again.
@@ -110,7 +111,7 @@ void register_declarations(const scene::Document& document, ReadContext& context
     if (declaration.broken) continue;  // its fault has been told
     if (!kind) {
       context.diagnostics.error(declaration.kind_where,
-                                fmt::format("nothing is declared by '{}'", declaration.kind),
+                                fmt::format("unknown declaration '{}'", declaration.kind),
                                 suggestion(declaration.kind, declaration_words()));
       continue;
     }

@@ -12,10 +12,11 @@
 namespace vug::loading {
 namespace {
 
-/// A list of bare names, `instances leaf, flower`, whatever is declared under them.
+/// Whether the entry is a list of bare names, such as `instances leaf, flower`, even if
+/// declarations have these names.
 bool is_names(const std::string& key) { return key == "instances"; }
 
-/// One of the values, or several where a list is written out between brackets.
+/// Appends the value of an expression, or the elements of a list in brackets.
 void add_values(const scene::Entry& entry, const scene::Expr& expr, RandomKey key,
                 ReadContext& context, List& values) {
   const bool names = is_names(entry.key);
@@ -37,7 +38,7 @@ Value entry_value(const scene::Entry& entry, const scene::Grammar& grammar, Read
   return values.size() == 1 ? values[0] : Value(std::move(values));
 }
 
-/// Nothing, with diagnostics, where an entry is at fault.
+/// Binds the block; nothing, with diagnostics, if an entry is invalid.
 std::optional<shot::LSystemBlock> block_of(const scene::Grammar& grammar, ReadContext& context) {
   Arguments entries;
   bool sound = true;
@@ -53,8 +54,7 @@ std::optional<shot::LSystemBlock> block_of(const scene::Grammar& grammar, ReadCo
   return block;
 }
 
-/// Queries that the turtle does not answer, and ?D where there is nothing to be far from. False
-/// with diagnostics.
+/// Reports unknown queries, for which it returns false, and warns about ?D without a field.
 bool check_queries(const scene::LSystem& text, bool has_field, Diagnostics& diagnostics) {
   std::vector<std::string> known;
   for (const lsystem::TurtleQuery& query : lsystem::turtle_queries()) known.push_back(query.name);
@@ -63,13 +63,13 @@ bool check_queries(const scene::LSystem& text, bool has_field, Diagnostics& diag
     for (const auto& module : modules) {
       if (!lsystem::System::is_query(module.name)) continue;
       if (std::find(known.begin(), known.end(), module.name) == known.end()) {
-        diagnostics.error(module.where, fmt::format("there is no query '{}'", module.name),
-                          fmt::format("queries are {}", fmt::join(known, ", ")));
+        diagnostics.error(module.where, fmt::format("unknown query '{}'", module.name),
+                          fmt::format("known queries: {}", fmt::join(known, ", ")));
         sound = false;
       } else if (module.name == "?D" && !has_field && !std::exchange(told, true)) {
         diagnostics.warning(module.where,
-                            "'?D' asks how far the 'field' is, but the block has none: it is told "
-                            "1e6 m everywhere",
+                            "'?D' queries the distance to the 'field', but the block has none: the "
+                            "result is 1e6 m everywhere",
                             "field rock");
       }
     }

@@ -56,16 +56,17 @@ void load_plugin(const std::filesystem::path& file) {
   void* const library = dlopen(whole.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library) {
     const char* const told = dlerror();
-    throw unusable(file, fmt::format("cannot be loaded: {}", told ? told : "nobody says why"));
+    throw unusable(file, fmt::format("cannot be loaded: {}", told ? told : "unknown reason"));
   }
   const auto interface = entry<const char* (*)()>(library, "vug_plugin_interface");
   const auto give = entry<void (*)(PluginKinds&)>(library, "vug_plugin_kinds");
   if (!interface || !give)
-    throw unusable(file, "is none: it lacks VUG_PLUGIN",
-                   "docs/guides/plugins.md tells how one is made");
+    throw unusable(file, "is not a plugin: it lacks VUG_PLUGIN",
+                   "docs/guides/plugins.md describes how to build one");
   if (std::string(interface()) != kPluginInterface)
-    throw unusable(file, fmt::format("is for {}, and this is {}", interface(), kPluginInterface),
-                   "build it again with the headers of this version");
+    throw unusable(file,
+                   fmt::format("was built for {}, but this is {}", interface(), kPluginInterface),
+                   "rebuild it with the headers of this version");
   KindCollector kinds;
   give(kinds);
   try {

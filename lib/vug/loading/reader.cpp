@@ -33,8 +33,8 @@ KindInfo kind_declaration_info(const std::string& name, const std::string& doc,
   ParamInfo kind;
   kind.name = "kind";
   kind.type = "name";
-  kind.doc = fallback.empty() ? "which one it is; then come the parameters of that"
-                              : "which one it is; the parameters below are those of " + fallback;
+  kind.doc = fallback.empty() ? "the kind; its parameters follow"
+                              : "the kind; the parameters below are those of " + fallback;
   kind.fallback = fallback;
   kind.required = fallback.empty();
   if (registry.kinds.size() <= kMaxNames)

@@ -36,7 +36,7 @@ void Resolver::declare(const std::string& kind, const std::string& name, Factory
 Value Resolver::value(Entry& entry, const std::string& name, const SourceLocation& where,
                       Diagnostics& diagnostics) {
   if (entry.pending) {
-    diagnostics.error(where, fmt::format("'{}' is made of itself", name));
+    diagnostics.error(where, fmt::format("'{}' depends on itself", name));
     return Value();
   }
   if (!entry.evaluated && pending_ >= kMaxPending) {
@@ -125,9 +125,9 @@ std::optional<Value> Resolver::binary(char op, const Value& a, const Value& b,
     if (op == '-') return field::as_value(field::subtract(*f, {*g}));
     if (op == '&') return field::as_value(field::intersect({*f, *g}));
   }
-  diagnostics.error(where,
-                    fmt::format("'{}' does not join {} and {}", op, a.type_name(), b.type_name()),
-                    f && g ? "fields know + (union), - (difference) and & (intersection)" : "");
+  diagnostics.error(
+      where, fmt::format("'{}' cannot combine {} and {}", op, a.type_name(), b.type_name()),
+      f && g ? "operators of fields: + (union), - (difference) and & (intersection)" : "");
   return Value();
 }
 
@@ -135,7 +135,7 @@ std::optional<Value> Resolver::unary(char op, const Value& a, const SourceLocati
                                      Diagnostics& diagnostics) {
   const auto* f = a.object<field::Field>();
   if (f && op == '-') return field::as_value(field::complement(*f));
-  diagnostics.error(where, fmt::format("'{}' does not go before {}", op, a.type_name()));
+  diagnostics.error(where, fmt::format("'{}' cannot be applied to {}", op, a.type_name()));
   return Value();
 }
 

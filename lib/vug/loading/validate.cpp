@@ -48,11 +48,11 @@ std::string link_hint(const shot::Shot& shot, const std::string& name) {
     shot::PointInstancer told_apart = place;
     told_apart.apart = true;
     if (const auto rest = name_after(name, place.name); rest && contains(told_apart, *rest))
-      return fmt::format("write 'apart true' in the place '{}' to tell its copies apart",
+      return fmt::format("write 'apart true' in the place '{}' to name its instances separately",
                          place.name);
     for (const shot::Model& model : place.of)
       if (model.name == name)
-        return fmt::format("where it stands '{}' goes by the name of its place: '{}'", name,
+        return fmt::format("as an instance, '{}' has the name of its place: '{}'", name,
                            place.name);
   }
   return suggestion(name, names);
@@ -78,8 +78,8 @@ void warn_of_dark_portals(const shot::Shot& shot, const scene::Document& documen
     if (light->is_portal())
       diagnostics.warning(
           where_of(name, document),
-          fmt::format("nothing shines through the portal '{}': there is no sky", name),
-          "a portal adds no light of its own: declare a sky, as light NAME = daylight()");
+          fmt::format("no light comes through the portal '{}': the scene has no sky", name),
+          "a portal emits no light itself: declare a sky, as light NAME = daylight()");
 }
 
 }  // namespace
@@ -113,8 +113,8 @@ render::AovPlan expected_aovs(const shot::Shot& shot, const shot::RenderPlan& pl
 
 void require_valid(const shot::Shot& shot, const shot::RenderPlan& plan) {
   if (plan.deep && plan.noise > 0)
-    throw Error(ErrorCode::bad_input, "a deep picture takes all samples of a pixel at once",
-                plan.where, "leave 'noise' away; a crop is no matter");
+    throw Error(ErrorCode::bad_input, "a deep picture needs all samples of a pixel at once",
+                plan.where, "remove 'noise'; a crop is allowed");
   expected_aovs(shot, plan);
   if (plan.crop.empty()) return;
   render::Options options;
@@ -135,8 +135,7 @@ void validate(const shot::Shot& shot, const scene::Document& document, Diagnosti
         if (!is_linkable(shot, linked) && (whole || !is_declared(linked, document)))
           diagnostics.error(
               where_of(name, document),
-              fmt::format("the light is linked to '{}', but no object that shows has that name",
-                          linked),
+              fmt::format("the light is linked to '{}', but no shown object has that name", linked),
               link_hint(shot, linked));
   if (!whole) return;
   warn_of_dark_portals(shot, document, diagnostics);

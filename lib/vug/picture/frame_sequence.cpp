@@ -11,10 +11,10 @@
 namespace vug::picture {
 namespace {
 
-constexpr const char* kForm = "write --frames 1..24, 1..24x2 for every second, or 3,7,10..12";
+constexpr const char* kForm = "use --frames 1..24, 1..24x2 for every second frame, or 3,7,10..12";
 constexpr size_t kMaxFrames = 100'000;
 
-/// A whole number at the beginning of the text, which loses it.
+/// Removes a whole number from the beginning of the text.
 std::optional<int> take_number(std::string_view& text) {
   int number = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -29,7 +29,7 @@ bool take(std::string_view& text, std::string_view word) {
   return true;
 }
 
-/// Where a file name has the frame, and to how many digits it is filled up.
+/// The position of the frame number in a file name, and its minimum number of digits.
 struct Slot {
   size_t at = 0, length = 0;
   int digits = 0;
@@ -71,7 +71,7 @@ std::vector<int> parse_frames(const std::string& text) {
       last = take_number(rest);
       if (last && take(rest, "x")) step = take_number(rest).value_or(0);
     }
-    if (!first || !last || step < 1) throw refuse("is no range of frames");
+    if (!first || !last || step < 1) throw refuse("is not a range of frames");
     if (*last < *first) throw refuse("runs backwards");
     for (int64_t frame = *first; frame <= *last; frame += step) {
       frames.push_back(static_cast<int>(frame));
@@ -79,11 +79,11 @@ std::vector<int> parse_frames(const std::string& text) {
         throw refuse(fmt::format("has more than {} frames", kMaxFrames));
     }
   } while (take(rest, ","));
-  if (!rest.empty()) throw refuse("is no range of frames");
+  if (!rest.empty()) throw refuse("is not a range of frames");
   std::vector<int> sorted = frames;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-    throw refuse("names a frame twice");
+    throw refuse("contains a frame twice");
   return frames;
 }
 
@@ -92,9 +92,9 @@ std::filesystem::path frame_path(const std::filesystem::path& pattern, int frame
   const std::vector<Slot> found = find_slots(name);
   if (found.size() != 1)
     throw Error(ErrorCode::bad_input,
-                fmt::format("'{}' says {} where the frame's number goes", pattern.string(),
-                            found.empty() ? "not" : "more than once"),
-                {}, "write one row of # for its digits: cave.####.exr");
+                fmt::format("'{}' has {} for the frame number", pattern.string(),
+                            found.empty() ? "no place" : "more than one place"),
+                {}, "use one run of # for its digits: cave.####.exr");
   name.replace(found[0].at, found[0].length,
                fmt::format("{:0{}}", frame, std::max(found[0].digits, 1)));
   return pattern.parent_path() / name;

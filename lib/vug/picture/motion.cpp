@@ -6,7 +6,7 @@
 namespace vug::picture {
 namespace {
 
-/// Moments while the shutter is open: lines between them stand for the way.
+/// Number of time samples while the shutter is open; motion between them is linear.
 constexpr int kMoments = 9;
 
 }  // namespace
@@ -32,7 +32,7 @@ render::CameraPtr animated_camera(const building::TimeSamples& time_samples,
 }
 
 render::MotionStepPtr motion_step(building::Builder& builder, const PictureOptions& options,
-                                const shot::RenderPlan& plan) {
+                                  const shot::RenderPlan& plan) {
   const shot::Shot& shot = builder.shot();
   if (!plan.camera || !shot.animated || !options.shot_at_frame) return nullptr;
   const building::TimeSamples both = {options.shot_at_frame(shot.frame),
@@ -41,11 +41,13 @@ render::MotionStepPtr motion_step(building::Builder& builder, const PictureOptio
   step->now = plan.camera;
   step->next = render_plan(*both[1], options).camera;
   if (options.eye != 0)
-    step->now = step->now->stereo_view(options.eye), step->next = step->next->stereo_view(options.eye);
+    step->now = step->now->stereo_view(options.eye),
+    step->next = step->next->stereo_view(options.eye);
   const building::FlatScene flat = building::flatten_scene(builder, both);
   for (size_t i = 0; i < flat.objects.size(); ++i)
     if (const auto& instance = flat.objects[i].instance; instance && instance->moves())
-      step->transforms[static_cast<uint32_t>(i)] = {instance->keyframes()[0], instance->keyframes()[1]};
+      step->transforms[static_cast<uint32_t>(i)] = {instance->keyframes()[0],
+                                                    instance->keyframes()[1]};
   return step;
 }
 

@@ -35,7 +35,7 @@ const auto& find_named(const Named& items, const std::string& name, const std::s
               suggestion(name, names));
 }
 
-/// A camera that sees all of the box from a raised corner.
+/// A camera that sees the whole box from a raised corner.
 render::CameraPtr outside_camera(const Box3d& box) {
   constexpr double kFov = 45 * kPi / 180;
   const Vec3d centre = box.center();
@@ -45,7 +45,7 @@ render::CameraPtr outside_camera(const Box3d& box) {
       "perspective", {{"eye", eye}, {"target", centre}, {"fov", Number{kFov, Dimension::angle}}});
 }
 
-/// A picture from inside the rock shows its back side: hardly ever what is meant.
+/// Warns about a camera inside a solid, which is hardly ever intended.
 void warn_if_inside_solid(building::Builder& builder, const shot::RenderPlan& plan,
                           const std::vector<shot::ObjectPlan>& objects,
                           const render::Camera& camera) {
@@ -59,12 +59,12 @@ void warn_if_inside_solid(building::Builder& builder, const shot::RenderPlan& pl
   SourceLocation where = plan.where;
   for (const shot::CameraPlan& declared : builder.shot().cameras)
     if (declared.camera.get() == &camera) where = declared.where;
-  builder.warn(where, fmt::format("the camera stands inside the solid of '{}'", solid->name),
-               "move its eye into the open");
+  builder.warn(where, fmt::format("the camera is inside the solid of '{}'", solid->name),
+               "move its eye out of the solid");
 }
 
-/// Tells pictures of different scenes, cameras and renders apart; whether options name those or the
-/// scene chooses the same does not count.
+/// A hash that differs for pictures of different scenes, cameras and renders, whether these are
+/// chosen by options or by the scene.
 std::string identity(const render::Scene& scene, const shot::Shot& shot,
                      const PictureOptions& options) {
   const shot::RenderPlan plan = render_plan(shot, options);
@@ -100,8 +100,7 @@ std::string identity(const render::Scene& scene, const shot::Shot& shot,
   return hash.finish().hex();
 }
 
-/// The noise of a scene that moves is another in each frame: noise that keeps still looks like
-/// dirt.
+/// The sampling seed, different in each frame of an animated scene: static noise looks like dirt.
 uint64_t sample_seed(const shot::Shot& shot, const PictureOptions& options) {
   const uint64_t seed = options.seed.value_or(shot.seed);
   if (!shot.animated) return seed;
@@ -111,7 +110,7 @@ uint64_t sample_seed(const shot::Shot& shot, const PictureOptions& options) {
       .state();
 }
 
-/// The fault of an option, where it told what is at fault, else of the text.
+/// Attributes an error to the option that caused it, or, for an empty option, to the text.
 Error with_option(const Error& error, const std::string& option, const SourceLocation& where) {
   if (option.empty()) return error.at(where);
   return Error(error.code(), fmt::format("{}: {}", option, error.what()), {}, error.hint());
@@ -126,8 +125,8 @@ std::string view_option(const PictureOptions& options) {
   return options.display.empty() ? "--view" : "--view and --display";
 }
 
-/// How a picture is shown. A configuration that shows nothing of the space by itself is at fault
-/// itself, whatever view is asked of it.
+/// The display transform. If the default view of a configuration fails for the working space, the
+/// configuration is reported as the cause, not the requested view.
 image::ViewSelection view_selection(const shot::RenderPlan& plan, const PictureOptions& options) {
   const image::ViewSelection choice{plan.view, plan.display, options.config};
   try {
@@ -144,9 +143,9 @@ image::ViewSelection view_selection(const shot::RenderPlan& plan, const PictureO
   return choice;
 }
 
-/// Of all that the scene may have, before meshes are made of it.
+/// The AOVs that the scene may have, before its meshes are built.
 render::AovPlan early_aovs(const shot::Shot& shot, const shot::RenderPlan& plan,
-                             const PictureOptions& options) {
+                           const PictureOptions& options) {
   try {
     return loading::expected_aovs(shot, plan);
   } catch (const Error& error) {
@@ -158,8 +157,8 @@ void require_deep_supported(const PictureOptions& options, const shot::RenderPla
                             bool whole_film) {
   if (plan.deep && (whole_film || plan.noise > 0))
     throw with_option(
-        Error(ErrorCode::bad_input, "a deep picture takes all samples of a pixel at once", {},
-              "render it without noise, checkpoint, preview and parts; a crop is no matter"),
+        Error(ErrorCode::bad_input, "a deep picture needs all samples of a pixel at once", {},
+              "render it without noise, checkpoint, preview and parts; a crop is allowed"),
         options.deep ? "--deep" : "", plan.where);
 }
 
@@ -269,8 +268,8 @@ PictureJob prepare_picture(building::Builder& builder, const PictureOptions& opt
   if (options.eye != 0) {
     plan.camera = plan.camera ? plan.camera->stereo_view(options.eye) : nullptr;
     if (!plan.camera)
-      throw Error(ErrorCode::bad_input, "--eye: the camera has no views of a left and a right eye",
-                  {}, "give it the distance of the eyes: interaxial 6.5cm");
+      throw Error(ErrorCode::bad_input, "--eye: the camera is not a stereo camera", {},
+                  "set the distance of its eyes: interaxial 6.5cm");
   }
   PictureJob job;
   job.where = plan.where;
@@ -295,7 +294,8 @@ PictureJob prepare_picture(building::Builder& builder, const PictureOptions& opt
   job.output.view = view_selection(plan, options);
   require_memory(render::memory_estimate({}, render, whole_film), builder.memory_budget(),
                  fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);
-  if (render.aovs.has(render::kMotion)) render.motion_step = motion_step(builder, options, static_plan);
+  if (render.aovs.has(render::kMotion))
+    render.motion_step = motion_step(builder, options, static_plan);
   job.scene = build_scene(builder, plan, time_samples);
   try {
     render.aovs = render::scene_aovs(job.scene, plan.layers);

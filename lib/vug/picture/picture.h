@@ -50,8 +50,8 @@ image::Metadata identifying_metadata(const shot::Shot& shot, const PictureOption
 /// Whether the plan's camera is a stereo camera.
 bool is_stereo(const shot::Shot& shot, const PictureOptions& options);
 
-/// Meshes, materials, lights and air. A shot without objects shows its meshes in grey; one without
-/// lights gets a soft sky.
+/// Builds the renderer's scene: objects, lights, medium and camera. A shot without objects shows
+/// its meshes with a grey material; a shot without lights gets a uniform sky.
 render::Scene build_scene(building::Builder& builder, const shot::RenderPlan& plan,
                           const building::TimeSamples& time_samples = {});
 

@@ -40,7 +40,7 @@ std::array<float, 16> read_matrix(const std::string& text) {
   return matrix;
 }
 
-/// The denoised layer as a picture of its own.
+/// The denoised AOV as a picture of its own.
 image::Image as_colour(image::Image smooth) {
   smooth.channels = {"R", "G", "B"};
   return smooth;
@@ -53,7 +53,8 @@ void write_png(const std::filesystem::path& png, const image::Image& image,
   image::write_png(png, image, view);
 }
 
-image::ExrOptions exr_options(const OutputSettings& settings, const render::PartialRenderHeader& header) {
+image::ExrOptions exr_options(const OutputSettings& settings,
+                              const render::PartialRenderHeader& header) {
   image::ExrOptions options;
   options.half = settings.half;
   options.parts = settings.multi_part;
@@ -68,12 +69,11 @@ image::ExrOptions exr_options(const OutputSettings& settings, const render::Part
   return options;
 }
 
-/// With what the layers ask for.
+/// EXR options with the metadata and channel formats required by the AOVs.
 image::ExrOptions layered_options(const OutputSettings& settings,
                                   const render::PartialRenderHeader& header) {
   image::ExrOptions options = exr_options(settings, header);
-  for (const auto& entry : render::crypto_metadata(header.aovs))
-    options.metadata.push_back(entry);
+  for (const auto& entry : render::crypto_metadata(header.aovs)) options.metadata.push_back(entry);
   options.full_channels.insert(
       options.full_channels.end(),
       {render::kCryptoObject, render::kCryptoMaterial, render::kCryptoElement, render::kMotion});
@@ -92,7 +92,7 @@ image::Image side_by_side(const image::Image& left, const image::Image& right) {
   return out;
 }
 
-/// What denoising a view makes of it; nothing where its look does not ask for it.
+/// The results of denoising a view; empty if its settings do not request it.
 struct DenoisedView {
   std::optional<image::Image> layers, shown;
 };
@@ -108,7 +108,7 @@ std::vector<DenoisedView> denoise_views(const std::vector<PictureView>& views) {
   return out;
 }
 
-/// Of each view: its name in files, "left" and "right" of two.
+/// The name of a view in files: "left" or "right" for stereo pictures, else empty.
 std::string view_name(const std::vector<PictureView>& views, size_t i) {
   return views.size() == 1 ? "" : i == 0 ? "left" : "right";
 }
@@ -212,14 +212,14 @@ void write_picture_file(const std::filesystem::path& file, const std::vector<Pic
   const std::string name = file.filename().string(), extension = extension_of(file);
   if (extension == ".png") return write_png_views(file, views, denoise_views(views));
   if (extension != ".exr")
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no name for a picture", file.string()),
-                {}, "end it in .exr for all layers, or in .png for what an eye sees");
+    throw Error(ErrorCode::bad_input, fmt::format("invalid picture name '{}'", file.string()), {},
+                "use the extension .exr for all layers, or .png for the displayed picture");
   constexpr std::string_view kDeep = ".deep.exr";
   if (name.size() < kDeep.size() || name.substr(name.size() - kDeep.size()) != kDeep)
     return write_layers(file, views, denoise_views(views));
   if (!has_deep(views))
-    throw Error(ErrorCode::bad_input, "the picture was not rendered deep", {},
-                "ask for a deep picture when it is rendered");
+    throw Error(ErrorCode::bad_input, "the picture has no deep image", {},
+                "request a deep picture when rendering it");
   write_deep(file, views);
 }
 

@@ -15,29 +15,29 @@ bool whole(const render::RenderSlice& slice) {
 
 void require_fit(const RenderOptions& options) {
   if (!whole(options.slice) && options.part.empty())
-    throw Error(ErrorCode::bad_input, "a part of a picture is no picture yet", {},
-                "name a file for it with --part, and put all parts together with vug merge");
+    throw Error(ErrorCode::bad_input, "a partial render needs a file of its own", {},
+                "name the file with --part, and combine all parts with vug merge");
   if (options.resume && options.checkpoint.empty())
     throw Error(ErrorCode::bad_input, "there is nothing to resume from", {},
                 "name the file with --checkpoint");
   if (!options.checkpoint.empty() && !options.resume && fs::exists(options.checkpoint))
     throw Error(ErrorCode::bad_input,
-                fmt::format("the checkpoint '{}' is there already", options.checkpoint.string()),
-                {}, "go on from it with --resume, or remove it");
+                fmt::format("the checkpoint '{}' already exists", options.checkpoint.string()), {},
+                "continue from it with --resume, or remove it");
 }
 
-/// How to go on after a stop.
+/// A hint on how to continue after a stop.
 std::string resume_hint(const RenderOptions& options, const render::RenderState& state) {
-  return fmt::format("'{}' keeps what is done, {:.1f} %; {} goes on from it",
+  return fmt::format("'{}' contains the work so far, {:.1f} %; {} continues from it",
                      options.checkpoint.string(), std::floor(1000 * state.fraction()) / 10,
                      options.resume ? "the same command" : "the same command with --resume");
 }
 
-/// The state to begin with: that of the checkpoint, or an empty one.
+/// The initial state: that of the checkpoint, or an empty one.
 render::RenderState initial_state(const PictureJob& job, const RenderOptions& options) {
   render::RenderState state = render::begin_render(job.options, options.slice);
   if (!options.resume || !fs::exists(options.checkpoint)) return state;
-  constexpr const char* kAnew = "remove it to begin anew";
+  constexpr const char* kAnew = "remove it to start again";
   const auto read = [&] {
     try {
       return render::read_partial_render(options.checkpoint, "checkpoint");
@@ -49,7 +49,7 @@ render::RenderState initial_state(const PictureJob& job, const RenderOptions& op
   render::PartialRender kept = read();
   const auto refuse = [&](const std::string& what) {
     return Error(ErrorCode::bad_input,
-                 fmt::format("the checkpoint '{}' is of another picture: {}",
+                 fmt::format("the checkpoint '{}' belongs to another picture: {}",
                              options.checkpoint.string(), what),
                  {}, kAnew);
   };
@@ -72,14 +72,17 @@ RenderResult render_picture(building::Builder& builder, const RenderOptions& opt
   render::RenderCallbacks callbacks;
   const double memory = static_cast<double>(resident_memory()) +
                         render::memory_estimate(job.scene, job.options, kept);
-  if (options.estimate) callbacks.estimate = [&](double seconds) { options.estimate(seconds, memory); };
+  if (options.estimate)
+    callbacks.estimate = [&](double seconds) { options.estimate(seconds, memory); };
   callbacks.invalid_samples = [&](uint64_t refused, uint64_t cut) {
     if (refused > 0)
-      builder.warn(job.where, fmt::format("{} samples were no number and left out", refused),
-                   "a material or a light gives values that are none");
+      builder.warn(job.where,
+                   fmt::format("{} samples were NaN or infinite and were discarded", refused),
+                   "a material or a light returns invalid values");
     if (cut > 0)
-      builder.warn(job.where, fmt::format("{} samples were cut to {:.0f}", cut, render::kMaxLight),
-                   "a light is brighter than pictures can hold");
+      builder.warn(job.where,
+                   fmt::format("{} samples were clamped to {:.0f}", cut, render::kMaxLight),
+                   "a light exceeds the range of pictures");
   };
   if (!kept) {
     image::DeepImage* deep = job.options.deep ? &rendered.deep.emplace() : nullptr;

@@ -12,7 +12,7 @@ std::vector<RenderResult> render_views(building::Builder& builder, const RenderO
     return {render_picture(builder, options)};
   if (!options.part.empty() || !options.checkpoint.empty())
     throw Error(ErrorCode::bad_input,
-                "a picture of two views has no checkpoint and is not made of parts", {},
+                "a stereo picture cannot have a checkpoint or be rendered in parts", {},
                 "render one view at a time: --eye left, then --eye right");
   std::vector<RenderResult> views;
   for (const int eye : {-1, 1}) {
@@ -37,7 +37,7 @@ void warn_of_exposure(const building::Builder& builder, const RenderResult& pict
   const double exposure = settings.exposure;
   const std::optional<double> grey = image::grey_exposure(*picture.image, settings.space);
   if (grey && std::fabs(*grey - exposure) <= kOff) return;
-  // A light in a dark room makes no bright picture: most of it has to be.
+  // A single light in a dark room is no reason to warn: most of the picture must be bright.
   const double bright = 0.18 * std::exp2(kOff - exposure);
   if (grey && *grey < exposure &&
       image::fraction_above(*picture.image, bright, settings.space) < 0.5)
@@ -46,8 +46,8 @@ void warn_of_exposure(const building::Builder& builder, const RenderResult& pict
                !grey              ? "no light reaches the picture"
                : *grey > exposure ? "the picture is very dark"
                                   : "the picture is very bright",
-               grey ? fmt::format("--exposure {:.1f} would show its middle as grey", *grey)
-                    : "put a light where the camera looks, or a sky behind an opening");
+               grey ? fmt::format("--exposure {:.1f} would show its middle tones as grey", *grey)
+                    : "add a light in view of the camera, or a sky behind an opening");
 }
 
 }  // namespace vug::picture

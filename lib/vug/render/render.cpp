@@ -31,7 +31,7 @@ image::Image render(const Scene& scene, const Options& options, Progress& progre
   if (options.threads > 0) limit.emplace(options.threads);
   if (options.noise > 0 || callbacks.pass || callbacks.save) {
     if (deep)
-      throw Error(ErrorCode::bad_input, "a deep picture takes all samples of a pixel at once", {},
+      throw Error(ErrorCode::bad_input, "a deep picture needs all samples of a pixel at once", {},
                   "render it without noise, checkpoint and preview");
     RenderState state = begin_render(options);
     continue_render(scene, options, state, callbacks, progress);

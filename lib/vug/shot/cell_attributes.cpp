@@ -16,12 +16,12 @@ cells::Simulation few_cells() {
   return cells::Simulation(few, RandomKey(0));
 }
 
-/// What rules bring they tell by doing it, on a few cells.
+/// Runs the rules on a few cells to find out which attributes they create.
 class TrialRun {
  public:
   explicit TrialRun(const CellsPlan& plan) : cells_(few_cells()) {
     for (const CellStagePtr& stage : plan.run) step(*stage);
-    // Again, now that each finds what later ones bring.
+    // A second run, in which rules find the attributes of later rules.
     faults_.clear();
     for (const CellStagePtr& stage : plan.run) step(*stage);
   }
@@ -54,7 +54,7 @@ class TrialRun {
   std::vector<std::pair<SourceLocation, Error>> faults_;
 };
 
-/// What is wrong with a name that files are to carry; empty where nothing is.
+/// Describes why a name cannot be used in files; empty if it can.
 std::string fault_of_name(const std::string& name) {
   static const std::set<std::string> kept = {
       "x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "alpha", "id", "pscale", "object"};
@@ -63,7 +63,7 @@ std::string fault_of_name(const std::string& name) {
       std::isdigit(static_cast<unsigned char>(name[0])) || name.size() > 100)
     return fmt::format("'{}' cannot be the name of an attribute", name);
   if (kept.count(name) > 0)
-    return fmt::format("cells cannot bring an attribute '{}', which files use for their own", name);
+    return fmt::format("cells cannot create an attribute '{}': files reserve this name", name);
   return "";
 }
 
@@ -78,36 +78,36 @@ void resolve_attribute_names(CellsPlan& plan, Diagnostics& diagnostics) {
   const TrialRun trial_run(plan);
   trial_run.report(diagnostics);
   const std::vector<std::string> known = trial_run.names();
-  std::set<std::string> named, told;
-  const auto look = [&](const std::string& name, const SourceLocation& where) {
+  std::set<std::string> named, reported;
+  const auto check = [&](const std::string& name, const SourceLocation& where) {
     named.insert(name);
     if (std::find(known.begin(), known.end(), name) != known.end()) return;
-    if (!plan.from.empty()) return;  // points may carry it
-    if (!told.insert(to_string(where) + name).second) return;
+    if (!plan.from.empty()) return;  // the points may provide it
+    if (!reported.insert(to_string(where) + name).second) return;
     diagnostics.error(where,
-                      fmt::format("no rule of '{}' brings an attribute '{}'", plan.name, name),
+                      fmt::format("no rule of '{}' creates an attribute '{}'", plan.name, name),
                       suggestion(name, known));
   };
   for (const CellStagePtr& stage : plan.run) {
     paint::AttributeUses uses = stage->rule->mask_attributes();
     if (stage->where)
       uses.insert(uses.end(), stage->where->uses().begin(), stage->where->uses().end());
-    for (const paint::AttributeUse& use : uses) look(use.attribute, use.where);
-    // Of a rule that names one itself the text has only the rule's place.
+    for (const paint::AttributeUse& use : uses) check(use.attribute, use.where);
+    // For names inside a rule, only the location of the rule is known.
     cells::Simulation alone = few_cells();
     try {
       alone.run({{stage->rule, stage->name, 0, 1}}, 1);
-    } catch (const Error&) {  // told above
+    } catch (const Error&) {  // reported above
     }
     for (const auto& [name, needed] : alone.requested_attributes()) {
       named.insert(name);
-      if (needed) look(name, stage->location);
+      if (needed) check(name, stage->location);
     }
   }
   plan.attribute_names = known;
   for (const std::string& name : known)
     if (const std::string fault = fault_of_name(name); !fault.empty())
-      diagnostics.error(plan.where, fault, "letters, digits and _ that do not begin with a digit");
+      diagnostics.error(plan.where, fault, "use letters, digits and _, without a leading digit");
   for (const std::string& name : context_attribute_names())
     if (named.count(name) > 0 && !trial_run.creates(name)) plan.context_attributes.push_back(name);
 }

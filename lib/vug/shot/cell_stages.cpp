@@ -12,16 +12,15 @@ constexpr int kMaxSteps = 1000000;
 Schema<CellStage> stage_schema(const std::string& rule) {
   Schema<CellStage> s(rule, "rule");
   s.param("begin", &CellStage::begin,
-          {.doc = "its first step; the run begins with 0", .min = 0, .max = kMaxSteps})
+          {.doc = "first step, counted from 0", .min = 0, .max = kMaxSteps})
       .param("steps", &CellStage::steps,
-             {.doc = "how many steps it works for; to the end of the run if not given, a rule for "
-                     "a single step one",
+             {.doc = "number of steps; default: to the end of the run, or 1 for rules that act "
+                     "once",
               .min = 1,
               .max = kMaxSteps})
       .param("where", &CellStage::where,
-             {.doc = "the cells that it may rewrite: each with the chance that the mask gives; "
-                     "asked anew in "
-                     "each step where it looks at attributes"});
+             {.doc = "mask that gives the probability of rewriting each cell; evaluated in each "
+                     "step if it reads attributes"});
   return s;
 }
 

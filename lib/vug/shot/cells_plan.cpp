@@ -11,7 +11,7 @@ const std::vector<std::string>& cell_files() {
 
 int CellsPlan::length() const {
   if (steps) return *steps;
-  constexpr int kOpenEnd = 100;  // for rules that work to the end
+  constexpr int kOpenEnd = 100;  // for rules without an end
   int last = 0;
   for (const CellStagePtr& stage : run)
     last = std::max(last, stage->begin + (stage->span() < 0 ? kOpenEnd : stage->span()));
@@ -26,7 +26,7 @@ std::string CellsPlan::fault() const {
   const std::vector<std::string>& known = cell_files();
   for (const std::string& each : files)
     if (std::find(known.begin(), known.end(), each) == known.end())
-      return "'" + each + "' is no file of cells";
+      return "unknown file of cells '" + each + "'";
   return {};
 }
 

@@ -10,33 +10,34 @@ const Schema<LSystemBlock>& lsystem_schema() {
     using Options = lsystem::TurtleOptions;
     Schema<LSystemBlock> s("lsystem", "declaration");
     s.doc(
-         "Words that rules rewrite and a turtle draws: grammar NAME: lsystem { axiom ...  MODULE "
-         "-> "
-         "MODULES ... }.")
+         "An L-system, whose words are rewritten by rules and drawn by a turtle: grammar NAME: "
+         "lsystem { axiom ...  MODULE -> MODULES ... }.")
         .cite("prusinkiewicz1990");
     lsystem::describe_system(s);
     s.param("angle", &Options::angle,
-            {.doc = "of + - & ^ / \\ without a parameter", .dimension = Dimension::angle})
+            {.doc = "angle of + - & ^ / \\ without a parameter", .dimension = Dimension::angle})
         .param("step", &Options::step, positive_length("of F, G and f without a parameter"))
         .param("width", &Options::width,
                {.doc = "diameter of stems until ! or F says otherwise",
                 .dimension = Dimension::length,
                 .min = 0})
         .param("thinner", &Options::thinner,
-               {.doc = "what ! without a parameter multiplies the width by", .min = 0})
-        .param("tropism", &Options::tropism, {.doc = "what stems turn to: (0, -1, 0) is down"})
-        .param("elasticity", &Options::elasticity,
-               {.doc = "how much: radians of turn for each F that is square to the tropism"})
+               {.doc = "factor of the width for ! without a parameter", .min = 0})
+        .param("tropism", &Options::tropism,
+               {.doc = "direction that stems bend towards: (0, -1, 0) is down"})
+        .param(
+            "elasticity", &Options::elasticity,
+            {.doc = "strength of the tropism: radians of rotation for each F perpendicular to it"})
         .param("guides", &Options::guides, {.doc = "curves that guide(0), guide(1), ... follow"})
         .param("instances", &Options::instances,
-               {.doc = "symbols that set a thing where the turtle is, such as leaf"})
+               {.doc = "symbols that place an instance at the turtle, such as leaf"})
         .param("smooth", &Options::smooth,
-               {.doc = "bend of a guide between two cross-sections, at most",
+               {.doc = "maximum bend of a guide between two cross-sections",
                 .dimension = Dimension::angle,
                 .min = 0.001,
                 .max = 1})
         .param("field", &LSystemBlock::field,
-               {.doc = "the solid whose distance and gradient ?D(d, x, y, z) asks for"});
+               {.doc = "the solid whose distance and gradient ?D(d, x, y, z) returns"});
     return s;
   }();
   return schema;

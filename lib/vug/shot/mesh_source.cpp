@@ -14,8 +14,8 @@ mesh::Mesh mesh_from_source(const MeshSource& drawn, double tolerance) {
   if (drawn.polygons) return flora::polygon_mesh(*drawn.polygons->drawing());
   const std::vector<flora::Tube> tubes = flora::tubes_of(drawn.stems);
   if (tubes.empty() && !drawn.stems.bounds().isEmpty())
-    throw Error(ErrorCode::bad_input, "this solid is not made of stems alone", {},
-                "a mesh of any solid: volume NAME = level_set(...), mesh NAME on VOLUME");
+    throw Error(ErrorCode::bad_input, "this solid does not consist of stems only", {},
+                "for other solids: volume NAME = level_set(...), mesh NAME on VOLUME");
   flora::MeshOptions options;
   options.tolerance = tolerance;
   return flora::swept_mesh(tubes, options);

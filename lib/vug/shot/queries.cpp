@@ -10,7 +10,7 @@
 namespace vug::shot {
 namespace {
 
-/// `how` is an example of what declares one.
+/// `how`: an example declaration for the hint.
 template <class Plans>
 typename Plans::value_type find_named(const Plans& plans, const std::string& name,
                                       const std::string& what, const std::string& how) {

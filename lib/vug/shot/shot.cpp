@@ -3,7 +3,7 @@
 namespace vug::shot {
 namespace {
 
-/// Calls with each list of both: the one place that names them all.
+/// Calls `with` for each pair of lists; the only enumeration of all lists.
 template <class A, class B, class With>
 void with_lists(A& a, B& b, const With& with) {
   with(a.volumes, b.volumes);

@@ -17,13 +17,13 @@ const Kinds<VolumePtr>& volume_kinds() {
 }
 
 std::string VolumePlan::fault() const {
-  if (from.has_value() != to.has_value()) return "'from' and 'to' are given together";
+  if (from.has_value() != to.has_value()) return "'from' and 'to' must be given together";
   const Box3d& bounds = field.bounds();
   if (!from && !bounds.isEmpty() && !is_finite(bounds))
-    return "a solid without an end needs 'from' and 'to', or a box to be cut to";
+    return "an unbounded solid needs 'from' and 'to', or a box to clip it";
   if (!from) return {};
   for (int axis = 0; axis < 3; ++axis)
-    if ((*from)[axis] >= (*to)[axis]) return "'to' must lie above 'from' on every axis";
+    if ((*from)[axis] >= (*to)[axis]) return "'to' must be greater than 'from' on every axis";
   return {};
 }
 
@@ -35,8 +35,8 @@ Schema<VolumePlan> volume_schema(std::string name, std::string doc) {
       .param("half_width", &VolumePlan::half_width,
              {.doc = "voxels kept on each side of the surface", .min = 3, .max = 100})
       .param("half", &VolumePlan::half, {.doc = "store 16-bit floats"})
-      .param("from", &VolumePlan::from, any_length("lowest corner of the region that is kept"))
-      .param("to", &VolumePlan::to, any_length("highest corner of the region that is kept"));
+      .param("from", &VolumePlan::from, any_length("lowest corner of the region to keep"))
+      .param("to", &VolumePlan::to, any_length("highest corner of the region to keep"));
   return s;
 }
 

@@ -84,8 +84,8 @@ TEST_F(CellFiles, ARunThatIsStoppedGoesOnToTheSameBytes) {
       EXPECT_EQ(error.code(), ErrorCode::cancelled);
       EXPECT_EQ(
           error.hint(),
-          fmt::format("'{}' keeps what is done, {} of 1000 steps of 'crust'; the same "
-                      "command{} goes on from it",
+          fmt::format("'{}' contains the work so far, {} of 1000 steps of 'crust'; the same "
+                      "command{} continues from it",
                       checkpoint(false).file.string(), stop, stop == 300 ? " with --resume" : ""));
     }
   }
@@ -119,8 +119,8 @@ TEST_F(CellFiles, ACheckpointOfAnotherSceneIsRefused) {
     building::CellsCheckpoint(checkpoint(true), other.shot);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("is of another scene"), std::string::npos);
-    EXPECT_EQ(error.hint(), "remove it to begin anew");
+    EXPECT_NE(std::string(error.what()).find("belongs to another scene"), std::string::npos);
+    EXPECT_EQ(error.hint(), "remove it to start again");
   }
 }
 
@@ -188,7 +188,7 @@ TEST_F(CellFiles, PointsOfAFileGoOn) {
     made(off);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("cannot go on from '", 0), 0u) << error.what();
+    EXPECT_EQ(std::string(error.what()).rfind("cannot continue from '", 0), 0u) << error.what();
     EXPECT_NE(std::string(error.what()).find(" points, but "), std::string::npos);
     EXPECT_EQ(error.where().line, 3);
   }
@@ -234,7 +234,7 @@ TEST_F(CellFiles, UnknownFilesAreRefused) {
   const loading::Loaded scene = loading::load_text(
       kBall + "cells crust on wall { spacing 20cm  run maze  files [\"obj\"] }\n", "a.vug");
   EXPECT_FALSE(scene.usable());
-  EXPECT_NE(scene.report().find("'obj' is no file of cells"), std::string::npos) << scene.report();
+  EXPECT_NE(scene.report().find("unknown file of cells 'obj'"), std::string::npos) << scene.report();
 }
 
 }  // namespace

@@ -153,7 +153,7 @@ TEST(GrovePlaces, WhyNoneStands) {
   const std::string square = "polygon: [(30, 30), (39, 30), (39, 39), (30, 39)], count: 20";
   const auto hint = [&](const std::string& more) {
     const std::string said = told(square + more);
-    EXPECT_NE(said.find("t.vug:10:7: warning: 'p' stands nowhere"), std::string::npos) << said;
+    EXPECT_NE(said.find("t.vug:10:7: warning: 'p' has no instances"), std::string::npos) << said;
     return said.substr(std::min(said.find("hint: "), said.size()));
   };
   EXPECT_EQ(hint(", on: hill"), "hint: of its points, 20 without ground below\n");
@@ -191,7 +191,7 @@ TEST(GrovePlaces, FaultsAreToldWithTheirPlace) {
   EXPECT_NE(faults(square + ", distribution: paper(weights: [0, 0])").find("the smaller one first"),
             std::string::npos);
   EXPECT_NE(
-      faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]").find("thing number"),
+      faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]").find("model number"),
       std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]")
                 .find("hint: they are counted from 0, in the order of 'of'"),

@@ -229,12 +229,12 @@ TEST(Plants, QueriesThatNobodyAnswers) {
   const auto report = [](const std::string& block) {
     return loaded("grammar g: lsystem {\n" + block + "\n}\n").report();
   };
-  EXPECT_NE(report(" axiom ?Z(1)").find("t.vug:2:8: error: there is no query '?Z'"),
+  EXPECT_NE(report(" axiom ?Z(1)").find("t.vug:2:8: error: unknown query '?Z'"),
             std::string::npos);
-  EXPECT_NE(report(" axiom A\n A > ?Z(x) -> A").find("t.vug:3:6: error: there is no query '?Z'"),
+  EXPECT_NE(report(" axiom A\n A > ?Z(x) -> A").find("t.vug:3:6: error: unknown query '?Z'"),
             std::string::npos);
   const std::string nowhere = report(" axiom ?D(1, 0, 0, 0) ?D(1, 0, 0, 0)");
-  EXPECT_EQ(nowhere.find("t.vug:2:8: warning: '?D' asks how far the 'field' is"), 0u) << nowhere;
+  EXPECT_EQ(nowhere.find("t.vug:2:8: warning: '?D' queries the distance to the 'field'"), 0u) << nowhere;
   EXPECT_EQ(nowhere.find("warning", 20), std::string::npos);
   EXPECT_EQ(report(" field sphere(1m)\n axiom ?D(1, 0, 0, 0)"), "");
 }
@@ -258,7 +258,7 @@ TEST(Plants, WordsKeepWithinMemory) {
 
 TEST(Plants, FaultsAreToldWhereTheyAre) {
   const auto report = [](const std::string& text) { return loaded(text).report(); };
-  EXPECT_NE(report(kTwig + "mesh no { of sphere(1m) }\n").find("not made of stems"),
+  EXPECT_NE(report(kTwig + "mesh no { of sphere(1m) }\n").find("does not consist of stems"),
             std::string::npos);
   EXPECT_NE(report(kTwig + "mesh no { of twig }\n").find("draws no polygons"), std::string::npos);
   EXPECT_NE(report(kTwig + "place no { of thing  at instances(of: twig, name: \"bug\") }\n")

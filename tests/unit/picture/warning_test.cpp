@@ -37,10 +37,10 @@ const std::string kRoom =
 TEST(Warning, ACameraInsideOfRock) {
   const std::string report = told(kRoom + "camera main { eye (2.5, 0, 0) }\n");
   EXPECT_EQ(report,
-            "t.vug:2:8: warning: the camera stands inside the solid of 'rock'\n"
+            "t.vug:2:8: warning: the camera is inside the solid of 'rock'\n"
             "camera main { eye (2.5, 0, 0) }\n"
             "       ^\n"
-            "hint: move its eye into the open\n");
+            "hint: move its eye out of the solid\n");
   EXPECT_EQ(told(kRoom + "camera main { eye (1, 0, 0) }\n"), "");
   EXPECT_EQ(told(kRoom + "camera main { eye (9, 0, 0) }\n"), "");
   EXPECT_EQ(told(kRoom), "") << "the camera that looks from outside";
@@ -50,7 +50,7 @@ TEST(Warning, OnlyTheCameraAndTheObjectsOfThePictureCount) {
   const std::string cameras = "camera out { eye (9, 0, 0) }\ncamera inside { eye (2.5, 0, 0) }\n";
   EXPECT_EQ(told(kRoom + cameras), "");
   EXPECT_EQ(lines(told(kRoom + cameras + "render main { camera inside }\n"), "t.vug:"),
-            "t.vug:3:8: warning: the camera stands inside the solid of 'rock'\n");
+            "t.vug:3:8: warning: the camera is inside the solid of 'rock'\n");
   const std::string shown =
       "volume ball = level_set(sphere(1m), voxel: 20cm)\n"
       "mesh wall on ball {}\nobject all on wall {}\n";
@@ -60,7 +60,7 @@ TEST(Warning, OnlyTheCameraAndTheObjectsOfThePictureCount) {
 TEST(Warning, AnEmptyGrid) {
   const auto hint = [](const std::string& volume) {
     const std::string report = told("volume rock = " + volume + "\n");
-    EXPECT_EQ(lines(report, "t.vug:"), "t.vug:1:8: warning: the volume 'rock' comes out empty\n");
+    EXPECT_EQ(lines(report, "t.vug:"), "t.vug:1:8: warning: the volume 'rock' is empty\n");
     return lines(report, "hint: ");
   };
   EXPECT_EQ(hint("level_set(sphere(1m) & sphere(1m).translate((9, 0, 0)), voxel: 10cm)"),
@@ -79,10 +79,10 @@ TEST(Warning, AGrammarThatGrowsNothing) {
            "volume rock = level_set(box() + cave, voxel: 20cm)\n";
   };
   EXPECT_EQ(lines(told(grammar("Room*N")), "t.vug:"),
-            "t.vug:2:9: warning: the grammar 'cave' grows nothing\n");
+            "t.vug:2:9: warning: the grammar 'cave' produces nothing\n");
   EXPECT_EQ(lines(told(grammar("Room")), "t.vug:"),
             "t.vug:2:9: warning: 'Room' at cave/Room[0] was never expanded to a production\n"
-            "t.vug:2:9: warning: the grammar 'cave' grows nothing\n");
+            "t.vug:2:9: warning: the grammar 'cave' produces nothing\n");
   EXPECT_EQ(told(grammar("+ sphere(1m) Room*N")), "");
 }
 

@@ -59,7 +59,7 @@ bool are_files(const scene::ExprPtr& expr, Diagnostics& diagnostics) {
   if (expr->kind == scene::ExprKind::text &&
       std::find(known.begin(), known.end(), expr->text) == known.end()) {
     fine = false;
-    diagnostics.error(expr->where, "'" + expr->text + "' is no file of cells",
+    diagnostics.error(expr->where, "unknown file of cells '" + expr->text + "'",
                       suggestion(expr->text, known));
   }
   for (const scene::Operand& operand : expr->operands)
@@ -131,7 +131,7 @@ std::vector<shot::MeshPtr> supports(const scene::Declaration& declaration, ReadC
       for (const shot::MeshPtr& other : all)
         if (*part == *other) {
           context.diagnostics.error(declaration.target_at(i).where,
-                                    "'" + part->name + "' is there already", "name it once");
+                                    "'" + part->name + "' is listed twice", "list it once");
           return {};
         }
       all.push_back(part);

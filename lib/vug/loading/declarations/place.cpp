@@ -135,8 +135,7 @@ std::optional<Error> misfit(const shot::PointInstancer& plan,
     if (numbered && numbered->last_model >= count)
       return refuse(
           "at",
-          fmt::format("a place asks for thing number {}, but the last of '{}' is "
-                      "number {}",
+          fmt::format("an instance uses model number {}, but the last model of '{}' is number {}",
                       numbered->last_model, declaration.name, count - 1),
           "they are counted from 0, in the order of 'of'; a grove's 'diameters' have one each");
   }
