@@ -40,7 +40,7 @@ class BvhBuilder {
     const BuildNode* const* end() const { return nodes.data() + count; }
   };
 
-  /// The same tree on every machine. Throws as EmbreeDevice::check does.
+  /// Builds the same tree on every machine. Throws as EmbreeDevice::check does.
   explicit BvhBuilder(std::vector<RTCBuildPrimitive> boxes);
 
   /// Null without boxes.

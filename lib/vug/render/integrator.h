@@ -38,7 +38,7 @@ struct TrainingContext {
   const Camera& camera;
   const Sampler& sampler;
   float aspect = 1;      ///< Width over height.
-  uint64_t samples = 0;  ///< Of the whole picture.
+  uint64_t samples = 0;  ///< Number for the whole picture.
   uint64_t seed = 0;
 
   /// The id of sample `index` out of `count`; `salt` separates independent uses of random numbers.

@@ -29,7 +29,7 @@ class PreparedScene {
  public:
   /// Keeps references to the scene's meshes. Throws as `render` does.
   explicit PreparedScene(const Scene& scene);
-  /// The same geometry with additional lights.
+  /// Shares the geometry of `other` and adds lights.
   PreparedScene(const PreparedScene& other, const Scene& scene, const std::vector<LightPtr>& more);
   ~PreparedScene();
   PreparedScene(const PreparedScene&) = delete;

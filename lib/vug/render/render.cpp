@@ -15,9 +15,9 @@ namespace {
 /// Peak memory of the BVH and its construction per triangle: 127, 109 and 105 bytes were measured
 /// for 10^5, 10^6 and 5 10^6 triangles of a wavy ball (growth of the resident set); plus its
 /// corners.
-constexpr double kTreeBytes = 125 + 36;
-/// The same for a mesh in the WideBvh: 86 bytes with 4 10^6 triangles.
-constexpr double kStillBytes = 110;
+constexpr double kEmbreeBytes = 125 + 36;
+/// Bytes per triangle of a mesh in the WideBvh: 86 were measured with 4 10^6 triangles.
+constexpr double kWideBvhBytes = 110;
 /// A brick of a level set in Embree's BVH.
 constexpr double kBrickBytes = 200;
 /// An instance in Embree's scene and in the list of objects.
@@ -76,9 +76,9 @@ double memory_estimate(const Scene& scene, const Options& options, bool whole_fi
     if (!object.mesh) continue;
     if (object.instance && !shared.insert(object.mesh.get()).second) continue;
     bytes += static_cast<double>(sizeof(Vec3f) * object.mesh->positions.size());
-    const bool still = !object.instance && !(object.material && object.material->cut_out());
-    bytes +=
-        (still ? kStillBytes : kTreeBytes) * static_cast<double>(object.mesh->triangles.size());
+    const bool in_wide_bvh = !object.instance && !(object.material && object.material->cut_out());
+    bytes += (in_wide_bvh ? kWideBvhBytes : kEmbreeBytes) *
+             static_cast<double>(object.mesh->triangles.size());
   }
   return bytes;
 }

@@ -56,8 +56,8 @@ struct RenderCallbacks {
   /// Seconds between saves; none: one hundred times the duration of the last save, clamped to two
   /// to five minutes.
   std::optional<double> save_every = std::nullopt;
-  /// At the end, if any samples were invalid: the number of samples discarded because they were NaN
-  /// or infinite, and of samples clamped to kMaxLight.
+  /// At the end, if any samples were invalid: the number of samples that were discarded as NaN or
+  /// infinite, and of samples clamped to kMaxLight.
   std::function<void(uint64_t invalid, uint64_t clamped)> invalid_samples = nullptr;
 };
 

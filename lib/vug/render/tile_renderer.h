@@ -10,8 +10,8 @@
 
 namespace vug::render {
 
-/// Renders tiles: samples are independent of each other, so any thread may render any of them with
-/// the same result.
+/// Renders tiles. Samples are independent of each other, so any thread may render any of them, with
+/// identical results.
 class TileRenderer {
  public:
   /// Keeps references to the scene and the options. Throws as `render` does. The constructor builds

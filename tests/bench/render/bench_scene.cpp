@@ -15,7 +15,7 @@ using nlohmann::json;
 
 Vec3d vector(const json& j) { return {j[0].get<double>(), j[1].get<double>(), j[2].get<double>()}; }
 
-/// Positions and triangles of the plain binary PLY the bench makes; other readers live in mesh.
+/// Reads the binary PLY files of the bench; the general reader is in mesh.
 mesh::MeshPtr read_ply(const std::filesystem::path& path) {
   const std::string bytes = read_text(path);
   const size_t body = bytes.find("end_header\n") + 11;

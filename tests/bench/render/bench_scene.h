@@ -1,4 +1,4 @@
-// The reference caves: JSON beside binary PLY, so that other renderers can read them, too.
+// The reference caves: JSON with binary PLY files, so that other renderers can read them.
 #pragma once
 
 #include <vug/render/scene.h>
@@ -8,11 +8,11 @@
 
 namespace vug::bench {
 
-/// `mesh_file` and `sky` ("r,g,b") replace the scene's when not empty.
+/// `mesh_file` and `sky` ("r,g,b") replace those of the scene unless they are empty.
 render::Scene read_scene(const std::filesystem::path& path, const std::string& mesh_file = "",
                          const std::string& sky = "", bool lamps = true, bool portals = false);
 
-/// So many small balls of together 20 W, anywhere in the box of the first object.
+/// Adds this many small spheres of 20 W in total, anywhere in the box of the first object.
 void add_lights(render::Scene& scene, int count);
 
 }  // namespace vug::bench

@@ -1,11 +1,11 @@
-// Renders a bench scene (JSON beside a binary PLY) and prints samples per second: the same
-// scenes are rendered by Cycles for comparison, see docs/performance.md.
+// Renders a bench scene (JSON with a binary PLY) and prints samples per second. Cycles renders the
+// same scenes for comparison, see docs/performance.md.
 //   bench_cave [SCENE.json OUT.exr] [--size WxH] [--spp N] [--threads N] [--seed N] [--portal]
 //              [--mesh FILE.ply] [--sky R,G,B] [--no-lamps] [--lamps N] [--bounces N]
 //              [--noise PART] [--guide HOW] [--roulette HOW] [--light-samples N]
 //              [--light-sampler HOW]
-// Without a scene it takes the reference cave of the bench data, which is no part of this
-// repository (-DVUG_BENCH_DATA=FOLDER), and skips where there is none.
+// Without a scene it uses the reference cave of the bench data, which are not part of this
+// repository (-DVUG_BENCH_DATA=FOLDER), and skips if they are missing.
 #include "bench_scene.h"
 
 #include <vug/base/error.h>
@@ -31,24 +31,23 @@ int main(int argc, char** argv) {
   double haze = 0;
   int lamps = 0;
   app.add_option("scene", file);
-  app.add_option("out", out, "EXR; default: the picture is not kept");
+  app.add_option("out", out, "EXR file; by default, the picture is discarded");
   app.add_option("--size", size);
   app.add_option("--spp", options.spp);
   app.add_option("--threads", options.threads);
   app.add_option("--seed", options.seed);
   app.add_option("--bounces", options.max_bounces);
-  app.add_option("--noise", options.noise, "blocks with less get no more samples");
+  app.add_option("--noise", options.noise, "tiles below this noise get no more samples");
   app.add_option("--mesh", mesh_file);
   app.add_option("--sky", sky);
   app.add_option("--haze", haze);
-  app.add_option("--lamps", lamps, "so many small balls of together 20 W, anywhere in the box");
+  app.add_option("--lamps", lamps, "this many small spheres of 20 W in total, anywhere in the box");
   app.add_flag("--portal", portal);
-  app.add_flag("!--no-openings", options.openings, "leave the sky to chance where no portal is");
-  app.add_flag("!--no-bright-edges", options.bright_edges,
-               "no more camera rays where what shines ends");
+  app.add_flag("!--no-openings", options.openings, "no automatic portals");
+  app.add_flag("!--no-bright-edges", options.bright_edges, "no extra camera rays at bright edges");
   app.add_option("--guide", guide, "auto, on or off");
   app.add_option("--roulette", roulette, "worth, throughput or off");
-  app.add_option("--light-samples", light_samples, "lights the first surface looks at");
+  app.add_option("--light-samples", light_samples, "lights sampled at the first surface");
   app.add_option("--light-sampler", light_sampler, "tree or uniform");
   app.add_flag("--no-lamps", no_lamps);
   CLI11_PARSE(app, argc, argv);

@@ -1,5 +1,5 @@
-// A heavy scene: 40 million triangles of their own and 2,000 instances of stones. Tells what memory
-// and time were promised before, and what they were.
+// A large scene: 40 million triangles in world space and 2,000 instances of stones. Prints the
+// estimated memory and time, and the actual ones.
 //   bench_crowd [millions of triangles] [instances] [samples per pixel]
 #include "../peak_memory.h"
 
@@ -25,7 +25,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A square of hills of 2 n^2 triangles, 40 m across.
+/// A square of hills with 2 n^2 triangles, 40 m wide.
 mesh::MeshPtr hills(size_t n, float height) {
   mesh::Mesh mesh;
   mesh.positions.reserve((n + 1) * (n + 1));
@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
 
   const double held = static_cast<double>(resident_memory());
   const double promised = held + render::memory_estimate(scene, options);
-  fmt::print("{} triangles of their own, {} instances: {} held, {} promised\n", 4 * n * n,
+  fmt::print("{} triangles in world space, {} instances: {} held, {} estimated\n", 4 * n * n,
              instances, bytes_text(held), bytes_text(promised));
   std::fflush(stdout);
   double told = 0;
@@ -103,8 +103,8 @@ int main(int argc, char** argv) {
   callbacks.estimate = [&](double seconds) { told = seconds, ready = Clock::now(); };
   render::render(scene, options, Progress::none(), callbacks);
   const double peak = peak_memory(), all = seconds_since(start), rendering = seconds_since(ready);
-  fmt::print("{} at the peak: {:.2f} of what was promised\n", bytes_text(peak), peak / promised);
-  fmt::print("{:.1f} s of building; {:.1f} s of rendering, {:.2f} of the {:.1f} s that were told\n",
+  fmt::print("{} at the peak: {:.2f} of the estimate\n", bytes_text(peak), peak / promised);
+  fmt::print("{:.1f} s of building; {:.1f} s of rendering, {:.2f} of the estimated {:.1f} s\n",
              all - rendering, rendering, rendering / told, told);
   return peak < 16.0 * (1u << 30) ? 0 : 1;
 }

@@ -1,13 +1,13 @@
-// Rays per second of a render against those of a bare loop over the same rays. The linker leads the
-// renderer's rays through here (--wrap), which records them in order; then the loop hands them to
-// Embree's tree of the same triangles, one after the other, and does nothing else. One thread.
+// Rays per second of a render compared with those of a bare loop over the same rays. The linker
+// redirects the renderer's rays to this file (--wrap), which records them in order. The loop then
+// traces them one after the other with Embree's BVH of the same triangles. One thread.
 //   bench_rays [SCENE.json] [SPP] [WIDTH]
-// Skips where the reference cave, which is no part of this repository, is absent.
+// Skips if the reference cave, which is not part of this repository, is missing.
 #include "bench_scene.h"
 
+#include <vug/raytree/bvh_traversal.h>
 #include <vug/render/kinds.h>
 #include <vug/render/render.h>
-#include <vug/raytree/bvh_traversal.h>
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ struct Recorded {
 std::vector<Recorded> rays;
 bool recording = false;
 
-/// Seconds of the processor, which others on the machine do not lengthen by much.
+/// Processor time in seconds, which other processes hardly affect.
 double processor() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 double seconds(const auto& work) {
   const double start = processor();
@@ -53,7 +53,7 @@ void NAMED(__wrap_, SEARCH)(Search* search, const vug::raytree::WideBvh& tree,
 
 namespace {
 
-/// Embree's tree as a plain renderer would have it.
+/// Embree's BVH as a plain renderer would use it.
 RTCScene embree_of(const vug::render::Scene& scene, RTCDevice device) {
   RTCScene tree = rtcNewScene(device);
   rtcSetSceneFlags(tree, RTC_SCENE_FLAG_ROBUST);
@@ -75,7 +75,7 @@ RTCScene embree_of(const vug::render::Scene& scene, RTCDevice device) {
   return tree;
 }
 
-/// How many of the recorded rays met something.
+/// Number of recorded rays that hit something.
 size_t traced(RTCScene tree) {
   size_t met = 0;
   for (const Recorded& r : rays) {
@@ -115,7 +115,7 @@ int main(int argc, char** argv) {
     double rendering = 0;
     Progress progress([&, start = processor()](const std::string& stage, double done) mutable {
       const double now = processor();
-      // The tree is built anew for each render; only what comes after counts.
+      // The tree is rebuilt for each render; only the time after that counts.
       if (stage == "rendering" && done == 0) {
         start = now;
         if (recording) rays.clear();
@@ -129,7 +129,7 @@ int main(int argc, char** argv) {
   rendered();
   recording = false;
 
-  // In turn, and the better of three each: other work on the machine slows both.
+  // Alternating, best of three each, since other processes slow both down.
   RTCDevice device = rtcNewDevice("isa=avx2");
   RTCScene tree = embree_of(scene, device);
   double ours = 1e30, bare = 1e30;
@@ -143,7 +143,7 @@ int main(int argc, char** argv) {
   const auto shadows = std::count_if(rays.begin(), rays.end(), [](auto& r) { return r.shadow; });
   const double samples = 1.0 * options.width * options.height * options.spp;
   fmt::print(
-      "{} rays ({:.2f} a sample, {:.2f} of them shadow rays), {} met something\n"
+      "{} rays ({:.2f} a sample, {:.2f} of them shadow rays), {} hit something\n"
       "render {:.3f} s, {:.2f} M rays/s; bare loop {:.3f} s, {:.2f} M rays/s; ratio {:.3f}\n",
       rays.size(), static_cast<double>(rays.size()) / samples,
       static_cast<double>(shadows) / samples, met, ours,

@@ -1,7 +1,7 @@
-// What a scene's rocks take as meshes, or without (`object { direct true }`): memory, and rays a
-// second on one thread. Once for each, as the peak is that of the process.
+// Memory of a scene's rocks as meshes and as level sets (`object { direct true }`), and rays per
+// second on one thread. One run for each, because the peak is that of the process.
 //   bench_surface SCENE.vug mesh|direct [NAME=VALUE ...]
-// Rays go from the camera, and from where they end on over four bounces, each with a shadow ray.
+// Rays start at the camera and continue over four bounces, each with a shadow ray.
 #include "../peak_memory.h"
 
 #include <vug/base/error.h>
@@ -25,7 +25,7 @@ Vec2f pair(RandomStream& random) {
   return {x, static_cast<float>(random.uniform())};
 }
 
-/// Rays per second of processor time, which other work on the machine disturbs less.
+/// Rays per second of processor time, which other processes disturb less.
 double speed(const render::PreparedScene& world, const render::Camera& camera, int paths) {
   RandomStream random(RandomKey(1));
   size_t rays = 0;

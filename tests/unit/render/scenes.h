@@ -27,7 +27,7 @@ inline mesh::Mesh floor_mesh(float half) {
   return mesh;
 }
 
-/// The same mesh with normals pointing inwards or outwards from the origin.
+/// Adds normals that point inwards or outwards from the origin.
 inline mesh::Mesh with_radial_normals(mesh::Mesh mesh, float sign) {
   for (const Vec3f& p : mesh.positions) mesh.normals.push_back(p * (sign / p.length()));
   return mesh;

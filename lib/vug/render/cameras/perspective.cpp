@@ -53,7 +53,7 @@ class PerspectiveCamera final : public Camera {
   Vec3f position() const override { return frame_.eye; }
   float depth(const Vec3f& point) const override { return dot(point - frame_.eye, frame_.forward); }
   std::optional<CameraMatrices> matrices(float aspect) const override {
-    // w is the depth z; x = z/2 + right / (2 tan(fov/2)), y likewise and downwards. The third
+    // w is the depth z; x = z/2 + right / (2 tan(fov/2)); y is analogous, downwards. The third
     // column, z - 1, is free: it keeps the matrix invertible.
     std::array<float, 16> to_ndc{};
     to_ndc[0] = 0.5f / half_width_;
@@ -89,7 +89,7 @@ class PerspectiveCamera final : public Camera {
   ApertureShape aperture_;
   float half_width_, lens_radius_, focus_;
   float skew_ = 0;  ///< Offset of the window to the right, at distance 1.
-  float half_interaxial_ = 0, convergence_skew_ = 0;  ///< Of each eye of a stereo camera.
+  float half_interaxial_ = 0, convergence_skew_ = 0;  ///< For each eye of a stereo camera.
 };
 
 }  // namespace

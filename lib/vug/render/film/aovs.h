@@ -66,8 +66,8 @@ AovPlan plan_aovs(const std::vector<std::string>& names, const std::vector<std::
                   const std::vector<AovAttribute>& attributes = {},
                   const std::vector<std::string>& elements = {});
 
-/// The same with the light groups, attributes, elements, objects and materials of the scene. If
-/// objects have no meshes yet, every requested attribute is assumed to exist.
+/// Creates the plan with the light groups, attributes, elements, objects and materials of the
+/// scene. If objects have no meshes yet, every requested attribute is assumed to exist.
 AovPlan scene_aovs(const Scene& scene, const std::vector<std::string>& names);
 
 /// Writes the means of a film into the image. Pixel (0, 0) of the image is the top left corner of

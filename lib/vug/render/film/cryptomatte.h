@@ -38,7 +38,7 @@ using CryptoShares = std::vector<std::pair<uint32_t, float>>;
 /// Writes id and share for each rank, sorted by descending share and padded with zeros; returns the
 /// pointer past the end.
 float* write_ranks(CryptoShares shares, float* to);
-/// The same for coverage counts out of `samples`.
+/// Writes the ranks of coverage counts out of `samples`.
 float* write_crypto(const Coverage& coverage, uint32_t samples, const CryptoIds& ids, float* to);
 
 /// The header metadata of the picture's Cryptomatte layers, with the manifest of names.

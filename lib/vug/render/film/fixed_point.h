@@ -42,7 +42,7 @@ inline double from_wide(Wide sum, int bits) {
   return (negative ? -v : v) * step;
 }
 
-/// The same for values other than light, in 64 bits; they are clamped to kMaxPlain.
+/// Converts values other than light, in 64 bits, clamped to kMaxPlain.
 inline int64_t to_plain(float v) {
   const double most = kMaxPlain, step = 1 << kPlainBits;
   return std::llrint(std::clamp(static_cast<double>(v), -most, most) * step);

@@ -9,12 +9,12 @@
 
 namespace vug::render {
 
-/// The cameras and moving objects of a scene at its frame and at the next one, without the moments
-/// of the shutter.
+/// The cameras and moving objects of a scene at its frame and at the next one. It ignores the
+/// moments of the shutter.
 struct MotionStep {
   CameraPtr now, next;
   std::map<uint32_t, std::pair<Affine, Affine>>
-      transforms;  ///< Of the moving objects, by object index.
+      transforms;  ///< By object index; moving objects only.
 
   /// Motion of a point on the film, in picture widths (to the right) and heights (upwards); zero
   /// unless the point is in front of both cameras. `instance`: the transform of its object, which

@@ -33,7 +33,7 @@ struct RenderState {
   double fraction() const;
 };
 
-/// The same for a state without a film, and the number of missing samples of all pixels.
+/// Completed fraction, for a state without a film, and the number of missing samples of all pixels.
 double fraction_done(const RenderState& state, const Region& region);
 uint64_t samples_missing(const RenderState& state, const Region& region);
 

@@ -11,9 +11,9 @@ double mean(const mesh::Attribute& attribute, uint32_t vertex) {
   return sum / static_cast<double>(arity);
 }
 
-/// On a triangle with corners a, b, c and the area vector n = (b - a) x (c - a) / 2, the gradient
-/// of a value f is (f_a n x (c - b) + f_b n x (a - c) + f_c n x (b - a)) / (2 n.n), weighted by the
-/// area |n|.
+/// Gradients at the vertices. On a triangle with corners a, b, c and the area vector
+/// n = (b - a) x (c - a) / 2, the gradient of a value f is
+/// (f_a n x (c - b) + f_b n x (a - c) + f_c n x (b - a)) / (2 n.n), weighted by the area |n|.
 std::vector<Vec3f> gradients(const mesh::Mesh& mesh, const mesh::Attribute& attribute) {
   std::vector<Vec3d> sums(mesh.positions.size(), Vec3d(0));
   std::vector<double> areas(mesh.positions.size(), 0);

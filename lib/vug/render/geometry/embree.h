@@ -20,7 +20,7 @@ struct PreparedScene::Geometry::RayContext : RTCIntersectContext {
   const Geometry& geometry;
   const Ray& ray;
   float time;
-  Crossing crossing;  ///< Of the level set that was hit last.
+  Crossing crossing;  ///< The last crossing with a level set.
 };
 
 struct PreparedScene::Geometry::Embree {

@@ -16,8 +16,8 @@
 namespace vug::render {
 
 /// All triangles and level sets of a scene. Opaque meshes that are not instances are in one
-/// raytree::WideBvh. Embree holds the rest: a scene with level sets, cut-out meshes and instances,
-/// and a shared BVH for each instanced mesh. All trees are built deterministically for any number
+/// raytree::WideBvh. Embree holds the rest in one scene: level sets, cut-out meshes, and instances;
+/// each instanced mesh has a shared BVH. All trees are built deterministically, whatever the number
 /// of threads. They only identify the closest primitive; the distance and the position on it are
 /// computed here, so that they have the same bits on every machine.
 struct PreparedScene::Geometry {
@@ -31,8 +31,8 @@ struct PreparedScene::Geometry {
     bool is_instance = false;
     uint32_t object = 0;
     uint32_t primitive = 0;  ///< Triangle or brick.
-    Corners corners;         ///< Of the triangle, in its mesh's space.
-    Crossing crossing;       ///< Of a level set.
+    Corners corners;         ///< Corners of the triangle, in its mesh's space.
+    Crossing crossing;       ///< Valid for level sets.
   };
   /// `time`: see PreparedScene::at. Prefetches the data that `fill_hit` will read.
   Intersection intersect(const Ray& ray, float time) const;

@@ -34,12 +34,12 @@ struct GridValue {
 /// The trilinear interpolant in a cell that the surface crosses.
 GridValue trilinear(const volume::SurfaceBricks& surface, size_t brick,
                     const std::array<int, 3>& cell, const Vec3d& point);
-/// The same, with the cell looked up; for points up to one voxel outside the brick.
+/// Trilinear value with the cell looked up; for points up to one voxel outside the brick.
 double trilinear_value(const volume::SurfaceBricks& surface, size_t brick, const Vec3d& point);
-/// A smooth interpolant: the value by Catmull-Rom cubics (cite catmull1974) within a brick; the
-/// gradient by interpolating central differences, as Hansson-Soederlund, Evans and Akenine-Moeller
-/// 2022, "Ray tracing of signed distance function grids" (cite hansson2022grids), interpolate those
-/// of overlapping cells. Normals have no facets.
+/// A smooth interpolant without facets: the value by Catmull-Rom cubics (cite catmull1974) within a
+/// brick; the gradient by interpolating central differences, in the way in which
+/// Hansson-Soederlund, Evans and Akenine-Moeller 2022, "Ray tracing of signed distance function
+/// grids" (cite hansson2022grids), interpolate the gradients of overlapping cells.
 GridValue smooth(const volume::SurfaceBricks& surface, size_t brick, const std::array<int, 3>& cell,
                  const Vec3d& point);
 

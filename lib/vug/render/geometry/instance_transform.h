@@ -60,7 +60,7 @@ class InstanceTransform {
   /// Factor of the rounding errors of hits in the mesh's own space, in units in the last place of
   /// the hit's coordinates, relative to those of a mesh in world space.
   float error_scale() const { return error_scale_; }
-  /// Largest coordinate of the origins: add it to a hit's coordinates to bound the rounding errors
+  /// Largest coordinate of the origins. Added to a hit's coordinates, it bounds the rounding errors
   /// of transformed rays.
   float origin_extent() const { return origin_extent_; }
 

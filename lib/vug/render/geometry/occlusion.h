@@ -26,7 +26,7 @@ class Openness {
   /// For each point, the cosine-weighted share of unoccluded directions in the hemisphere around
   /// its normal: 1 - ambient occlusion, or with `sky` the irradiance from a uniform sky relative to
   /// that of open, level ground (1; 1/2 on a wall, 0 on a ceiling). Normals must have unit length.
-  /// The same bytes for any number of threads, whatever the other points are.
+  /// Results are the same for any number of threads, whatever the other points are.
   std::vector<float> compute(const std::vector<Vec3f>& points, const std::vector<Vec3f>& normals,
                              const OpennessOptions& options,
                              Progress& progress = Progress::none()) const;

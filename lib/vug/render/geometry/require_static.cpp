@@ -6,9 +6,9 @@
 namespace vug::render {
 
 void require_static(const Object& object) {
-  const bool shines =
+  const bool is_emissive =
       !is_black(object.emission) || (object.material && object.material->is_emissive());
-  if (shines && object.instance && object.instance->moves())
+  if (is_emissive && object.instance && object.instance->moves())
     throw Error(
         ErrorCode::bad_input,
         fmt::format("object '{}' is emissive and moves, which is not supported", object.name), {},
