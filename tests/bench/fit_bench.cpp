@@ -128,7 +128,7 @@ Search search(const Rules& rules, const Evidence& pixels, double stop) {
     while (!done && passed() < stop) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (!done) progress.cancel();
   });
-  const double bits = read(pixels, rules, {}, RandomKey(1), progress).report.bits;
+  const double bits = fit_facade(pixels, rules, {}, RandomKey(1), progress).report.bits;
   const double seconds = passed();
   done = true;
   clock.join();

@@ -102,7 +102,7 @@ class FacadeScan(VugTest):
     def test_bad_clouds_are_refused(self):
         for text, said in (("", "empty"), ("1 2 3\n", "three points"), ("1 2\n", "broken.xyz:1:1"),
                            ("1 2 3\n4 x 6\n", "broken.xyz:2:3"), ("nan 0 0\n", "finite"),
-                           ("0 0 0\n" * 9, "one line"), ("0 0 0\n1 1 1\n2 2 2\n", "one line"),
+                           ("0 0 0\n" * 9, "collinear"), ("0 0 0\n1 1 1\n2 2 2\n", "collinear"),
                            ("ply\nformat ascii 1.0\n", "end_header")):
             self.write("broken.xyz", text)
             self.assertIn(said, self.expect(2, "facade", "scan", "broken.xyz", "-o", "x.exr").err)

@@ -105,11 +105,11 @@ class FacadeTrain(VugTest):
             self.assertFalse((self.folder / "looks.json").exists())
 
         told("neither -o nor --folds given")
-        told("4 pictures cannot be tried in 5 folds", "--folds", 5)
+        told("cannot cross-validate 4 pictures with 5 folds", "--folds", 5)
         told("a .json", "-o", "looks.txt")
         told("more than the limit", "-o", "looks.json", "--max-memory", "1K")
         (self.folder / "set/labels/f2.png").write_bytes(png(3, 2, [[0, 0, 0]] * 2, False))
-        told("its labels 3 x 2", "-o", "looks.json")
+        told("its labels have 3 x 2", "-o", "looks.json")
         (self.folder / "set/labels/f2.png").unlink()
         told("has no labels", "-o", "looks.json")
         (self.folder / "classes.json").write_text("{\n]")

@@ -179,7 +179,7 @@ class Modelling(VugTest):
         self.assertEqual(len(model["elements"]), len(fitted["elements"]))
         self.assertEqual(self.session("fit.json")["photo"]["file"], "photo.png")
         self.assertIn("--width", self.model("--from", "tree.json", "--width", "3m", code=2).err)
-        self.assertIn("s.json:1:1: error: this is no tree", self.model("--from", "s.json", code=2).err)
+        self.assertIn("s.json:1:1: error: this is not a facade tree", self.model("--from", "s.json", code=2).err)
         self.assertIn("no such file", self.model("--from", "gone.json", code=2).err)
         self.write("mine/house.vug", (SOURCE / "data/facades/ripperda.vug").read_text().replace("grammar ripperda", "grammar house"))
         self.expect(0, "facade", "model", "--grammar", "mine/house.vug", "--width", "12m", "--height", "9m", "-o", "h.json")
@@ -196,7 +196,7 @@ class Modelling(VugTest):
             self.assertIn(f"{option} applies to new sessions only, but 's.json' exists", said)
 
     def test_faults_of_edits_come_first(self):
-        self.assertIn("there is no edit 'frobnicate'", self.model("s.json", "--edit", "frobnicate 0", code=2).err)
+        self.assertIn("unknown edit 'frobnicate'", self.model("s.json", "--edit", "frobnicate 0", code=2).err)
         self.assertIn("the session has 3 edits to undo", self.model("s.json", "--undo", 9, code=2).err)
         self.assertIn("would be lost", self.model("s.json", "--undo", 1, code=2).err)
 
@@ -219,7 +219,7 @@ class Modelling(VugTest):
         self.assertIn("would be lost", self.model("s.json", "--apply", "0.0 IdenticalGrid", code=2).err)
         self.assertIn("doing 'apply 0.7 Grid'",
                       self.model("s.json", "--apply", "0.7 Grid", "--tree", code=2).err)
-        self.assertIn("a pixel has no size", self.model("s.json", "--edit", "set 0 heights=40px", "--tree", code=2).err)
+        self.assertIn("the pixel size is unknown", self.model("s.json", "--edit", "set 0 heights=40px", "--tree", code=2).err)
         self.model("s.json", "--grammar", "ripperda.vug", code=2)
         self.model("--grammar", "ripperda.vug", code=2)
         self.model("s.json", "--svg", "s.json", code=2)

@@ -10,10 +10,10 @@
 namespace vug::fit {
 namespace {
 
-/// How much of what a seed saves others may be behind the best one.
+/// Seeds may be worse than the best one by this share of what it saves.
 constexpr double kMaxSeedLoss = 0.05;
 
-/// The first of the seeds, as many as that, that cost no more than `worst` and are no twins.
+/// Keeps the first `count` distinct seeds that cost at most `worst`.
 void keep_distinct_seeds(const Model& model, std::vector<TreeState>& seeds, size_t count,
                          double worst) {
   std::vector<TreeState> out;
@@ -30,7 +30,8 @@ void keep_distinct_seeds(const Model& model, std::vector<TreeState>& seeds, size
 
 FitResult fit_facade(const Evidence& evidence, const Rules& rules, const FitOptions& options,
                      RandomKey key, Progress& progress) {
-  if (options.runs < 1) throw Error(ErrorCode::bad_input, "a facade is read by at least one run");
+  if (options.runs < 1)
+    throw Error(ErrorCode::bad_input, "invalid number of runs: must be at least 1");
   const LikelihoodPtr likelihood = make_likelihood(options.likelihood, evidence);
   const Model model(rules, options.limits, evidence.width(), evidence.height(), &evidence,
                     likelihood, options.pixel_weight);

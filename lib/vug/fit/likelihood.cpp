@@ -24,7 +24,7 @@ LikelihoodPtr make_likelihood(const std::string& name, const Evidence& evidence)
     if (kind->info.name == name) return kind->make(evidence);
     known.push_back(kind->info.name);
   }
-  throw Error(ErrorCode::bad_input, fmt::format("there is no likelihood '{}'", name), {},
+  throw Error(ErrorCode::bad_input, fmt::format("unknown likelihood '{}'", name), {},
               suggestion(name, known));
 }
 

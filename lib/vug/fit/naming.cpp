@@ -7,7 +7,7 @@
 namespace vug::fit {
 namespace {
 
-/// The production of an element to the first thing that looks so; -1.
+/// The production of an element to the first terminal of that type; -1 if there is none.
 int way_to(const Rules& rules, int element, RegionType type) {
   for (const int way : rules.productions_of(element))
     if (rules.production(way).op == Op::terminal &&
@@ -16,7 +16,7 @@ int way_to(const Rules& rules, int element, RegionType type) {
   return -1;
 }
 
-/// Makes terminal i, an element, the first thing that looks so.
+/// Replaces terminal i of an element by the first terminal of that type.
 void rename(const Rules& rules, TreeState& state, int i, RegionType type) {
   const int above = i - 1, way = way_to(rules, state.tree[above].symbol, type);
   if (way < 0) return;
@@ -30,8 +30,8 @@ std::ptrdiff_t main_of(const Sums& sums) {
   return std::max_element(sums.lane.begin(), sums.lane.end()) - sums.lane.begin();
 }
 
-/// An element in which nothing stands, but which does not look like the wall, is something itself;
-/// that costs no bits (see Model::complexity).
+/// Adds content to empty elements that do not look like wall; this costs no bits (see
+/// Model::complexity).
 void fill_elements(const Model& model, const Evidence& evidence, TreeState& state) {
   const Rules& rules = model.rules();
   const Likelihood& code = *model.likelihood();

@@ -7,7 +7,7 @@
 namespace vug::fit {
 namespace {
 
-/// Which rounds of a run had that structure, as a trace of 0 and 1.
+/// The rounds of a run with that structure, as a trace of 0 and 1.
 inference::Trace indicator(const SamplerResult& run, const std::string& structure) {
   inference::Trace out;
   out.reserve(run.visited.size());
@@ -45,7 +45,7 @@ void add_posterior(Report& out, const std::vector<SamplerResult>& runs) {
     if (out.posterior.size() < kMax) out.posterior.push_back(probability_of(runs, text));
 }
 
-/// The costliest subtree below a symbol.
+/// Search for the most complex subtree of a symbol.
 class MaxComplexitySearch {
  public:
   explicit MaxComplexitySearch(const Model& model) : model_(model), rules_(model.rules()) {}

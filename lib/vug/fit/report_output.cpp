@@ -1,4 +1,4 @@
-// Reports as JSON for programs and as a drawing for people.
+// Output of reports as JSON and SVG.
 #include <vug/fit/report.h>
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// At most that many values, at even distances.
+/// At most `most` values, evenly spaced.
 inference::Trace thinned(const inference::Trace& trace, size_t most) {
   const size_t step = trace.size() / most + 1;
   inference::Trace out;
@@ -20,10 +20,10 @@ inference::Trace thinned(const inference::Trace& trace, size_t most) {
   return out;
 }
 
-/// Numbers that JSON has no word for are left out as null.
+/// JSON has no representation for non-finite numbers, so they become null.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// One panel of the drawing: a frame with a title at a place, and what is drawn in it.
+/// One panel of the drawing: a frame with a title and its contents.
 class Panel {
  public:
   Panel(double x, double y, double width, double height, const std::string& title)

@@ -25,7 +25,7 @@ class FacadeTreeBuilder {
   const SymbolInfo& symbol(int i) const { return model_.rules().symbol(node(i).symbol); }
   facade::Node& out(int i) { return out_.nodes[static_cast<size_t>(i)]; }
 
-  /// The first place of an area; that one is not mirrored.
+  /// Rectangle of the first instance of an area, which is never mirrored.
   facade::Rect rect_of(const Area& area) const {
     return metres(area, 0, 0, area.width, area.height);
   }
@@ -72,7 +72,7 @@ class FacadeTreeBuilder {
       convert(part, at);
   }
 
-  /// What the production above says of its part's place: numbers, and where it is stamped again.
+  /// Sets the numbers and copies that the parent's production gives to a child.
   void give(int i, int parent, int at) {
     if (parent < 0) return;
     const int above = state_.tree.parent(i);
@@ -101,7 +101,7 @@ class FacadeTreeBuilder {
     }
   }
 
-  /// Windows of a grid, one node for each kind, and its door.
+  /// Windows of a grid, one node per kind, and its door.
   void windows(int i, int at) {
     std::map<int, std::vector<facade::Rect>> rects;
     model_.each_window(state_.tree, i, [&](int part, const Rect& r) {
@@ -109,7 +109,7 @@ class FacadeTreeBuilder {
     });
     out(at).numbers = numbers(i);
     for (auto& [part, all] : rects) {
-      // From the lowest row up, as splits count.
+      // From the lowest row up, in the order of splits.
       std::stable_sort(all.begin(), all.end(),
                        [](const auto& a, const auto& b) { return a.y < b.y; });
       const int made = add(part, at, all[0]);
@@ -123,11 +123,11 @@ class FacadeTreeBuilder {
     add(last, at, metres(state_.area(i), door.x, door.y, door.width, door.height));
   }
 
-  /// Counts, the place of the lowest left cell, and the distances.
+  /// Counts, the position of the lower left cell, and the spacings.
   facade::Numbers numbers(int i) const {
     const Node& grid = node(i);
     const Area& area = state_.area(i);
-    // Lines are told from the top; splits count from the foot, where a row's highest window ends.
+    // Lines count from the top, splits from the bottom, where the highest window of a row ends.
     std::vector<double> x, y;
     for (int c = 0; c < grid.columns; ++c)
       x.push_back(grid.left[static_cast<size_t>(c)] * pixel_.x);
@@ -145,7 +145,7 @@ class FacadeTreeBuilder {
     return out;
   }
 
-  /// Of the highest window in that row of grid i, pixels.
+  /// Height of the highest window in that row of grid i, pixels.
   int row_height(int i, int row) const {
     int most = 0;
     for (int c = 0; c < node(i).columns; ++c) {

@@ -7,7 +7,7 @@ namespace {
 
 using lsystem::Axis;
 
-/// The axis between two lengths; without stations where nothing of it lies there.
+/// The part of the axis between two lengths; without stations if there is none.
 Axis between(const Axis& axis, double from, double to) {
   Axis out = axis;
   out.stations.clear();

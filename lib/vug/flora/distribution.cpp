@@ -18,7 +18,7 @@ const Kinds<DistributionPtr>& distributions() {
   return kinds;
 }
 
-/// Times between such events are exponential; those that end before `mean` are counted.
+/// The times between such events are exponential; events before `mean` are counted.
 uint64_t poisson(double mean, RandomStream& random) {
   uint64_t count = 0;
   for (double time = -maths::log(1 - random.uniform()); time < mean;
@@ -29,11 +29,12 @@ uint64_t poisson(double mean, RandomStream& random) {
 
 void require_density(double density, double area) {
   if (!(density > 0))
-    throw Error(ErrorCode::bad_input, fmt::format("a density of {}: it must be above 0", density));
+    throw Error(ErrorCode::bad_input, fmt::format("invalid density {}: must be above 0", density));
   if (!(density * area <= kMaxPoints))
-    throw Error(ErrorCode::too_large,
-                fmt::format("{:.4g} m^2 with {:.4g} points each hold more than {:.4g} points", area,
-                            density, kMaxPoints));
+    throw Error(
+        ErrorCode::too_large,
+        fmt::format("{:.4g} m^2 with {:.4g} points per m^2 exceed the limit of {:.4g} points", area,
+                    density, kMaxPoints));
 }
 
 }  // namespace vug::flora

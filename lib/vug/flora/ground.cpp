@@ -9,11 +9,11 @@
 namespace vug::flora {
 namespace {
 
-constexpr double kMinStep = 1e-3;       // metres
-constexpr double kDeepest = 1e4;        // below the top of ground that has no bottom
-constexpr double kOffTheGround = 0.02;  // metres above a foot where the way up begins
+constexpr double kMinStep = 1e-3;       // Metres.
+constexpr double kDeepest = 1e4;        // Metres below the top for ground without a bottom.
+constexpr double kOffTheGround = 0.02;  // Start of the search upwards, metres above the ground.
 
-/// Metres along the way to the first value that is not above 0; infinite where there is none.
+/// Metres along the direction to the first value that is not above 0; infinite if there is none.
 double free_way(const field::Field& solid, const Vec3d& from, const Vec3d& way, double far) {
   const double steepest = std::max(solid.lipschitz(), 1e-6);
   for (double t = 0; t <= far;) {
@@ -46,7 +46,7 @@ std::optional<GroundPoint> ground_point_on(const field::Field& solid, const Vec2
   return point;
 }
 
-/// Triangles in a tree over their shadows on the plan.
+/// A tree over the triangles' projections on the plan.
 struct Columns {
   mesh::MeshPtr mesh;
   mesh::BoxTree tree;
@@ -58,7 +58,7 @@ struct Columns {
     tree = mesh::BoxTree(boxes);
   }
 
-  /// Height of the triangle over (x, z) and the shares of its corners; nothing beside it.
+  /// Barycentric coordinates of (x, z) in the triangle's projection; empty outside of it.
   std::optional<std::array<double, 3>> shares(size_t triangle, const Vec2d& at) const {
     const auto [a, b, c] = mesh::corners(*mesh, triangle);
     const Vec2d ab(b.x - a.x, b.z - a.z), ac(c.x - a.x, c.z - a.z), ap(at.x - a.x, at.y - a.z);
@@ -107,8 +107,8 @@ Ground ground_of(const field::Field& solid, const GroundOptions& options) {
   if (box.isEmpty()) return [](const Vec2d&) { return std::nullopt; };
   const double top = std::min(options.from, box.max.y + 1);
   if (!std::isfinite(top))
-    throw Error(ErrorCode::bad_input, "the ground has no end above", {},
-                "say the height that it is looked for from");
+    throw Error(ErrorCode::bad_input, "the ground has no upper bound", {},
+                "give the height from which to look down");
   const double bottom = std::max(box.min.y - kMinStep, top - kDeepest);
   return [solid, top, bottom, headroom = options.headroom](const Vec2d& at) {
     return ground_point_on(solid, at, top, bottom, headroom);

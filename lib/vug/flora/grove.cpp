@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMaxDeviations = 2.5;
 
-/// Points that keep their distance from all that come before them, with their numbers.
+/// Indices of the points that keep their distance from all earlier kept points.
 std::vector<uint64_t> with_spacing(const std::vector<Vec2d>& points, double spacing) {
   std::map<std::pair<int64_t, int64_t>, std::vector<uint64_t>> squares;
   std::vector<uint64_t> kept;
@@ -38,7 +38,7 @@ std::vector<uint64_t> with_spacing(const std::vector<Vec2d>& points, double spac
   return kept;
 }
 
-/// Whether the solid stays `margin` away from the line up from the foot.
+/// Whether the vertical line above the point stays `margin` away from the solid.
 bool is_clear_of(const field::Field& solid, const GroundPoint& point, double margin,
                  double headroom) {
   const double steepest = std::max(solid.lipschitz(), 1e-6);
@@ -50,7 +50,7 @@ bool is_clear_of(const field::Field& solid, const GroundPoint& point, double mar
   }
 }
 
-/// A member of Fates.
+/// A member of PlacementStats.
 using Outcome = size_t PlacementStats::*;
 
 Outcome outcome_on(const GroveOptions& o, const GroundPoint& point, RandomKey key) {
@@ -62,7 +62,7 @@ Outcome outcome_on(const GroveOptions& o, const GroundPoint& point, RandomKey ke
   return stays ? &PlacementStats::placed : &PlacementStats::thinned;
 }
 
-/// A point that is far enough from those before it.
+/// A point that passed the spacing test.
 struct Candidate {
   uint64_t number = 0;
   GroundPoint base;

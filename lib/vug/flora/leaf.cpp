@@ -10,15 +10,15 @@
 namespace vug::flora {
 namespace {
 
-constexpr double kPetiole = 0.07;  // of the width, where the blade begins
+constexpr double kPetiole = 0.07;  // Minimum half width relative to the blade's, at the base.
 
 struct BladeRow {
   Vec3d middle, right, up;
-  double half = 0;  ///< Metres.
+  double half = 0;  ///< Half width in metres.
   double along = 0;
 };
 
-/// Rows from base to tip. Leaves turn down the more the nearer to the tip, where they are thinner.
+/// Rows from base to tip. The bend increases towards the tip, where leaves are thinner.
 std::vector<BladeRow> rows_of(const LeafOptions& o) {
   std::vector<BladeRow> rows;
   Vec3d at(0, 0, 0);
@@ -44,10 +44,10 @@ std::vector<BladeRow> rows_of(const LeafOptions& o) {
 }  // namespace
 
 std::string LeafOptions::fault() const {
-  if (!(length > 0 && width > 0)) return "a leaf has a length and a width above 0";
+  if (!(length > 0 && width > 0)) return "the length and width of a leaf must be above 0";
   if (!(outline.widest > 0 && outline.widest < 1 && outline.tip > 0))
-    return "a leaf is widest between its ends, and its tip is above 0";
-  return rows < 2 ? "a leaf has 2 rows at least" : "";
+    return "a leaf must be widest between its ends, and 'tip' must be above 0";
+  return rows < 2 ? "a leaf needs at least 2 rows" : "";
 }
 
 mesh::Mesh leaf(const LeafOptions& options) {
@@ -86,7 +86,7 @@ mesh::Mesh leaf(const LeafOptions& options) {
 }
 
 mesh::Mesh spray(const SprayOptions& options) {
-  if (options.leaves < 1) throw Error(ErrorCode::bad_input, "a spray has 1 leaf at least");
+  if (options.leaves < 1) throw Error(ErrorCode::bad_input, "a spray needs at least 1 leaf");
   std::vector<mesh::Mesh> blades;
   std::vector<MeshInstance> copies;
   for (int i = 0; i < options.leaves; ++i) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t kMaxVertices = size_t{1} << 31;
 
-/// Where each copy's vertices and triangles begin.
+/// Start of each instance's vertices and triangles.
 struct Start {
   size_t vertex = 0, triangle = 0;
 };
@@ -26,13 +26,13 @@ std::vector<Start> starts_of(const std::vector<mesh::Mesh>& meshes,
   }
   if (std::max(starts.back().vertex, starts.back().triangle) > kMaxVertices)
     throw Error(ErrorCode::too_large,
-                fmt::format("{} copies in one mesh have {} vertices and {} triangles",
+                fmt::format("{} instances in one mesh have {} vertices and {} triangles",
                             copies.size(), starts.back().vertex, starts.back().triangle),
-                {}, "place them instead, or take simpler ones");
+                {}, "keep them as instances, or use simpler meshes");
   return starts;
 }
 
-/// Names and arities of what all meshes carry.
+/// Names and arities of the attributes common to all meshes.
 std::vector<mesh::Attribute> common(const std::vector<mesh::Mesh>& meshes) {
   std::vector<mesh::Attribute> out;
   if (meshes.empty()) return out;

@@ -7,17 +7,21 @@
 namespace vug::flora {
 namespace {
 
-/// Of the groove's length, over which it sinks in above the ridge and fades out at its end.
+/// Shares of the groove's length over which it fades in above the ridge and fades out at its end.
 constexpr double kSink = 0.08, kFade = 0.5;
 
 }  // namespace
 
 const char* NodeDisplacementOptions::fault() const {
-  if (!(scar >= 0 && ridge >= 0 && scar + ridge <= 1)) return "rings are 0 to 100% of the radius";
-  if (!(scar_width > 0 && ridge_width > 0 && ridge_above >= 0)) return "rings have a width above 0";
-  if (!(groove >= 0 && groove <= 0.3)) return "a groove is at most 30% of the radius deep";
-  if (!(groove_width > 0 && groove_width <= kPi)) return "a groove is up to 180 degrees wide";
-  if (!(groove_length > 0 && groove_length <= 1)) return "a groove is up to an internode long";
+  if (!(scar >= 0 && ridge >= 0 && scar + ridge <= 1))
+    return "rings must be 0 to 100% of the radius high";
+  if (!(scar_width > 0 && ridge_width > 0 && ridge_above >= 0))
+    return "rings must have a width above 0";
+  if (!(groove >= 0 && groove <= 0.3)) return "a groove must be at most 30% of the radius deep";
+  if (!(groove_width > 0 && groove_width <= kPi))
+    return "a groove must be at most 180 degrees wide";
+  if (!(groove_length > 0 && groove_length <= 1))
+    return "a groove must be at most an internode long";
   return "";
 }
 
@@ -27,7 +31,7 @@ NodeDisplacement::NodeDisplacement(const NodeDisplacementOptions& displacement,
   for (const DisplacedNode& node : nodes_) {
     const double r = node.radius;
     highest_ = std::max(highest_, (displacement.scar + displacement.ridge) * r);
-    // Shares of the radius over shares of it: rings of any size are as steep.
+    // Heights and widths are both relative to the radius, so the slope does not depend on the size.
     slope_ = std::max(slope_, kBumpSlope * (displacement.scar / displacement.scar_width +
                                             displacement.ridge / displacement.ridge_width));
     const double length = displacement.groove_length * (node.next - node.along);
@@ -48,7 +52,7 @@ DisplacementSample NodeDisplacement::ring_of(const DisplacedNode& node, double a
 }
 
 DisplacementSample NodeDisplacement::rings(double along) const {
-  // Rings of neighbours do not add up where internodes are short: the higher one shows.
+  // Overlapping rings of neighbouring nodes are combined by their maximum.
   DisplacementSample most;
   const double reach =
       std::max(displacement_.scar_width, displacement_.ridge_above + displacement_.ridge_width);
@@ -113,7 +117,7 @@ DisplacementSample NodeDisplacement::grooves(double along, double angle) const {
 }
 
 std::vector<double> NodeDisplacement::rows() const {
-  // Of the way from crest to foot: denser where a bump bends most.
+  // Relative positions between crest and foot, denser where a bump is curved most.
   constexpr double kPlaces[] = {-1, -0.8, -0.577, -0.35, -0.15, 0, 0.15, 0.35, 0.577, 0.8, 1};
   std::vector<double> rows;
   for (const DisplacedNode& node : nodes_) {

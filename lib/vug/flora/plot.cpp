@@ -13,23 +13,23 @@ namespace vug::flora {
 namespace {
 
 constexpr double kFarthest = 1e6;
-constexpr double kInLine = 1e-9;       // radians that a side may turn inwards by rounding
-constexpr size_t kMaxCorners = 20000;  // every side may be held against every other
+constexpr double kInLine = 1e-9;       // Radians of rounding error allowed for collinear sides.
+constexpr size_t kMaxCorners = 20000;  // Every side may be tested against every other.
 
 [[noreturn]] void refuse(const std::string& what) { throw Error(ErrorCode::bad_input, what); }
 
 void require_numbers(const Corners& corners) {
   if (corners.size() < 3)
-    refuse(fmt::format("a polygon has 3 corners at least, not {}", corners.size()));
+    refuse(fmt::format("a polygon needs at least 3 corners, not {}", corners.size()));
   if (corners.size() > kMaxCorners)
-    refuse(fmt::format("a polygon of {} corners; {} are the most", corners.size(), kMaxCorners));
+    refuse(fmt::format("a polygon of {} corners; the limit is {}", corners.size(), kMaxCorners));
   for (size_t i = 0; i < corners.size(); ++i)
     if (!(std::fabs(corners[i].x) <= kFarthest && std::fabs(corners[i].y) <= kFarthest))
-      refuse(fmt::format("corner {} of the polygon is at {}; numbers are 1e6 m at most", i + 1,
-                         to_string(corners[i])));
+      refuse(fmt::format("corner {} of the polygon is at {}; coordinates must be at most 1e6 m",
+                         i + 1, to_string(corners[i])));
 }
 
-/// Sides are counted from 1, each from the corner of its number to the next.
+/// Sides count from 1; each leads from the corner of its number to the next.
 void require_simple(const Corners& corners) {
   const size_t n = corners.size();
   for (size_t i = 0; i < n; ++i) {
@@ -68,7 +68,7 @@ Plot::Plot(Corners corners) : corners_(std::move(corners)) {
     sum += std::fabs((corners_[b] - corners_[a]).cross(corners_[c] - corners_[a])) / 2;
     total_.push_back(sum);
   }
-  if (!(sum > 0)) refuse("a polygon without an area");
+  if (!(sum > 0)) refuse("the polygon has no area");
 }
 
 bool Plot::contains(const Vec2d& p) const {
@@ -103,7 +103,7 @@ Vec2d Plot::point(RandomStream& random) const {
 }
 
 int Plot::first_reflex_corner() const {
-  double turned = 0;  // twice the signed area
+  double turned = 0;  // Twice the signed area.
   const size_t n = corners_.size();
   for (size_t i = 0; i < n; ++i)
     turned += (corners_[i] - corners_[0]).cross(corners_[(i + 1) % n] - corners_[0]);

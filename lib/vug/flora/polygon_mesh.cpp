@@ -19,7 +19,7 @@ void require_simple(const lsystem::Polygon& polygon, size_t number) {
       fmt::format("polygon {} that the turtle draws crosses itself: sides {} and {} at "
                   "({:.6g}, {:.6g}, {:.6g})",
                   number, fault->first, fault->second, fault->at.x, fault->at.y, fault->at.z),
-      {}, "close it with '}' before its line goes across, or draw it as several");
+      {}, "close it with '}' before the line crosses, or draw several polygons");
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ mesh::Mesh polygon_mesh(const lsystem::Drawing& drawing) {
   for (const lsystem::Polygon& polygon : drawing.polygons) {
     require_simple(polygon, ++number);
     std::vector<uint32_t> corners;
-    Vec3d area(0);  // Newell's normal, the same for any triangulation
+    Vec3d area(0);  // Newell's normal, independent of the triangulation.
     for (size_t i = 0; i < polygon.corners.size(); ++i) {
       const Vec3d& a = polygon.corners[i];
       const Vec3d& b = polygon.corners[(i + 1) % polygon.corners.size()];

@@ -5,11 +5,11 @@
 namespace vug::flora {
 namespace {
 
-/// How much of the radius the narrow ring at an edge takes, which keeps its shading sharp.
+/// Radius share of the narrow ring at an edge, which keeps its shading sharp.
 constexpr double kEdge = 0.97;
 
-/// Where along rings lie between two places: at the tube's own, at those the relief asks for, and
-/// at the places themselves.
+/// Positions of the rings between two positions: those of the tube, those requested by the
+/// displacement, and both ends.
 std::vector<double> places(const Tube& tube, double from, double to, bool displacement) {
   std::vector<double> all = {from, to};
   for (const Ring& ring : tube.rings()) all.push_back(ring.along);
@@ -18,7 +18,7 @@ std::vector<double> places(const Tube& tube, double from, double to, bool displa
     all.insert(all.end(), more.begin(), more.end());
   }
   std::sort(all.begin(), all.end());
-  // Rings that are closer than this are one.
+  // Closer rings are merged.
   const double least = std::max(1e-7, 1e-3 * tube.rings().back().radius);
   std::vector<double> kept;
   for (const double s : all)
@@ -43,7 +43,7 @@ std::vector<Profile> profiles(const Tube& tube) {
     if (c.from < tube.start()) at_start = &c;
     if (c.to > tube.end()) at_end = &c;
     if (c.from < tube.start() || c.to > tube.end()) continue;
-    Profile inside;  // from its top down, so that the solid's outside is the hollow
+    Profile inside;  // From the top down, so that the outside of the solid is the cavity.
     inside.rows.push_back({c.to, kEdge, true, false});
     add_inner(inside.rows, tube, c.from, c.to, true);
     inside.rows.push_back({c.from, kEdge, true, false});
@@ -51,7 +51,7 @@ std::vector<Profile> profiles(const Tube& tube) {
   }
   Profile outer;
   outer.ring = at_start && at_start == at_end;
-  if (at_start && !outer.ring) {  // up from the diaphragm is down the wall
+  if (at_start && !outer.ring) {  // Along the diaphragm, then down the wall.
     outer.rows.push_back({at_start->to, kEdge, true, false});
     add_inner(outer.rows, tube, tube.start(), at_start->to, true);
   }

@@ -8,10 +8,11 @@ namespace vug::flora {
 namespace {
 
 constexpr size_t kMaxPairs = 200'000'000;
-constexpr double kWithin = 1e-9;  // of a side's length, from its ends
-constexpr double kApart = 1e-6;   // of the polygon's size: sides so far apart pass over each other
+constexpr double kWithin = 1e-9;  // Relative to a side's length, from its ends.
+// Relative to the polygon's size; sides further apart pass over each other.
+constexpr double kApart = 1e-6;
 
-/// Newell's normal, or where the lobes of an outline cancel out that of its largest corner.
+/// Newell's normal, or the normal of the largest triangle if the lobes of an outline cancel out.
 Vec3d normal_of(const std::vector<Vec3d>& corners) {
   Vec3d sum(0), largest(0);
   for (size_t i = 1; i + 1 < corners.size(); ++i) {
@@ -22,7 +23,7 @@ Vec3d normal_of(const std::vector<Vec3d>& corners) {
   return sum.length() > 1e-6 * largest.length() ? sum : largest;
 }
 
-/// Of a point in line with a and b.
+/// For a point collinear with a and b.
 bool lies_between(const Vec2d& a, const Vec2d& b, const Vec2d& p) {
   return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
          p.y <= std::max(a.y, b.y);
@@ -30,7 +31,7 @@ bool lies_between(const Vec2d& a, const Vec2d& b, const Vec2d& p) {
 
 struct Side {
   size_t number;
-  Vec2d from, to;  ///< As seen.
+  Vec2d from, to;  ///< In the projection.
   double low, high;
 };
 
@@ -48,7 +49,7 @@ Meeting meeting(const Side& s, const Side& t) {
   return touch ? Meeting::touch : Meeting::none;
 }
 
-/// A polygon seen along the axis that is nearest to its normal.
+/// A polygon projected along the axis nearest to its normal.
 class Outline {
  public:
   explicit Outline(const std::vector<Vec3d>& corners) : corners_(corners) {
@@ -60,7 +61,7 @@ class Outline {
       }
     size_ = (high - low).length();
     const Vec3d normal = normal_of(corners), along = high - low;
-    // Of an outline in a line, which has no normal, the axis that it is shortest along.
+    // A collinear outline has no normal; use the axis of its smallest extent.
     int drop = 2;
     for (int axis = 0; axis < 2; ++axis) {
       const double more = std::fabs(normal[axis]) - std::fabs(normal[drop]);
@@ -74,10 +75,10 @@ class Outline {
                      [](const Side& s, const Side& t) { return s.low < t.low; });
   }
 
-  /// By the low ends of their x.
+  /// Sorted by their minimum x.
   const std::vector<Side>& sides() const { return sides_; }
 
-  /// Where two sides meet; nothing for neighbours.
+  /// Intersection of two sides; empty for adjacent sides.
   std::optional<Vec3d> crossing(const Side& s, const Side& t, Touching touching) const {
     const size_t n = corners_.size();
     if ((s.number + 1) % n == t.number || (t.number + 1) % n == s.number) return std::nullopt;
@@ -102,7 +103,7 @@ class Outline {
     const Vec3d& from = corners_[side.number];
     return from + (end(side.number) - from) * share;
   }
-  /// A corner that lies on the other side, of two in one line.
+  /// A corner of one collinear side that lies on the other.
   Vec3d along(const Side& s, const Side& t) const {
     return lies_between(s.from, s.to, t.from) ? corners_[t.number]
            : lies_between(s.from, s.to, t.to) ? end(t.number)

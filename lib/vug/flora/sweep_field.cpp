@@ -12,7 +12,7 @@
 namespace vug::flora {
 namespace {
 
-/// The exact distance to the hull of two balls; see field/primitives/tapered_capsule.cpp.
+/// The exact distance to the convex hull of two balls; see field/primitives/tapered_capsule.cpp.
 struct Capsule {
   Vec3d a, axis;
   double length, radius_a, radius_b, sine, cosine;
@@ -23,7 +23,8 @@ struct Capsule {
         length((to - from).length()),
         radius_a(at_from),
         radius_b(at_to) {
-    // A ball that holds the other has no slanted part: the hull of two as large holds both.
+    // If one ball contains the other there is no slanted part: use the hull of two equal balls,
+    // which contains both.
     if (std::fabs(radius_a - radius_b) >= 0.9 * length)
       radius_a = radius_b = std::max(at_from, at_to);
     sine = (radius_a - radius_b) / length;
@@ -52,12 +53,12 @@ struct Capsule {
   }
 };
 
-/// A tube between capsules that hold all of it.
+/// A tube and the capsules that enclose it.
 class Stem {
  public:
   explicit Stem(Tube tube) : tube_(std::move(tube)) {
     const std::vector<Ring>& rings = tube_.rings();
-    constexpr double kSlack = 1 + 1e-6;  // cross-sections lean a little against the capsules
+    constexpr double kSlack = 1 + 1e-6;  // Cross-sections are slightly inclined to the capsules.
     std::vector<Box3d> boxes;
     for (size_t i = 0; i + 1 < rings.size(); ++i) {
       capsules_.emplace_back(rings[i].center, rings[i + 1].center, tube_.reach(i) * kSlack,
@@ -70,17 +71,17 @@ class Stem {
   const Box3d& bounds() const { return bounds_; }
   const Tube& tube() const { return tube_; }
 
-  /// What the value at a point comes from.
+  /// The nearest part of the stem.
   struct StemHit {
     double value = kInfinity;
     size_t capsule = 0;
-    std::optional<Tube::Coordinates> place;  ///< Nothing: the capsules are higher.
+    std::optional<Tube::Coordinates> place;  ///< Empty: the capsules bound the value.
   };
 
-  /// The value at p, or any number above `limit` where it is no lower than that.
+  /// The value at p, or any number above `limit` if the value is not below it.
   StemHit find(const Vec3d& p, double limit) const {
     double outer = std::max(limit, 0.0);
-    if (outer == 0) outer = 1e-300;  // boxes that hold p still count
+    if (outer == 0) outer = 1e-300;  // Boxes that contain p still count.
     StemHit found{kInfinity, capsules_.size(), {}};
     tree_.visit_nearest(p, square(outer), [&](uint32_t i) {
       const double d = capsules_[i].distance(p);
@@ -88,8 +89,8 @@ class Stem {
       return square(std::max(0.0, std::min(outer, found.value)));
     });
     if (found.capsule == capsules_.size() || found.value >= limit) return {};
-    // Beyond this the capsules are the greater value whatever the relief is, and cross-sections
-    // may meet.
+    // Beyond this distance the capsules give the greater value for any displacement, and
+    // cross-sections may intersect.
     const double slope = tube_.slope(), a = tube_.reach(found.capsule),
                  b = tube_.reach(found.capsule + 1);
     const double most =

@@ -10,8 +10,8 @@
 namespace vug::flora {
 namespace {
 
-/// What the attributes of a row are, in the order of stem_attributes(); the last one of those
-/// differs from vertex to vertex.
+/// Attribute values of a row in the order of stem_attributes(); the last attribute varies within a
+/// row and is not included.
 using RowValues = std::array<double, 9>;
 
 RowValues values_of(const Tube& tube, const ProfileRow& row, double age) {
@@ -22,7 +22,7 @@ RowValues values_of(const Tube& tube, const ProfileRow& row, double age) {
   const double below = next == nodes.begin() ? tube.start() : (next - 1)->along;
   const double above = next == nodes.end() ? tube.end() : next->along;
   const double part = above > below ? (row.along - below) / (above - below) : 0;
-  constexpr double kNone = 1000;  // there is no such node
+  constexpr double kNone = 1000;  // There is no such node.
   return {row.along,
           row.along / tube.end(),
           next == nodes.begin() ? kNone : row.along - below,
@@ -39,13 +39,13 @@ int sides_of(const Tube& tube, const MeshOptions& options) {
   for (const Ring& ring : tube.rings()) most = std::max(most, ring.radius);
   const double part = std::min(1.0, options.tolerance / most);
   const double half = maths::acos(1 - part);
-  // A groove's bed, rims and flanks want places of their own.
+  // Resolves a groove's bed, rims and flanks.
   const int grooved = tube.displacement().deepest() > 0 ? 48 : 0;
   return std::clamp(std::max(static_cast<int>(std::ceil(kPi / half)), grooved), options.min_sides,
                     options.max_sides);
 }
 
-/// The surface of one tube, profile by profile.
+/// Builds the surface of one tube, profile by profile.
 class SweepMesher {
  public:
   SweepMesher(const Tube& tube, const MeshOptions& options)
@@ -93,7 +93,8 @@ class SweepMesher {
       mesh_.attributes[k].values.insert(mesh_.attributes[k].values.end(), count,
                                         static_cast<float>(values[k]));
   }
-  /// Weighed by area, so that at an edge's narrow ring each side keeps the normal of its face.
+  /// Area-weighted normals, so that at the narrow ring of an edge each side keeps the normal of its
+  /// face.
   std::vector<Vec3f> normals() const {
     std::vector<Vec3d> sums(mesh_.positions.size(), Vec3d(0));
     for (size_t face = 0; face < mesh_.triangles.size(); ++face) {
@@ -143,14 +144,14 @@ const std::vector<AttributeInfo>& stem_attributes() {
   static const std::vector<AttributeInfo> all = {
       {"along", "metres along the stem from its start"},
       {"height", "the same as a share of the stem's length"},
-      {"above_node", "metres above the last node, 1000 where there is none"},
-      {"below_node", "metres below the next node, 1000 where there is none"},
-      {"internode", "nodes below, and the share of the internode above the last of them"},
+      {"above_node", "metres above the last node, 1000 without one"},
+      {"below_node", "metres below the next node, 1000 without one"},
+      {"internode", "number of nodes below plus the fraction of the internode"},
       {"order", "0 on culms, 1 on branches, ..."},
-      {"age", "what the turtle's age was"},
-      {"radius", "of the smooth stem there, metres"},
-      {"inside", "1 where a cut or the hollow shows, else 0"},
-      {"groove", "1 in the bed of the groove above a branch, 0 outside of it"},
+      {"age", "the turtle's age"},
+      {"radius", "radius of the smooth stem, metres"},
+      {"inside", "1 on cuts and inside the hollow, else 0"},
+      {"groove", "1 in the bed of the groove above a branch, 0 outside of grooves"},
   };
   return all;
 }
@@ -167,8 +168,8 @@ mesh::Mesh swept_mesh(const std::vector<Tube>& tubes, const MeshOptions& options
     triangles += part.triangles.size();
   }
   if (vertices > UINT32_MAX)
-    throw Error(ErrorCode::too_large, "the stems have more vertices than a mesh can number", {},
-                "a larger tolerance takes fewer");
+    throw Error(ErrorCode::too_large, "the stems have more vertices than a mesh can index", {},
+                "use a larger tolerance");
   all.positions.reserve(vertices);
   all.normals.reserve(vertices);
   all.triangles.reserve(triangles);

@@ -9,19 +9,19 @@
 namespace vug::flora {
 namespace {
 
-/// Of the parent's radius that a branch hides in its wood.
+/// Share of the parent's radius in which a branch is hidden.
 constexpr double kHidden = 0.85;
-/// A chamber is at least so long, of the radius.
+/// Minimum length of a chamber relative to the radius.
 constexpr double kMinChamber = 0.01;
 
 }  // namespace
 
 std::string SweepOptions::fault() const {
   if (const char* fault = displacement.fault(); *fault) return fault;
-  if (!(wall >= 0 && wall < 1)) return "a wall is 0 to 100% of the radius";
-  if (!(min_wall >= 0)) return "a wall's least thickness is not below 0";
-  if (!(diaphragm > 0)) return "a diaphragm has a thickness above 0";
-  if (!(smooth > 0)) return "the bend between two cross-sections is above 0";
+  if (!(wall >= 0 && wall < 1)) return "a wall must be 0 to 100% of the radius";
+  if (!(min_wall >= 0)) return "the minimum thickness of a wall must not be negative";
+  if (!(diaphragm > 0)) return "a diaphragm must have a thickness above 0";
+  if (!(smooth > 0)) return "the bend between two cross-sections must be above 0";
   return "";
 }
 
@@ -59,7 +59,7 @@ void Tube::set_chambers(double diaphragm, bool open) {
   Chamber chamber{open ? start() - beyond : start() + diaphragm * radius(start()), 0};
   const auto add = [&](double to) {
     chamber.to = to;
-    // What a cut next to a node would open is no chamber.
+    // A sliver opened by a cut next to a node is not a chamber.
     const double within = std::min(chamber.to, end()) - std::max(chamber.from, start());
     if (within > kMinChamber * radius(chamber.from)) chambers_.push_back(chamber);
   };
@@ -79,7 +79,7 @@ void Tube::set_slope() {
     const double half_bend = 0.5 * (b.frame.tangent - a.frame.tangent).length();
     taper = std::max(taper, std::fabs(b.radius - a.radius) / length);
     tilt = std::max(tilt, half_bend);
-    // On the inner side of a bend cross-sections draw together.
+    // Cross-sections converge on the inner side of a bend.
     const double reach = std::max(this->reach(i), this->reach(i + 1));
     squeeze = std::min(squeeze, 1 - 2 * half_bend * reach / length);
   }
@@ -105,7 +105,7 @@ Ring Tube::at(double along) const {
   const Ring &a = rings_[i], &b = rings_[i + 1];
   const double u = std::clamp((along - a.along) / (b.along - a.along), 0.0, 1.0);
   const Vec3d way = (b.center - a.center).normalized();
-  // Planes between two that meet in a line all pass through it: see place().
+  // All planes between two intersecting planes pass through their common line; see coordinates().
   const double before = way.dot(a.frame.tangent), after = way.dot(b.frame.tangent);
   const double v = u * after / ((1 - u) * before + u * after);
   Ring out;
@@ -144,7 +144,7 @@ Tube::Coordinates Tube::coordinates(const Vec3d& p, size_t segment) const {
     ring.center -= ring.frame.tangent * after;
     ring.along -= after;
   } else {
-    // The share of the way between both planes, by the distances to them.
+    // Fraction between both planes by the distances to them.
     const double u = before + after > 0 ? std::clamp(before / (before + after), 0.0, 1.0) : 0.5;
     ring = at(rings_[i].along * (1 - u) + rings_[i + 1].along * u);
   }

@@ -24,7 +24,7 @@ std::vector<Ring> rings_of(const lsystem::Axis& axis, double begin, double min_r
   return rings;
 }
 
-/// Square to the plane that halves each bend; at the ends along the line.
+/// Normals of the planes that bisect each bend; at the ends the direction of the line.
 std::vector<Vec3d> mitre_tangents(const std::vector<Ring>& rings) {
   std::vector<Vec3d> tangents(rings.size());
   const auto way = [&](size_t i) { return (rings[i + 1].center - rings[i].center).normalized(); };
@@ -32,12 +32,13 @@ std::vector<Vec3d> mitre_tangents(const std::vector<Ring>& rings) {
   tangents.back() = way(rings.size() - 2);
   for (size_t i = 1; i + 1 < rings.size(); ++i) {
     const Vec3d both = way(i - 1) + way(i);
-    tangents[i] = both.length() > 0.2 ? both.normalized() : way(i);  // it turns back on itself
+    // The axis turns back on itself.
+    tangents[i] = both.length() > 0.2 ? both.normalized() : way(i);
   }
   return tangents;
 }
 
-/// With more rings on a curve through all of them, where it bends by more than `most`.
+/// Inserts rings on a curve through all of them where it bends by more than `most`.
 std::vector<Ring> smoothed(const std::vector<Ring>& rings, double most) {
   const std::vector<Vec3d> tangents = mitre_tangents(rings);
   std::vector<Ring> out = {rings.front()};
@@ -73,7 +74,7 @@ std::vector<Ring> make_rings(const lsystem::Axis& axis, double begin, const Swee
   std::vector<Vec3d> centers;
   for (const Ring& ring : rings) centers.push_back(ring.center);
   Frame first = rings.front().frame;
-  // The first normal as the turtle held it, carried to where the line really goes.
+  // The turtle's first normal, transported to the actual direction of the line.
   first = transported(first, Vec3d(0), first.tangent + tangents.front(), tangents.front());
   const std::vector<Frame> frames = rotation_minimising(centers, tangents, first);
   for (size_t i = 0; i < rings.size(); ++i) rings[i].frame = frames[i];

@@ -1,4 +1,4 @@
-// The value of a tube at a place, and its gradient: the chain rule through place().
+// Value of a tube and its gradient by the chain rule through coordinates().
 #include <vug/flora/tube.h>
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 namespace vug::flora {
 namespace {
 
-/// How a frame between two cross-sections changes with the share u of the way: Frame::squared of
-/// what lies between, differentiated.
+/// Derivative of an interpolated frame between two cross-sections with respect to the fraction u:
+/// the differential of Frame::orthonormalized.
 struct FrameSlope {
   Vec3d normal, binormal;
 };
@@ -58,14 +58,15 @@ Tube::CoordinateGradients Tube::coordinate_gradients(const Vec3d& p,
     off -= f.tangent * off.dot(f.tangent);
     out.along = f.tangent;
   } else {
-    // u, the share of the way between both planes; the middle line moves with it.
+    // u is the fraction between both planes; the middle line moves with it.
     const double u = before / (before + after), whole = b.along - a.along;
     const Vec3d way = b.center - a.center, ahead = way.normalized();
     const double from = ahead.dot(a.frame.tangent), to = ahead.dot(b.frame.tangent);
     const double mixed = (1 - u) * from + u * to;
     const Vec3d center = way * (from * to / (mixed * mixed));
     const FrameSlope turn = frame_slope(a.frame, b.frame, u, f);
-    const Vec3d du = before < 0 || after < 0  // kept between the planes: it does not move along
+    // Clamped between the planes: no movement along the axis.
+    const Vec3d du = before < 0 || after < 0
                          ? Vec3d(0)
                          : (a.frame.tangent * after + b.frame.tangent * before) /
                                ((before + after) * (before + after));

@@ -19,7 +19,7 @@ RejectedEdit rejected(const std::string& key, const std::string& message,
   return {key, Error(ErrorCode::bad_input, message, {}, hint)};
 }
 
-/// Runs the work; what is wrong with it is wrong with that key of the edit.
+/// Runs the work and attributes its errors to that key of the edit.
 template <class Work>
 auto with_key(const std::string& key, const Work& work) {
   try {
@@ -36,7 +36,7 @@ void check(const EditKind& kind, const Edit& edit) {
   if (kind.rule && edit.rule.empty())
     throw rejected("rule", fmt::format("'{}' needs a rule", kind.name));
   if (!kind.rule && !edit.rule.empty())
-    throw rejected("rule", fmt::format("'{}' takes no rule", kind.name));
+    throw rejected("rule", fmt::format("'{}' does not take a rule", kind.name));
   for (const std::string& name : kind.numbers)
     if (!edit.numbers.count(name))
       throw rejected("numbers", fmt::format("'{}' needs '{}'", kind.name, name));
@@ -44,13 +44,13 @@ void check(const EditKind& kind, const Edit& edit) {
     const bool own =
         std::find(kind.numbers.begin(), kind.numbers.end(), name) != kind.numbers.end();
     if (own && values.size() != 1)
-      throw rejected("numbers/" + name, fmt::format("'{}' is one number", name));
+      throw rejected("numbers/" + name, fmt::format("'{}' must be one number", name));
     if (!own && !kind.free_numbers)
-      throw rejected("numbers/" + name, fmt::format("'{}' takes no '{}'", kind.name, name),
+      throw rejected("numbers/" + name, fmt::format("'{}' does not take '{}'", kind.name, name),
                      suggestion(name, kind.numbers));
     for (const double value : values)
       if (!std::isfinite(value))
-        throw rejected("numbers/" + name, fmt::format("'{}' is not finite", name));
+        throw rejected("numbers/" + name, fmt::format("'{}' must be finite", name));
   }
 }
 
@@ -71,7 +71,7 @@ const EditKind& edit_kind(const std::string& name) {
     if (kind->name == name) return *kind;
     known.push_back(kind->name);
   }
-  throw rejected("edit", fmt::format("there is no edit '{}'", name), suggestion(name, known));
+  throw rejected("edit", fmt::format("unknown edit '{}'", name), suggestion(name, known));
 }
 
 FacadeState perform_edit(const FacadeState& state, const Edit& edit) {

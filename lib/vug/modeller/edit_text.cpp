@@ -1,4 +1,4 @@
-// Edits as lines of text.
+// Parsing and formatting of edits as lines of text.
 #include <vug/modeller/edit.h>
 
 #include <fmt/format.h>
@@ -32,17 +32,17 @@ double read_number(const std::string& name, const std::string& text, double metr
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
   const std::string unit(end, text.data() + text.size());
   if (fault != std::errc() || !std::isfinite(value))
-    throw bad(fmt::format("'{}={}' is no number", name, text), "as 4, 2.4m, 90cm, 120px");
+    throw bad(fmt::format("invalid number '{}={}'", name, text), "such as 4, 2.4m, 90cm, 120px");
   if (unit.empty() || unit == "m") return value;
   if (unit == "cm") return value / 100;
-  if (unit != "px") throw bad(fmt::format("'{}' is no unit", unit), "m, cm or px");
+  if (unit != "px") throw bad(fmt::format("unknown unit '{}'", unit), "use m, cm or px");
   if (!(metres_per_pixel > 0))
-    throw bad(fmt::format("'{}={}': a pixel has no size here", name, text),
+    throw bad(fmt::format("'{}={}': the pixel size is unknown", name, text),
               "the session has no photo with a scale");
   return value * metres_per_pixel;
 }
 
-/// Where " name=" begins, or the end.
+/// Position where the " name=" arguments begin, or the end.
 size_t numbers_at(const std::string& text) {
   for (size_t i = 0; i < text.size(); ++i) {
     if (i > 0 && text[i - 1] != ' ') continue;
@@ -61,7 +61,7 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-/// Takes the word that the text begins with.
+/// Removes and returns the first word of the text.
 std::string take_word(std::string& text) {
   text = trimmed(text);
   const size_t end = text.find(' ');
@@ -78,7 +78,8 @@ Edit parse_edit(const std::string& text, const std::string& kind, double metres_
   out.kind = kind.empty() ? take_word(rest) : kind;
   const EditKind& found = edit_kind(out.kind);
   out.node = take_word(rest);
-  if (out.node.empty()) throw bad(fmt::format("'{}' needs a node", out.kind), "as 0, 0.1, or .");
+  if (out.node.empty())
+    throw bad(fmt::format("'{}' needs a node", out.kind), "such as 0, 0.1, or .");
   const size_t numbers = numbers_at(rest);
   out.rule = trimmed(rest.substr(0, numbers));
   if (!found.rule && !out.rule.empty())
@@ -87,10 +88,11 @@ Edit parse_edit(const std::string& text, const std::string& kind, double metres_
     if (word.empty()) continue;
     const size_t equals = word.find('=');
     if (equals == std::string::npos || equals == 0)
-      throw bad(fmt::format("'{}' is no number of an edit", word), "as columns=4, or dx=2.1,2.4");
+      throw bad(fmt::format("'{}' is not a number of an edit", word),
+                "such as columns=4, or dx=2.1,2.4");
     const std::string name = word.substr(0, equals), values = word.substr(equals + 1);
     std::vector<double>& list = out.numbers[name];
-    if (!list.empty()) throw bad(fmt::format("'{}' stands twice", name));
+    if (!list.empty()) throw bad(fmt::format("'{}' is given twice", name));
     if (values.empty()) continue;
     for (const std::string& value : split(values, ','))
       list.push_back(read_number(name, value, metres_per_pixel));

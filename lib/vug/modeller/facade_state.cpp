@@ -40,12 +40,12 @@ FacadeState::FacadeState(StylePtr style, const Canvas& canvas, Plan plan) {
   for (const double size : {canvas.width, canvas.height, canvas.min_size})
     if (!(size > 0) || !(size < 1e6))
       throw Error(ErrorCode::bad_input,
-                  fmt::format("a facade of {} x {} m whose parts are {} m or more", canvas.width,
-                              canvas.height, canvas.min_size),
-                  {}, "sizes are above 0 and below 1000 km");
+                  fmt::format("invalid facade of {} x {} m with a minimum part size of {} m",
+                              canvas.width, canvas.height, canvas.min_size),
+                  {}, "sizes must be above 0 and below 1000 km");
   if (canvas.min_size > std::min(canvas.width, canvas.height))
     throw Error(ErrorCode::bad_input,
-                fmt::format("a facade of {} x {} m is smaller than its least part, {} m",
+                fmt::format("a facade of {} x {} m is smaller than the minimum part size, {} m",
                             canvas.width, canvas.height, canvas.min_size));
   facade::DeriveOptions options{.width = canvas.width, .height = canvas.height};
   options.limits = {canvas.max_symbols, canvas.max_symbols};

@@ -39,7 +39,7 @@ void History::restore(const std::string& checkpoint) {
   std::vector<std::string> names;
   for (const auto& [name, at] : checkpoints_) names.push_back(name);
   if (found == checkpoints_.end())
-    throw Error(ErrorCode::bad_input, fmt::format("there is no checkpoint '{}'", checkpoint), {},
+    throw Error(ErrorCode::bad_input, fmt::format("unknown checkpoint '{}'", checkpoint), {},
                 suggestion(checkpoint, names));
   done_ = found->second;
 }

@@ -12,12 +12,12 @@ namespace vug::modeller {
 
 namespace {
 
-/// Walks through a text that is known to be JSON.
+/// Scans a text that is known to be valid JSON.
 class Scanner {
  public:
   explicit Scanner(const std::string& text) : text_(text) {}
 
-  /// Stops before the value; false where there is none.
+  /// Moves to the value of a key; false if it does not exist.
   bool enter(const std::string& key) {
     skip_space();
     const char open = peek();
@@ -32,7 +32,7 @@ class Scanner {
         skip_text();
         name = Json::parse(text_.substr(begin, at_ - begin), nullptr, false).get<std::string>();
         skip_space();
-        ++at_;  // the colon
+        ++at_;  // Skips the colon.
         skip_space();
       }
       if (name == key) return true;
@@ -68,7 +68,7 @@ class Scanner {
       }
       depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0;
       ++at_;
-      // A number or a word ends before what follows it.
+      // A number or a word ends before the next separator.
     } while (at_ < text_.size() &&
              (depth > 0 || std::string_view(",]} \t\r\n").find(text_[at_]) == std::string::npos));
   }
@@ -103,16 +103,14 @@ Json JsonValue::parse(const std::string& text, const std::string& file) {
   try {
     Json out = Json::parse(text, see);
     if (!twice.empty())
-      throw Error(ErrorCode::bad_input,
-                  fmt::format("the key '{}' stands twice in one object", twice),
+      throw Error(ErrorCode::bad_input, fmt::format("duplicate key '{}' in one object", twice),
                   location_in(text, file, text.rfind('"' + twice + '"')));
     return out;
   } catch (const Json::parse_error& error) {
-    throw Error(ErrorCode::bad_input, "this is no JSON",
+    throw Error(ErrorCode::bad_input, "invalid JSON",
                 location_in(text, file, error.byte == 0 ? 0 : error.byte - 1));
   } catch (const Json::exception&) {
-    throw Error(ErrorCode::bad_input, "this is no JSON that can be used: a number is too large",
-                {file, 0, 0});
+    throw Error(ErrorCode::bad_input, "invalid JSON: a number is too large", {file, 0, 0});
   }
 }
 
@@ -135,37 +133,37 @@ std::vector<JsonValue> JsonValue::items() const {
 }
 
 std::string JsonValue::text() const {
-  if (!value_->is_string()) throw fault("a text is needed here");
+  if (!value_->is_string()) throw fault("expected a string");
   return value_->get<std::string>();
 }
 
 double JsonValue::number() const {
-  if (!value_->is_number()) throw fault("a number is needed here");
+  if (!value_->is_number()) throw fault("expected a number");
   const double out = value_->get<double>();
-  if (!std::isfinite(out)) throw fault("the number is not finite");
+  if (!std::isfinite(out)) throw fault("the number must be finite");
   return out;
 }
 
 uint64_t JsonValue::whole() const {
   const double out = number();
   if (!(out >= 0 && out <= 9007199254740992.0) || out != std::floor(out))
-    throw fault("a whole number from 0 on is needed here");
+    throw fault("expected a non-negative integer");
   return static_cast<uint64_t>(out);
 }
 
 void JsonValue::check_array() const {
-  if (!value_->is_array()) throw fault("a list is needed here");
+  if (!value_->is_array()) throw fault("expected a list");
 }
 
 void JsonValue::check_object() const {
-  if (!value_->is_object()) throw fault("an object is needed here");
+  if (!value_->is_object()) throw fault("expected an object");
 }
 
 void JsonValue::check_object(const std::vector<std::string>& known) const {
   check_object();
   for (const auto& [key, value] : value_->items())
     if (std::find(known.begin(), known.end(), key) == known.end())
-      throw fault(fmt::format("there is no '{}' here", key), suggestion(key, known), key);
+      throw fault(fmt::format("unknown key '{}'", key), suggestion(key, known), key);
 }
 
 Error JsonValue::fault(const std::string& message, const std::string& hint,

@@ -25,7 +25,7 @@ double extent(const FacadeState& state, int node, bool upright) {
   return upright ? state.node(node).rect.width : state.node(node).rect.height;
 }
 
-/// Lines between parts of these sizes. What the parts leave between them is on both sides alike.
+/// Adds the lines between parts of these sizes, centred in the gaps between the parts.
 void add_split_lines(const FacadeState& state, int node, const FreeNumber& sizes, bool upright,
                      std::vector<Line>& out) {
   double total = 0, at = 0;
@@ -41,7 +41,7 @@ void add_split_lines(const FacadeState& state, int node, const FreeNumber& sizes
   }
 }
 
-/// Where columns begin, or rows; nothing where the text says so itself.
+/// Starts of columns or rows; empty if the text fixes them.
 std::vector<double> starts(const FacadeState& state, int node, const Axis& axis) {
   const FreeNumber* first = number(state, node, axis.start);
   const FreeNumber* count = number(state, node, axis.count);

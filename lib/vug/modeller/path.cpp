@@ -1,4 +1,4 @@
-// Paths of nodes, in numbers or names.
+// Paths of nodes, with child indices or names.
 #include <vug/base/diagnostics.h>
 #include <vug/modeller/facade_state.h>
 
@@ -11,13 +11,13 @@ namespace vug::modeller {
 
 namespace {
 
-/// One step: a number, or a name with what stands in brackets behind it.
+/// One step of a path: an index, or a name with an index in brackets.
 struct PathStep {
-  std::string name;  ///< Empty: the number counts among all parts.
+  std::string name;  ///< Empty: the index counts all children.
   std::vector<int> numbers;
 };
 
-/// Whole numbers from 0 on, between commas; nothing for anything else.
+/// Comma-separated non-negative integers; empty for anything else.
 std::vector<int> numbers_of(std::string_view text) {
   std::vector<int> out;
   while (true) {
@@ -44,8 +44,8 @@ PathStep read_step(const std::string& text) {
   if (open != std::string::npos && text.back() == ']')
     out.numbers = numbers_of(std::string_view(text).substr(open + 1, text.size() - open - 2));
   if (out.name.empty() || out.numbers.empty() || out.numbers.size() > 2)
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no step of a path", text), {},
-                "as 0, Grid, window[3], or window[2,1]");
+    throw Error(ErrorCode::bad_input, fmt::format("invalid step '{}' of a path", text), {},
+                "such as 0, Grid, window[3], or window[2,1]");
   return out;
 }
 

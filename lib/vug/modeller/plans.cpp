@@ -24,7 +24,7 @@ std::string called(const FacadeState& state, int node) {
              : fmt::format("'{}' at {}", state.node(node).symbol, state.path(node));
 }
 
-/// One number fewer, as with_what_fits says; false where it is not the numbers' fault.
+/// Drops or reduces one number, see with_feasible_numbers; false if the number is not the cause.
 bool without(Plan& plan, const std::string& name, const facade::NumberValues& needed) {
   const auto found = plan.numbers.find(name);
   if (found == plan.numbers.end() || needed.count(name)) return false;
@@ -37,7 +37,7 @@ bool without(Plan& plan, const std::string& name, const facade::NumberValues& ne
   return true;
 }
 
-/// `plan`, with `part` in place of the one part that it has.
+/// `plan` with `part` in place of its only part.
 Plan with_part(const Plan& plan, const Plan& part) {
   Plan out = plan;
   out.parts.begin()->second = std::make_shared<const Plan>(part);
@@ -51,13 +51,14 @@ void require_open(const FacadeState& state, int node) {
     throw bad("the facade itself has no rules", "its axiom is node 0");
   if (state.rule(node) >= 0)
     throw InfeasiblePlan(facade::Reason::divided, "",
-                         fmt::format("{} is divided already, by {}", called(state, node),
+                         fmt::format("{} is already divided, by {}", called(state, node),
                                      state.style().rule_name(state.rule(node))),
-                         "retract that, or change it");
+                         "retract or change that rule");
   if (state.node(node).element)
-    throw bad(fmt::format("{} is an element", called(state, node)), "it is not divided further");
+    throw bad(fmt::format("{} is an element", called(state, node)),
+              "elements are not divided further");
   if (!state.node(node).stuck)
-    throw bad(fmt::format("{} stands within a rule, which divides it", called(state, node)));
+    throw bad(fmt::format("{} is part of a rule, which divides it", called(state, node)));
 }
 
 void require_divided(const FacadeState& state, int node) {
@@ -104,7 +105,7 @@ PlanPtr translated(const Style& style, const PlanPtr& plan, const std::string& s
 
 FacadeState with_feasible_numbers(const FacadeState& state, int node, Plan plan,
                                   const facade::NumberValues& needed) {
-  // A rule that hands its rectangle on has its numbers in the part's plan.
+  // If a rule passes its rectangle on, its numbers are in the plan of that part.
   const bool handed = plan.rule >= 0 && state.style().passes_to(plan.rule) && !plan.parts.empty();
   Plan inner = handed && plan.parts.begin()->second ? *plan.parts.begin()->second : Plan();
   while (true) {

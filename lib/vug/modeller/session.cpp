@@ -23,14 +23,17 @@ Photo read_photo(const JsonValue& from) {
     for (const JsonValue& each : pixels.items()) sizes.push_back(each.whole());
     if (sizes.size() != 2 || std::min(sizes[0], sizes[1]) < 1 ||
         std::max(sizes[0], sizes[1]) > 1000000)
-      throw pixels.fault("a picture has a width and a height in pixels", "as [640, 480]");
+      throw pixels.fault("invalid picture size: expected a width and a height in pixels",
+                         "such as [640, 480]");
     out.width = static_cast<int>(sizes[0]);
     out.height = static_cast<int>(sizes[1]);
   }
   if (from.has("scale")) {
     out.scale = from.at("scale").number();
-    if (!(out.scale > 0)) throw from.at("scale").fault("a pixel has a size above 0", "in metres");
-    if (out.width == 0) throw from.fault("'pixels' is missing", "a scale alone tells no size");
+    if (!(out.scale > 0))
+      throw from.at("scale").fault("the pixel size must be above 0", "in metres");
+    if (out.width == 0)
+      throw from.fault("'pixels' is missing", "a scale alone does not determine the size");
   }
   return out;
 }
@@ -38,11 +41,11 @@ Photo read_photo(const JsonValue& from) {
 void check_format(const JsonValue& root) {
   root.check_object();
   if (!root.has("format") || root.at("format").json() != kFormat)
-    throw root.fault("this is no session of a facade", fmt::format("\"format\": \"{}\"", kFormat),
+    throw root.fault("this is not a facade session", fmt::format("\"format\": \"{}\"", kFormat),
                      "format");
   const uint64_t version = root.at("version").whole();
   if (version != kVersion)
-    throw root.fault(fmt::format("the session is of version {}", version),
+    throw root.fault(fmt::format("unsupported session version {}", version),
                      fmt::format("this program reads version {}", kVersion), "version");
   root.check_object({"format", "version", "grammar", "facade", "width", "height", "photo", "least",
                      "seed", "edits", "done", "checkpoints"});
@@ -56,7 +59,8 @@ SessionHeader read_header(const JsonValue& root) {
     if (!root.has(name)) return std::nullopt;
     const double value = root.at(name).number();
     if (!(value > 0) || !(value < 1e6))
-      throw root.at(name).fault(fmt::format("'{}' is {}", name, value), "above 0 m, below 1000 km");
+      throw root.at(name).fault(fmt::format("invalid '{}': {}", name, value),
+                                "must be above 0 m and below 1000 km");
     return value;
   };
   out.width = length("width");
@@ -129,7 +133,7 @@ Canvas canvas_of(const SessionHeader& header, const Style& style) {
     if (given) return *given;
     if (scaled) return pixels * photo->scale;
     if (!usual)
-      throw Error(ErrorCode::bad_input, fmt::format("nothing tells the facade's {}", name), {},
+      throw Error(ErrorCode::bad_input, fmt::format("the facade's {} is unknown", name), {},
                   fmt::format("give '{}' in metres, or a photo's pixels and scale", name));
     return *usual;
   };
@@ -140,7 +144,7 @@ Canvas canvas_of(const SessionHeader& header, const Style& style) {
   return out;
 }
 
-/// Whole ones without a point.
+/// Integers are written without a decimal point.
 Json json_of(double number) {
   if (number == std::floor(number) && std::abs(number) < 1e15)
     return Json(static_cast<int64_t>(number));
@@ -209,7 +213,7 @@ std::string session_text(const Session& session) {
   }
   if (header.min_size != SessionHeader().min_size) head["least"] = header.min_size;
   if (header.seed != 0) head["seed"] = header.seed;
-  // A line for each member and each edit, so that texts can be compared.
+  // One line per member and per edit, so that texts can be compared.
   const auto dump = [](const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   };

@@ -19,7 +19,7 @@ std::string right_side(const Rule& rule) {
   return facade::to_string(rule).substr(rule.head.size() + 4);
 }
 
-/// The name before brackets.
+/// The name before the brackets.
 std::string first_word(const std::string& text) { return text.substr(0, text.find_first_of("( ")); }
 
 bool only_elements(const std::vector<Item>& items) {
@@ -29,7 +29,7 @@ bool only_elements(const std::vector<Item>& items) {
   });
 }
 
-/// What rules of one action have in common: the split and its first part, or all of the right side.
+/// The common part of an action's rules: the split and its first part, or the whole right side.
 std::string common(const Rule& rule) {
   if (rule.items.size() != 1 || rule.items[0].kind != ItemKind::split ||
       rule.items[0].parts.empty())
@@ -63,20 +63,20 @@ void Style::read(const std::string& grammar) {
     if (grammar.empty() || each.name == grammar) found = &each;
   }
   if (names.empty())
-    throw Error(ErrorCode::bad_input, "there is no grammar of kind facade", {},
+    throw Error(ErrorCode::bad_input, "no grammar of kind facade", {},
                 "write 'grammar NAME: facade { ... }'");
   if (!found)
-    throw Error(ErrorCode::bad_input, fmt::format("there is no facade '{}'", grammar), {},
+    throw Error(ErrorCode::bad_input, fmt::format("unknown facade '{}'", grammar), {},
                 suggestion(grammar, names));
   if (grammar.empty() && names.size() > 1)
     throw Error(ErrorCode::bad_input,
                 fmt::format("there are several facades: {}", fmt::join(names, ", ")), {},
-                "name one of them");
+                "select one of them");
   Diagnostics diagnostics;
   rules_ = facade::read_rules(document_, *found, diagnostics);
   throw_first_error(diagnostics);
   if (found->broken)
-    throw Error(ErrorCode::bad_input, fmt::format("the facade '{}' has faults", found->name),
+    throw Error(ErrorCode::bad_input, fmt::format("the facade '{}' has errors", found->name),
                 found->where);
   read_size(*found);
 }

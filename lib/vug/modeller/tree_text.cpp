@@ -14,24 +14,25 @@ using facade::Tree;
 
 double length(const JsonValue& from) {
   const double value = from.number();
-  if (!(std::abs(value) < 1e6)) throw from.fault("a length in metres is needed here");
+  if (!(std::abs(value) < 1e6)) throw from.fault("expected a length in metres");
   return value;
 }
 
 facade::Rect read_rect(const JsonValue& from) {
   const std::vector<JsonValue> numbers = from.items();
   if (numbers.size() != 4)
-    throw from.fault("a rectangle is four numbers", "x, y, width and height");
+    throw from.fault("expected a rectangle of four numbers", "x, y, width and height");
   const facade::Rect out{length(numbers[0]), length(numbers[1]), length(numbers[2]),
                          length(numbers[3])};
-  if (out.width < 0 || out.height < 0) throw from.fault("a rectangle is 0 m wide at least");
+  if (out.width < 0 || out.height < 0)
+    throw from.fault("a rectangle must not have a negative size");
   return out;
 }
 
 facade::Placement read_copy(const JsonValue& from) {
   from.check_object({"x", "y", "mirrored"});
   const Json& mirrored = from.at("mirrored").json();
-  if (!mirrored.is_boolean()) throw from.at("mirrored").fault("true or false is needed here");
+  if (!mirrored.is_boolean()) throw from.at("mirrored").fault("expected true or false");
   return {length(from.at("x")), length(from.at("y")), mirrored.get<bool>()};
 }
 
@@ -76,8 +77,8 @@ Tree read_tree(const std::string& text, const std::string& file) {
   const JsonValue root(json, text, file);
   root.check_object();
   if (!root.has("nodes"))
-    throw root.fault("this is no tree of a facade",
-                     "name what 'vug facade fit' or 'vug tree --json' wrote");
+    throw root.fault("this is not a facade tree",
+                     "use a file written by 'vug facade fit' or 'vug tree --json'");
   Tree out;
   out.name = root.at("name").text();
   out.width = length(root.at("width"));
@@ -88,8 +89,8 @@ Tree read_tree(const std::string& text, const std::string& file) {
     node.parent = static_cast<int>(std::max(-1.0, length(parent)));
     const int here = static_cast<int>(out.nodes.size());
     if (node.parent >= here || node.parent != parent.number())
-      throw parent.fault(fmt::format("node {} has no such parent", here),
-                         "the number of a node before it, or -1");
+      throw parent.fault(fmt::format("node {} has an invalid parent", here),
+                         "must be the index of an earlier node, or -1");
     if (node.parent >= 0) out.nodes[static_cast<size_t>(node.parent)].children.push_back(here);
     out.nodes.push_back(std::move(node));
   }

@@ -16,7 +16,7 @@ using facade::Node;
 using facade::Rect;
 using facade::Tree;
 
-/// What rounding to tenths of millimetres may have added to a size.
+/// Size error due to rounding to tenths of millimetres.
 constexpr double kRounding = 2e-4;
 constexpr double kDisplaced = 0.01;  ///< Metres.
 
@@ -27,7 +27,7 @@ std::vector<double> all_of(const facade::Numbers& numbers, const std::string& na
   return out;
 }
 
-/// How one axis of a grid's cells is called.
+/// Names of a grid's numbers along one axis.
 struct Axis {
   const char *count, *first, *steps, *size;
   double Rect::*edge, Rect::*extent;
@@ -35,14 +35,15 @@ struct Axis {
 constexpr Axis kAcross{"columns", "x", "dx", "width", &Rect::x, &Rect::width},
     kUp{"rows", "y", "dy", "height", &Rect::y, &Rect::height};
 
-/// How large cells may be that begin there, of one size, in so much room.
+/// Largest common size of cells that start at these positions within the room.
 double max_cell_size(const std::vector<double>& begins, double room) {
   double out = std::min(room / static_cast<double>(begins.size()), room - begins.back());
   for (size_t i = 1; i < begins.size(); ++i) out = std::min(out, begins[i] - begins[i - 1]);
   return out;
 }
 
-/// facade::grammar_text numbers symbols whose parts differ: "Bay", "Bay2".
+/// Removes the number that facade::grammar_text appends to symbols with different parts: "Bay",
+/// "Bay2".
 std::string without_number(std::string symbol) {
   while (!symbol.empty() && std::isdigit(static_cast<unsigned char>(symbol.back())))
     symbol.pop_back();
@@ -78,7 +79,7 @@ class TreeTracer {
  private:
   const Node& node(int i) const { return tree_.nodes[static_cast<size_t>(i)]; }
 
-  /// Among its parent's parts.
+  /// Index among its parent's children.
   size_t number_of(int i) const {
     const std::vector<int>& all = node(node(i).parent).children;
     return static_cast<size_t>(std::find(all.begin(), all.end(), i) - all.begin());
@@ -86,11 +87,11 @@ class TreeTracer {
 
   void follow(const Node& from, const std::string& path) {
     const std::optional<int> here = found(path);
-    if (!here || state_.node(*here).element) return;  // what is above could not be followed
+    if (!here || state_.node(*here).element) return;  // The edit of an ancestor failed.
     Edit edit{"apply", path, rule_of(from, state_.node(*here).symbol),
               numbers_of(from, state_.node(*here).rect)};
     while (!done(edit)) {
-      // A number that the rule does not leave free, or that does not fit: it is as usual then.
+      // The rule does not have this number as a free one, or it does not fit: use its default.
       const std::string number =
           rejected_key_.rfind("numbers/", 0) == 0 ? rejected_key_.substr(8) : "";
       if (!edit.numbers.erase(number)) return;
@@ -106,8 +107,7 @@ class TreeTracer {
     }
   }
 
-  /// The rule of that text; else, of a grammar that was written from a tree, the only one that
-  /// there is.
+  /// The rule with the same text; in a grammar written from a tree, the only rule of the symbol.
   std::string rule_of(const Node& from, const std::string& symbol) const {
     const Style& style = state_.style();
     for (const int rule : style.rules_of(from.symbol))
@@ -141,7 +141,7 @@ class TreeTracer {
     return out;
   }
 
-  /// Of all that stands in a grid, from its left or lower edge, ascending.
+  /// Edges of all contents of a grid, from its left or lower edge, ascending.
   std::vector<double> edges(const Node& grid, const Axis& axis) const {
     std::vector<double> out;
     for (const int child : grid.children) {
@@ -153,8 +153,8 @@ class TreeTracer {
     return out;
   }
 
-  /// Where columns, or rows, begin. The one distance of a regular grid is told as that of its first
-  /// two, which whole pixels make differ from the mean.
+  /// Starts of columns or rows. The tree stores the spacing of a regular grid as that of its first
+  /// two lines, which may differ from the mean because of whole pixels.
   std::vector<double> begins(const Node& grid, const Axis& axis) const {
     const std::vector<double> count = all_of(grid.numbers, axis.count),
                               first = all_of(grid.numbers, axis.first);
@@ -177,7 +177,7 @@ class TreeTracer {
     return out;
   }
 
-  /// What the split of a node may have left free, as its parts tell.
+  /// The numbers that the node's split may have left free, derived from its parts.
   facade::NumberValues numbers_of(const Node& from, const Rect& room) const {
     facade::NumberValues out;
     if (from.children.empty()) return out;
@@ -199,7 +199,7 @@ class TreeTracer {
   }
 
   void add_grid_numbers(const Node& from, const Rect& room, facade::NumberValues& out) const {
-    // One size for all: that of the most.
+    // A single size for all cells: the most frequent one.
     const Node* most = nullptr;
     const std::string& cell = node(from.children[0]).symbol;
     for (const int child : from.children) {
@@ -218,13 +218,13 @@ class TreeTracer {
       out[axis.first] = {at[0]};
       const size_t numbers_of = std::min(all_of(from.numbers, axis.steps).size(), at.size() - 1);
       for (size_t k = 0; k < numbers_of; ++k) out[axis.steps].push_back(at[k + 1] - at[k]);
-      // Where it does not fit everywhere it gives way: places tell more of a facade than sizes do.
+      // Sizes give way if they do not fit everywhere, because positions are more significant.
       const double fits = max_cell_size(at, room.*axis.extent) - kRounding;
       if (fits > 0) out[axis.size][0] = std::min(out[axis.size][0], fits);
     }
   }
 
-  /// Cells of a grid in which nothing of the tree stands.
+  /// Toggles cells of a grid that are empty in the tree.
   void clear_empty_cells(const Node& from, const std::string& path) {
     const std::vector<double> x = begins(from, kAcross), y = begins(from, kUp);
     if (x.empty() || y.empty()) return;
@@ -246,7 +246,7 @@ class TreeTracer {
                 {{"column", {static_cast<double>(column)}}, {"row", {static_cast<double>(row)}}}});
   }
 
-  /// How far everything stands from where it did; of each kind the nearest.
+  /// Compares the positions of all elements with the nearest counterpart of the same kind.
   void compare() {
     std::map<std::string, std::vector<Rect>> now;
     for (const facade::ElementInstance& one : facade::element_instances(state_.tree()))

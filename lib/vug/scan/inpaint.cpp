@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kNone = INT32_MAX;
 
-/// For each pixel the row of the nearest pixel with points in its column, if that is within reach.
+/// For each pixel the row of the nearest pixel with points in its column, within the reach.
 std::vector<int> nearest_rows(const RangeImage& image, int reach) {
   std::vector<int> rows(image.pixel_count(), kNone);
   parallel_for(static_cast<size_t>(image.width), [&](size_t column) {

@@ -9,10 +9,10 @@
 namespace vug::scan {
 namespace {
 
-/// One line of `count` pixels, `step` apart, dilated in place.
+/// Dilates one line of `count` pixels with stride `step` in place.
 void dilate_line(uint8_t* line, int count, size_t step, int radius) {
   const auto at = [&](int i) -> uint8_t& { return line[static_cast<size_t>(i) * step]; };
-  // What is on in the line; bit 1 of a pixel keeps what comes of it meanwhile.
+  // Bit 0 holds the input; bit 1 collects the output.
   for (int i = 0, since = radius + 1; i < count; ++i) {
     since = at(i) & 1 ? 0 : since + 1;
     if (since <= radius) at(i) |= 2;
@@ -81,7 +81,7 @@ void each_component(const Mask& mask, const std::function<void(const Component&)
       if (x > 0 && mask.at(x - 1, y)) sets.join(i, i - 1);
       if (y > 0 && mask.at(x, y - 1)) sets.join(i, i - static_cast<uint32_t>(mask.width));
     }
-  // Roots are the first pixels of their groups, so groups come in that order.
+  // Roots are the first pixels of their components, which defines the order.
   struct ComponentBounds {
     uint32_t root = 0;
     PixelBox box;

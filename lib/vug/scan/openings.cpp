@@ -10,9 +10,9 @@
 namespace vug::scan {
 namespace {
 
-/// The lowest pixel that shows the facade near the columns of a box, as its lower border's row.
+/// Lower border of the lowest facade pixel near the columns of a box, as a row.
 int ground(const SurfaceMap& map, const RangeImage& range, const PixelBox& box) {
-  constexpr double kAside = 1;  // metres
+  constexpr double kAside = 1;  // Metres.
   const int aside = pixels_of(kAside, range.pixel, range.width);
   for (int y = range.height - 1; y >= box.y1; --y)
     for (int x = std::max(0, box.x0 - aside); x < std::min(range.width, box.x1 + aside); ++x) {
@@ -44,12 +44,12 @@ Opening opening_of(const PixelBox& box, const RangeImage& range, const SurfaceMa
   return out;
 }
 
-/// Takes the rows (or columns) at a box's borders off that show next to nothing behind the wall, if
-/// they are at least `least` and the rest shows something: a shop's sign that stood before the wall
-/// hides it as a window's glass does, but its shadow has no frame.
+/// Splits off rows (or columns) at a box's borders that show almost nothing behind the wall, if
+/// they are at least `least` wide and the rest shows something: a shop sign in front of the wall
+/// hides it like window glass does, but its shadow has no frame.
 std::vector<PixelBox> split_empty_borders(const PixelBox& box, const RangeImage& range,
                                           const SurfaceMap& map, int least) {
-  constexpr double kNothing = 0.02, kSomething = 0.1;  // parts of a row, of the rest
+  constexpr double kNothing = 0.02, kSomething = 0.1;  // Shares of a row and of the rest.
   const auto part_behind = [&](const PixelBox& part) {
     int64_t behind = 0;
     for (int y = part.y0; y < part.y1; ++y)
@@ -77,11 +77,11 @@ std::vector<PixelBox> split_empty_borders(const PixelBox& box, const RangeImage&
   return {box};
 }
 
-/// The boxes of a group; of one that is too large or a network rather than a box, those that are
-/// left when its necks are cut.
+/// The boxes of a component. A component that is too large, or a network rather than a box, is cut
+/// at its necks first.
 std::vector<PixelBox> split_component(const Component& group, const RangeImage& range,
                                       const OpeningOptions& options) {
-  constexpr double kFill = 0.4;  // of a box, below which its pixels are a network
+  constexpr double kFill = 0.4;  // Share of a box below which its pixels count as a network.
   std::vector<PixelBox> out;
   const auto fits = [&](const FilledBox& piece) {
     const int side = std::max(piece.box.x1 - piece.box.x0, piece.box.y1 - piece.box.y0);
@@ -114,12 +114,12 @@ void require_valid(const OpeningOptions& options) {
        {options.closing, options.min_size, options.max_size, options.door_sill,
         options.min_perimeter, options.max_bar_width, options.max_neck_width})
     if (!(number >= 0 && std::isfinite(number)))
-      throw Error(ErrorCode::bad_input, "the measures of openings must not be negative");
+      throw Error(ErrorCode::bad_input, "the lengths of opening options must not be negative");
 }
 
 std::vector<Opening> extract_openings(const Mask& open, const RangeImage& range,
                                       const SurfaceMap& map, const OpeningOptions& options) {
-  // Masks, groups and their parts, at the same time at most.
+  // Masks, components and their parts that exist at the same time.
   constexpr double kPixelBytes = 16;
   require_memory(kPixelBytes * static_cast<double>(range.pixel_count()), options.memory,
                  "the search for openings", "use larger pixels");

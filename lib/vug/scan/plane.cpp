@@ -11,14 +11,14 @@
 namespace vug::scan {
 namespace {
 
-constexpr size_t kMaxVotes = 20000;  ///< Points that judge a sample.
+constexpr size_t kMaxVotes = 20000;  ///< Points that vote on a sample.
 constexpr int kMaxSamples = 5000;
 constexpr int kMaxRounds = 50;
-constexpr double kBehind = 1.0;  ///< Metres within which tails tell the front.
+constexpr double kBehind = 1.0;  ///< Metres; range of the tails that determine the front.
 
 struct CandidatePlane {
   Vec3d point{0, 0, 0};
-  Vec3d normal{0, 0, 0};  ///< Zero: there is none.
+  Vec3d normal{0, 0, 0};  ///< Zero: no plane.
 
   bool exists() const { return normal.length2() > 0; }
   double distance(const Vec3d& p) const { return (p - point).dot(normal); }
@@ -28,9 +28,10 @@ double lean_of(const Vec3d& normal, const Vec3d& up) {
   return kPi / 2 - maths::acos(std::min(1.0, std::fabs(normal.dot(up))));
 }
 
-/// Sums from which a plane of least squares follows; about a near origin, so that digits are kept.
+/// Moments of points for a least squares plane, about a nearby origin for precision.
 struct Moments {
-  double count = 0, squares = 0;  ///< Squares of distances from the plane that chose the points.
+  /// `squares`: squared distances from the plane that selected the points.
+  double count = 0, squares = 0;
   Vec3d sum{0, 0, 0};
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
 
@@ -53,8 +54,8 @@ class PlaneFitter {
     PlaneFit out;
     CandidatePlane best = sampled(RandomStream(key), out.samples);
     if (!best.exists())
-      throw Error(ErrorCode::bad_input, "the points of the cloud lie on one line", {},
-                  "a plane needs points beside the line");
+      throw Error(ErrorCode::bad_input, "the points of the cloud are collinear", {},
+                  "a plane needs points off the line");
     Moments chosen = moments(best);
     for (int round = 0; round < kMaxRounds; ++round) {
       const CandidatePlane next = least_squares(chosen, best);
@@ -110,7 +111,8 @@ class PlaneFitter {
       most = agreed, best = plane;
       const double share = static_cast<double>(most) / voters;
       const double all_good = share * share * share;
-      // At least a hundred: planes through good points still differ by how far these are apart.
+      // At least a hundred samples: planes through inliers still differ, depending on the distance
+      // between the points.
       needed =
           all_good >= 1
               ? 100
@@ -140,7 +142,7 @@ class PlaneFitter {
     };
     Vec3d normal = least(spread);
     if (lean_of(normal, up_) > options_.max_lean) {
-      // The spread of the points' plan, with that along the plumb made the largest.
+      // Covariance of the points in plan, with the vertical direction made the largest.
       const Eigen::Vector3d u(up_.x, up_.y, up_.z);
       const Eigen::Matrix3d level = Eigen::Matrix3d::Identity() - u * u.transpose();
       normal = least(level * spread * level + 2 * spread.trace() * u * u.transpose());
@@ -159,18 +161,18 @@ class PlaneFitter {
 
 void require_valid(const PointCloud& cloud, const PlaneOptions& options) {
   const auto refuse = [](const char* message) { throw Error(ErrorCode::bad_input, message); };
-  if (cloud.size() < 3) refuse("a plane needs three points at least");
+  if (cloud.size() < 3) refuse("a plane needs at least three points");
   if (cloud.size() > UINT32_MAX) refuse("a cloud has at most 4294967295 points");
   if (!(options.tolerance > 0 && std::isfinite(options.tolerance)))
     refuse("the tolerance of a plane must be above 0");
   if (!(options.up.length() > 0 && std::isfinite(options.up.length())))
-    refuse("the direction of up needs a length");
-  if (!(options.max_lean >= 0)) refuse("a plane leans by no negative angle");
+    refuse("the up direction must not be zero");
+  if (!(options.max_lean >= 0)) refuse("the maximum lean must not be negative");
   if (!(options.confidence > 0 && options.confidence < 1))
     refuse("the confidence must lie between 0 and 1");
 }
 
-/// Positive where the front is on the side of the frame's z.
+/// Positive if the front is on the side of the frame's z.
 double front(const PointCloud& cloud, const PlaneFrame& frame, const PlaneOptions& options) {
   if (options.scanner) return (*options.scanner - frame.origin).dot(frame.z);
   const Vec3f z(frame.z);
@@ -194,7 +196,7 @@ PlaneFit fit_plane(const PointCloud& cloud, const PlaneOptions& options, RandomK
   PlaneFrame& frame = out.frame;
   if ((front(cloud, frame, options) < 0) != options.flip) frame.z = -frame.z;
   Vec3d x = fitter.up().cross(frame.z);
-  // On level ground any direction is to the right: take the cloud's first axis.
+  // For a horizontal plane the right is arbitrary: use the cloud's first axis.
   if (x.length() < 1e-6) x = Vec3d(1, 0, 0) - frame.z * frame.z.x;
   if (x.length() < 1e-6) x = Vec3d(0, 1, 0) - frame.z * frame.z.y;
   frame.x = x.normalized();

@@ -12,7 +12,7 @@ using mesh::PlyElement;
 using mesh::PlyProperty;
 using mesh::PlyType;
 
-/// What one vertex says, as far as clouds have a place for it.
+/// Vertex properties that clouds store.
 enum VertexField : size_t {
   kX,
   kY,
@@ -51,13 +51,13 @@ VertexField field_of(const PlyProperty& property) {
   return kNone;
 }
 
-/// What a number of the type is divided by where it stands for a ratio.
+/// Divisor that maps a number of the type to 0..1.
 double full_scale(PlyType type) {
   return type == PlyType::uint8 ? 255 : type == PlyType::uint16 ? 65535 : 1;
 }
 
 struct VertexLayout {
-  std::vector<VertexField> slots;  ///< One for each property.
+  std::vector<VertexField> slots;  ///< One per property.
   std::array<bool, kSlots> given{};
 
   bool all(std::initializer_list<VertexField> slots_of_one) const {
@@ -74,7 +74,7 @@ VertexLayout vertex_layout(const PlyElement& element, const std::string& file) {
     if (layout.slots.back() != kNone) layout.given[layout.slots.back()] = true;
   }
   if (!layout.all({kX, kY, kZ}))
-    throw Error(ErrorCode::bad_input, "vertices lack x, y or z", {file, element.line, 1});
+    throw Error(ErrorCode::bad_input, "the vertices have no x, y or z", {file, element.line, 1});
   return layout;
 }
 
@@ -84,7 +84,7 @@ void skip_property(Body& body, const PlyProperty& property) {
   if (property.is_list) {
     count = body.number(property.count_type);
     if (!(count >= 0 && count <= UINT32_MAX && count == std::floor(count)))
-      body.fail("the length of a list is no count");
+      body.fail("invalid length of a list");
     body.require(static_cast<uint64_t>(count), property.type);
   }
   for (; count > 0; --count) body.number(property.type);
@@ -130,15 +130,15 @@ PointCloud read_elements(Body body, const mesh::PlyHeader& header, const std::st
     if (element.name == "vertex") {
       const VertexLayout layout = vertex_layout(element, file);
       require_memory(static_cast<double>(element.count) * (sizeof(Vec3d) + 2 * sizeof(Vec3f) + 4),
-                     options.memory, "the cloud of " + file, "thin the cloud out");
+                     options.memory, "the cloud of " + file, "reduce the number of points");
       read_vertices(body, element, layout, cloud);
-      return cloud;  // what follows is no concern of clouds
+      return cloud;  // Later elements are not needed.
     }
     if (!element.properties.empty())
       for (uint64_t i = 0; i < element.count; ++i)
         for (const PlyProperty& property : element.properties) skip_property(body, property);
   }
-  throw Error(ErrorCode::bad_input, "the file holds no vertices", {file, 1, 1});
+  throw Error(ErrorCode::bad_input, "the file has no vertices", {file, 1, 1});
 }
 
 }  // namespace

@@ -8,12 +8,12 @@ namespace vug::scan {
 namespace {
 
 constexpr double kLowest = 1;  ///< Metres.
-/// Points within this many tolerances of the plane are near it. Strewn evenly, one in as many would
-/// lie on it; on scans of facades two in three do, also where walls bow.
+/// Points within this many tolerances are near the plane. In a uniform distribution one in as many
+/// lies on the plane; on scans of facades two thirds do, even if walls bow.
 constexpr double kNear = 10;
 constexpr double kMinShare = 0.3;
 
-/// How many of the points near the plane, within the range image, lie on it.
+/// Share of the points near the plane, within the range image, that lie on it.
 double share_on(const PointCloud& cloud, const PlaneFit& plane, const RangeImage& range) {
   size_t on = 0, near = 0;
   for (const Vec3d& position : cloud.positions) {
@@ -31,14 +31,14 @@ std::vector<QualityWarning> quality_warnings(const PointCloud& cloud, const Plan
                                              const RangeImage& range) {
   std::vector<QualityWarning> out;
   if (range.metres_high() < kLowest)
-    out.push_back(
-        {fmt::format("what stands upright in the cloud is {:.2f} m high and {:.2f} m wide, "
-                     "which is no facade",
-                     range.metres_high(), range.metres_wide()),
-         "a floor, a roof, or --up is the wrong axis"});
+    out.push_back({fmt::format("the upright part of the cloud is {:.2f} m high and {:.2f} m wide, "
+                               "too low for a facade",
+                               range.metres_high(), range.metres_wide()),
+                   "it may be a floor or a roof, or --up is the wrong axis"});
   if (const double share = share_on(cloud, plane, range); share < kMinShare)
-    out.push_back({fmt::format("only {:.0f} % of the points near the plane lie on it", 100 * share),
-                   "a facade may not be in the cloud, or is rougher than --tolerance"});
+    out.push_back(
+        {fmt::format("only {:.0f} % of the points near the plane lie on it", 100 * share),
+         "the cloud may not contain a facade, or the facade is rougher than --tolerance"});
   return out;
 }
 

@@ -52,7 +52,7 @@ double pixel_from_metadata(const image::Metadata& metadata) {
     double pixel = 0;
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), pixel);
     if (fault == std::errc() && pixel > 0 && std::isfinite(pixel)) return pixel;
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' tells no size of pixels", text));
+    throw Error(ErrorCode::bad_input, fmt::format("invalid pixel size '{}'", text));
   }
   return 0;
 }
@@ -65,20 +65,20 @@ void write_range(const std::filesystem::path& exr, const RangeImage& range) {
 
 RangeImage read_range(const std::filesystem::path& exr, double pixel, uint64_t memory) {
   const image::FileInfo info = image::read_info(exr);
-  // The file's channels as floats, then a depth and a count.
+  // The file's channels as floats, then depth and count.
   require_memory(
       1.0 * info.width * info.height *
           (static_cast<double>(info.channels.size() * sizeof(float)) + sizeof(float) +
            sizeof(uint16_t)),
       memory,
       fmt::format("reading {} x {} pixels of {}", info.width, info.height, exr.filename().string()),
-      "use a range image of larger pixels");
+      "use a range image with larger pixels");
   const image::Image picture = image::read(exr);
   const int named = picture.find_channel("depth");
   const int depth = named >= 0 ? named : picture.find_channel("Z");
   if (depth < 0)
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' has no depth", exr.string()), {},
-                "a range image has a channel 'depth' or 'Z', in metres");
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' has no depth channel", exr.string()), {},
+                "a range image needs a channel 'depth' or 'Z', in metres");
   RangeImage out;
   out.width = picture.width, out.height = picture.height;
   const double given = pixel > 0 ? pixel : pixel_from_metadata(info.metadata);

@@ -11,12 +11,12 @@
 namespace vug::scan {
 namespace {
 
-constexpr double kGap = 1.0;  ///< Metres on a side of cells that hang together when they touch.
+constexpr double kGap = 1.0;  ///< Side length of bins in metres; bins that touch are connected.
 
-/// Points that tell how far the facade reaches are this many tolerances from the plane: walls bow.
+/// Points within this many tolerances of the plane determine the extent of the facade: walls bow.
 constexpr double kBend = 3;
 
-/// Points within the two distances from the plane, on it.
+/// Projections of the points within the two distances of the plane.
 std::vector<Vec2d> on_plane(const PointCloud& cloud, const PlaneFrame& frame, double before,
                             double behind) {
   std::vector<Vec2d> out;
@@ -27,7 +27,7 @@ std::vector<Vec2d> on_plane(const PointCloud& cloud, const PlaneFrame& frame, do
   return out;
 }
 
-/// Around the points that hang together, of the group that has the most.
+/// Bounding box of the largest connected group of points.
 Imath::Box2d extent(const std::vector<Vec2d>& points) {
   const Bins bins = bin_points(points, kGap);
   mesh::DisjointSets groups(bins.keys.size());
@@ -51,22 +51,21 @@ Imath::Box2d extent(const std::vector<Vec2d>& points) {
 void require_valid(const RangeOptions& options) {
   const auto refuse = [](const char* message) { throw Error(ErrorCode::bad_input, message); };
   if (!(options.pixel > 0 && std::isfinite(options.pixel)))
-    refuse("a pixel of a range image must be larger than 0");
+    refuse("the pixel size of a range image must be above 0");
   if (!(options.before >= 0 && options.behind >= 0))
-    refuse("the band of points before and behind a plane needs positive depths");
-  if (!std::isfinite(options.inpaint_radius))
-    refuse("the distance that is filled up must be finite");
+    refuse("the depth limits before and behind the plane must not be negative");
+  if (!std::isfinite(options.inpaint_radius)) refuse("the inpainting distance must be finite");
 }
 
-/// The pixel of `size` in which a place lies, counted in pixels, or -1. The points that the raster
-/// just reaches may lie beyond it by rounding.
+/// The pixel that contains a position in pixel units, or -1. Points at the border of the raster may
+/// lie beyond it by rounding.
 int place(double at, int size) {
   constexpr double kSlack = 1e-3;
   if (!(at >= -kSlack && at <= size + kSlack)) return -1;
   return static_cast<int>(std::clamp(std::floor(at), 0.0, size - 1.0));
 }
 
-/// Pixel by pixel the depths of the points in it: those of pixel p from begin[p] to begin[p + 1].
+/// The depths of the points in each pixel: those of pixel p are begin[p] to begin[p + 1].
 struct PixelDepths {
   std::vector<uint32_t> begin;
   std::vector<float> depths;
@@ -88,7 +87,7 @@ PixelDepths pixel_depths(const PointCloud& cloud, const RangeImage& image,
   visit([&](size_t pixel, float) { ++out.begin[pixel + 1]; });
   for (size_t p = 0; p < image.pixel_count(); ++p) out.begin[p + 1] += out.begin[p];
   out.depths.resize(out.begin.back());
-  // Filling moves each beginning to its end, which is the next one's beginning.
+  // Filling moves each start to its end, which is the start of the next pixel.
   visit([&](size_t pixel, float depth) { out.depths[out.begin[pixel]++] = depth; });
   for (size_t p = image.pixel_count(); p > 0; --p) out.begin[p] = out.begin[p - 1];
   out.begin[0] = 0;
@@ -114,9 +113,8 @@ void take_depths(RangeImage& image, PixelDepths per_pixel, DepthStatistic which)
 
 double spacing(const PointCloud& cloud, const PlaneFrame& frame, const RangeOptions& options) {
   const std::vector<Vec2d> points = on_plane(cloud, frame, options.before, options.behind);
-  if (points.empty())
-    throw Error(ErrorCode::bad_input, "no point of the cloud lies near the plane");
-  constexpr uint32_t kEnough = 8;  // points in a cell, for their number to tell a density
+  if (points.empty()) throw Error(ErrorCode::bad_input, "the cloud has no points near the plane");
+  constexpr uint32_t kEnough = 8;  // Points per bin for a reliable density estimate.
   for (double side = 0.05;; side *= 2) {
     std::vector<uint32_t> counts = bin_points(points, side).counts;
     const size_t bins = counts.size();
@@ -130,9 +128,9 @@ RangeImage range_image(const PointCloud& cloud, const PlaneFit& plane,
   require_valid(options);
   const double reach = kBend * plane.tolerance;
   const std::vector<Vec2d> near = on_plane(cloud, plane.frame, reach, reach);
-  if (near.empty()) throw Error(ErrorCode::bad_input, "no point of the cloud lies near the plane");
+  if (near.empty()) throw Error(ErrorCode::bad_input, "the cloud has no points near the plane");
   const Imath::Box2d box = extent(near);
-  // The last pixel is the one in which the last point lies.
+  // The last pixel contains the last point.
   const double wide = std::floor(box.size().x / options.pixel) + 1;
   const double high = std::floor(box.size().y / options.pixel) + 1;
   constexpr double kPixelBytes = 2 * sizeof(uint32_t) + 2 * sizeof(float) + sizeof(uint16_t);
@@ -150,8 +148,7 @@ RangeImage range_image(const PointCloud& cloud, const PlaneFit& plane,
   image.depth.assign(pixels, std::numeric_limits<float>::quiet_NaN());
   image.count.assign(pixels, 0);
   take_depths(image, pixel_depths(cloud, image, options), options.depth);
-  // Points of a regular grid are within 0.71 of its spacing from any place; scanners are not so
-  // regular.
+  // In a regular grid every position is within 0.71 spacings of a point; scans are less regular.
   const double apart = options.inpaint_radius < 0 ? 1.2 * spacing(cloud, plane.frame, options)
                                                   : options.inpaint_radius;
   inpaint(image, std::min(apart / options.pixel, wide + high));

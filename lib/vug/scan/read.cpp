@@ -12,13 +12,13 @@ PointCloud parse_cloud(std::string_view bytes, const std::string& file,
     throw Error(
         ErrorCode::bad_input,
         cloud.dropped > 0 ? "none of the points has a finite position" : "the cloud is empty",
-        {file, 1, 1}, "a cloud is a PLY file with vertices, or lines of x y z");
+        {file, 1, 1}, "use a PLY file with vertices, or lines of x y z");
   return cloud;
 }
 
 PointCloud read_clouds(const std::vector<std::filesystem::path>& files,
                        const ReadOptions& options) {
-  if (files.empty()) throw Error(ErrorCode::bad_input, "there is no file to read a cloud from");
+  if (files.empty()) throw Error(ErrorCode::bad_input, "no file to read a cloud from");
   PointCloud all;
   for (const auto& file : files) {
     if (extension_of(file) == ".exr") {
@@ -27,10 +27,10 @@ PointCloud read_clouds(const std::vector<std::filesystem::path>& files,
     }
     std::error_code unreadable;
     const uintmax_t bytes = std::filesystem::file_size(file, unreadable);
-    // read_text tells better why a file cannot be read.
+    // read_text reports the reason if a file cannot be read.
     if (!unreadable)
       require_memory(static_cast<double>(bytes), options.memory, "the file " + file.string(),
-                     "thin the cloud out");
+                     "reduce the number of points");
     all = concatenated(std::move(all), parse_cloud(read_text(file), file.string(), options));
   }
   return all;

@@ -10,7 +10,7 @@
 namespace vug::scan {
 namespace {
 
-/// Pixels that show no surface are that far away, metres.
+/// Depth in metres from which pixels show no surface.
 constexpr float kNowhere = 1e10f;
 
 std::array<size_t, 3> layer(const image::Image& picture, const std::string& name) {

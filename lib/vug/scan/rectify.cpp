@@ -11,7 +11,7 @@
 namespace vug::scan {
 namespace {
 
-/// Shift and scale that bring points about the origin, a root of 2 away in the mean.
+/// Translation and scale that centre the points at the origin with a mean distance of sqrt(2).
 Eigen::Matrix3d normalisation(const FourPoints& points) {
   Vec2d middle(0, 0);
   for (const Vec2d& p : points) middle += p / 4.0;
@@ -28,10 +28,10 @@ Vec2d mapped(const Eigen::Matrix3d& m, const Vec2d& p) {
   return {v.x() / v.z(), v.y() / v.z()};
 }
 
-/// Twice the area of the triangle, positive where a, b, c turn clockwise on y down.
+/// Twice the signed area of the triangle, positive if a, b, c are clockwise with y down.
 double turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) { return (b - a).cross(c - b); }
 
-/// The least of the four corners' turns, by the area of the square over the longest side.
+/// The smallest turn of the four corners, relative to the square over the longest side.
 double min_turn(const FourPoints& p, double sign) {
   double least = kInfinity, longest = 0;
   for (size_t i = 0; i < 4; ++i) {
@@ -48,10 +48,10 @@ void require_convex(const FourPoints& corners) {
   constexpr double kFlat = 1e-6;
   if (min_turn(corners, 1) > kFlat) return;
   if (min_turn(corners, -1) > kFlat)
-    throw Error(ErrorCode::bad_input, "the corners go round the facade the wrong way", {},
-                "name them clockwise: upper left, upper right, lower right, lower left");
-  throw Error(ErrorCode::bad_input, "the corners make no convex quadrangle", {},
-              "name them clockwise: upper left, upper right, lower right, lower left");
+    throw Error(ErrorCode::bad_input, "the corners are in counter-clockwise order", {},
+                "give them clockwise: upper left, upper right, lower right, lower left");
+  throw Error(ErrorCode::bad_input, "the corners do not form a convex quadrangle", {},
+              "give them clockwise: upper left, upper right, lower right, lower left");
 }
 
 FourPoints corners_of(double width, double height) {
@@ -60,7 +60,7 @@ FourPoints corners_of(double width, double height) {
 
 double length(const FourPoints& p, size_t a, size_t b) { return (p[b] - p[a]).length(); }
 
-/// Corners may lie outside of the photo, but what is seen there is nothing.
+/// Corners may lie outside of the photo, where the result is empty.
 void require_near(const FourPoints& corners, const image::Image& photo) {
   for (const Vec2d& p : corners)
     if (p.x < -photo.width || p.y < -photo.height || p.x > 2.0 * photo.width ||
@@ -69,7 +69,7 @@ void require_near(const FourPoints& corners, const image::Image& photo) {
                   fmt::format("the corner {},{} lies far outside of the photo, which has {} x {} "
                               "pixels",
                               p.x, p.y, photo.width, photo.height),
-                  {}, "pixels are counted from its upper left corner");
+                  {}, "pixels count from its upper left corner");
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ image::Homography homography(const FourPoints& from, const FourPoints& to) {
       const Vec2d &a = (*points)[i], &b = (*points)[(i + 1) % 4], &c = (*points)[(i + 2) % 4];
       const double span = std::max((b - a).length2(), (c - a).length2());
       if (!(std::fabs(turn(a, b, c)) > 1e-9 * span) || !std::isfinite(span))
-        throw Error(ErrorCode::bad_input, "three of four points lie on one line", {},
+        throw Error(ErrorCode::bad_input, "three of the four points are collinear", {},
                     "choose the corners of a rectangle on the facade");
     }
   const Eigen::Matrix3d before = normalisation(from), after = normalisation(to);
@@ -105,17 +105,18 @@ image::Homography homography(const FourPoints& from, const FourPoints& to) {
 
 double estimate_aspect(const FourPoints& corners, int photo_width, int photo_height) {
   require_convex(corners);
-  // From the unit square; the photo's middle is the origin, its longer half the unit.
+  // From the unit square, with the origin at the photo's centre and half of its longer side as the
+  // unit.
   const double unit = std::max(photo_width, photo_height) / 2.0;
   FourPoints seen = corners;
   for (Vec2d& p : seen) p = (p - Vec2d(photo_width / 2.0, photo_height / 2.0)) / unit;
   const auto& m = homography(corners_of(1, 1), seen).m;
   const Eigen::Vector3d a(m[0], m[3], m[6]), b(m[1], m[4], m[7]);
-  // Columns are the rectangle's sides in the camera's axes, but for the focal length f, and square
-  // to each other: (a.x b.x + a.y b.y) / f^2 + a.z b.z = 0.
+  // The columns are the sides of the rectangle in camera axes up to the focal length f; they are
+  // orthogonal: (a.x b.x + a.y b.y) / f^2 + a.z b.z = 0.
   const double across = a.x() * b.x() + a.y() * b.y(), along = a.z() * b.z();
   const double focal2 = along != 0 ? -across / along : 0;
-  constexpr double kShortest = 0.3, kLongest = 20;  // in halves of the photo
+  constexpr double kShortest = 0.3, kLongest = 20;  // In halves of the photo.
   if (focal2 > kShortest * kShortest && focal2 < kLongest * kLongest) {
     const auto length2 = [&](const Eigen::Vector3d& v) {
       return (v.x() * v.x() + v.y() * v.y()) / focal2 + v.z() * v.z();
@@ -135,7 +136,7 @@ RectifiedPhoto rectify(const image::Image& photo, const FourPoints& corners,
     if (given && !(side > 0 && std::isfinite(side)))
       throw Error(ErrorCode::bad_input, "a rectified picture needs a width and a height above 0");
   if (!(options.pixel >= 0 && std::isfinite(options.pixel)))
-    throw Error(ErrorCode::bad_input, "a pixel of a rectified picture must be larger than 0");
+    throw Error(ErrorCode::bad_input, "the pixel size of a rectified picture must not be negative");
   RectifiedPhoto out;
   out.height = given ? options.height : 1;
   out.width = given ? options.width : estimate_aspect(corners, photo.width, photo.height);
@@ -161,7 +162,7 @@ image::Image overlay_photo(const RangeImage& range, const image::Image& photo,
   require_memory(static_cast<double>(range.pixel_count()) *
                      static_cast<double>((2 * photo.channels.size() + 2) * sizeof(float)),
                  memory, fmt::format("a picture of {} x {} pixels", range.width, range.height),
-                 "use a range image of larger pixels");
+                 "use a range image with larger pixels");
   require_near(in_photo, photo);
   FourPoints pixels = on_facade;
   for (Vec2d& p : pixels) p = {p.x / range.pixel, range.height - p.y / range.pixel};

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// To tenths of millimetres; null where there is no number.
+/// Rounded to tenths of millimetres; null for non-finite numbers.
 Json metres(double value) {
   return std::isfinite(value) ? Json(std::round(value * 1e4) / 1e4) : Json(nullptr);
 }
@@ -98,7 +98,7 @@ std::string openings_svg(const RangeImage& range, const std::vector<Opening>& op
 }
 
 image::Image picture_of(const RangeImage& range, const SurfaceMap& map) {
-  constexpr double kDeep = 0.5;  // metres behind the wall from which all is equally dark
+  constexpr double kDeep = 0.5;  // Metres behind the wall beyond which everything is equally dark.
   image::Image out(range.width, range.height, {"R", "G", "B"});
   for (int y = 0; y < range.height; ++y)
     for (int x = 0; x < range.width; ++x) {

@@ -15,7 +15,7 @@ Box common(const Box& a, const Box& b) {
           {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
 }
 
-/// IoU of each true object (row) with each found one (column).
+/// IoU of each true object (row) with each detection (column).
 using Table = std::vector<std::vector<double>>;
 
 Scores matched(const Table& table, size_t found, double least) {
@@ -44,7 +44,7 @@ Scores matched(const Table& table, size_t found, double least) {
   return out;
 }
 
-/// The rows or columns of pixels whose middles lie between two places.
+/// The rows or columns of pixels whose centres lie between two positions.
 std::pair<int, int> between(double low, double high, int size) {
   const auto bound = [&](double v) {
     return static_cast<int>(std::clamp(std::ceil(v - 0.5), 0.0, static_cast<double>(size)));
@@ -100,11 +100,12 @@ Scores score(const std::vector<Box>& found, const ObjectMap& truth, double least
   const size_t width = static_cast<size_t>(std::max(truth.width, 0));
   if (truth.label.size() != width * static_cast<size_t>(std::max(truth.height, 0)) ||
       !(truth.pixel > 0))
-    throw Error(ErrorCode::bad_input, "a map of objects has a label for each pixel of some size");
+    throw Error(ErrorCode::bad_input,
+                "an object map needs one label per pixel and a pixel size above 0");
   const uint32_t objects =
       truth.label.empty() ? 0 : *std::max_element(truth.label.begin(), truth.label.end());
   if (objects > truth.label.size())
-    throw Error(ErrorCode::bad_input, "a map of objects numbers them from 1 without gaps");
+    throw Error(ErrorCode::bad_input, "an object map must number objects from 1 without gaps");
   std::vector<double> sizes(objects, 0);
   double all = 0, both = 0;
   for (const uint32_t label : truth.label)
@@ -124,7 +125,7 @@ Scores score(const std::vector<Box>& found, const ObjectMap& truth, double least
         if (truth.label[p] > 0 && !hit[p]) ++both;
         hit[p] = true;
       }
-    // What of the box lies beyond the map counts too.
+    // The part of the box outside of the map counts too.
     const double pixels = area(box) / (truth.pixel * truth.pixel);
     for (uint32_t t = 0; t < objects; ++t)
       if (const double n = table[t][f]; n > 0) table[t][f] = n / (sizes[t] + pixels - n);

@@ -5,21 +5,20 @@
 namespace vug::scan {
 namespace {
 
-/// A straight cut between the rows (or the columns) before `at` and those from there on.
+/// A straight cut between rows (or columns) at - 1 and `at`.
 struct Cut {
   bool between_rows = true;
   int at = 0;
-  int64_t area = INT64_MAX;  ///< Of the boxes around the parts on both sides.
+  int64_t area = INT64_MAX;  ///< Area of the boxes around the parts on both sides.
 };
 
-/// Of each line (a column where cuts go between rows): where its pixels from a cut onwards begin
-/// and where they end.
+/// For each line (a column for cuts between rows): the extent of its pixels on one side of a cut.
 struct LineExtent {
   int begin = 0, end = 0;
   bool empty() const { return begin >= end; }
 };
 
-/// The area of the boxes around runs of neighbouring lines that hold pixels.
+/// Area of the boxes around runs of adjacent non-empty lines.
 int64_t area_of_runs(const std::vector<LineExtent>& lines) {
   int64_t area = 0;
   for (size_t i = 0; i < lines.size();) {
@@ -36,8 +35,8 @@ int64_t area_of_runs(const std::vector<LineExtent>& lines) {
   return area;
 }
 
-/// For each cut the area of what lies before it, of a mask turned so that cuts go between rows;
-/// `backwards`: of what lies behind it.
+/// For each cut the area before it, in a mask oriented so that cuts are between rows; `backwards`:
+/// the area after it.
 template <class At>
 std::vector<int64_t> areas(int width, int height, const At& on, bool backwards) {
   std::vector<int64_t> out(static_cast<size_t>(height) + 1, 0);

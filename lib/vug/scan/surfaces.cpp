@@ -9,8 +9,8 @@
 namespace vug::scan {
 namespace {
 
-/// With gaps up to twice the radius closed; beyond the sides and the top there is nothing, below
-/// there is the ground.
+/// Closes gaps up to twice the radius. Beyond the sides and the top the mask is empty; at the
+/// bottom is the ground.
 Mask sealed(const Mask& solid, int radius) {
   Mask wide(solid.width + 2 * radius, solid.height + radius);
   for (int y = 0; y < solid.height; ++y)
@@ -28,7 +28,8 @@ Mask sealed(const Mask& solid, int radius) {
 
 SurfaceMap surface_map(const RangeImage& range, const SurfaceOptions& options) {
   if (!std::isfinite(options.set_back) || !(options.hull >= 0 && std::isfinite(options.hull)))
-    throw Error(ErrorCode::bad_input, "the measures of a facade's surface must be finite");
+    throw Error(ErrorCode::bad_input,
+                "the set-back and the hull must be finite, the hull not negative");
   SurfaceMap out;
   out.wall = options.bent ? fit_wall(range, options.wall) : flat_wall();
   const double automatic = options.bent ? std::max(0.03, 3 * out.wall.rms) : 0.05;

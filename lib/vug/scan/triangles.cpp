@@ -15,8 +15,8 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangulation = CGAL::Delaunay_triangulation_2<Kernel>;
 
-/// The wall's points on the plane, one a pixel at most: triangles of points that almost meet tell
-/// nothing.
+/// The wall's points on the plane, at most one per pixel, since triangles of nearly coincident
+/// points carry no information.
 std::vector<Kernel::Point_2> wall_points(const PointCloud& cloud, const RangeImage& range,
                                          const SurfaceMap& map) {
   std::vector<Kernel::Point_2> out;
@@ -26,7 +26,7 @@ std::vector<Kernel::Point_2> wall_points(const PointCloud& cloud, const RangeIma
     const double x = std::floor(p.x / range.pixel), y = std::floor(p.y / range.pixel);
     if (!(x >= 0 && y >= 0 && x < range.width && y < range.height)) continue;
     const size_t pixel = range.index(static_cast<int>(x), range.height - 1 - static_cast<int>(y));
-    // Points that the range image left out are no part of the facade.
+    // Points ignored by the range image are not part of the facade.
     const double before = p.z - map.wall.at({p.x, p.y});
     if (taken.on[pixel] || range.count[pixel] == 0 || before < -map.set_back || before > 0.5)
       continue;
@@ -44,7 +44,7 @@ double perimeter(const Triangulation::Face& face) {
   return sum;
 }
 
-/// Triangles over concave parts of the facade's rim are none of its own.
+/// False for triangles over concave parts of the facade's rim.
 bool inside(const Triangulation::Face& face, const RangeImage& range, const SurfaceMap& map) {
   const Kernel::Point_2 middle =
       CGAL::centroid(face.vertex(0)->point(), face.vertex(1)->point(), face.vertex(2)->point());
@@ -54,9 +54,9 @@ bool inside(const Triangulation::Face& face, const RangeImage& range, const Surf
   return map.surface[range.index(x, y)] != Surface::outside;
 }
 
-/// Switches on the pixels whose middles the triangle holds.
+/// Turns on the pixels whose centres are inside the triangle.
 void draw(const Triangulation::Face& face, const RangeImage& range, Mask& mask) {
-  std::array<Vec2d, 3> corner;  // in pixels, y down
+  std::array<Vec2d, 3> corner;  // In pixels, y down.
   for (int i = 0; i < 3; ++i) {
     const Kernel::Point_2& p = face.vertex(i)->point();
     corner[static_cast<size_t>(i)] = {p.x() / range.pixel, range.height - p.y() / range.pixel};
@@ -96,7 +96,7 @@ std::vector<Opening> openings_by_triangles(const PointCloud& cloud, const RangeI
     if (perimeter(*face) > most && inside(*face, range, map)) draw(*face, range, open);
   for (size_t i = 0; i < map.surface.size(); ++i)
     if (map.surface[i] == Surface::outside) open.on[i] = 0;
-  // Here walls are as narrow as their points stand, not wider by what was filled and closed.
+  // Here walls are as narrow as their points, not widened by inpainting and closing.
   if (options.tidy)
     open =
         closed(open, closing_radius(std::max(0.0, options.max_bar_width - options.closing), range));

@@ -17,7 +17,7 @@ struct BinDepth {
   double depth = 0;
 };
 
-/// The median depth of each cell that has any.
+/// The median depth of each cell with points.
 std::vector<BinDepth> samples_of(const RangeImage& range, double cell) {
   const int side = std::max(
       1, static_cast<int>(
@@ -40,7 +40,7 @@ std::vector<BinDepth> samples_of(const RangeImage& range, double cell) {
   return all;
 }
 
-/// The four nodes around a place, and their parts of its depth.
+/// The four nodes around a position and their bilinear weights.
 struct BilinearWeights {
   std::array<int, 4> node{};
   std::array<double, 4> part{};
@@ -64,7 +64,7 @@ class WallFitter {
  public:
   WallFitter(const RangeImage& range, const WallOptions& options)
       : options_(options), samples_(samples_of(range, options.cell)) {
-    if (samples_.empty()) throw Error(ErrorCode::bad_input, "the range image holds no depth");
+    if (samples_.empty()) throw Error(ErrorCode::bad_input, "the range image has no depths");
     const auto nodes = [&](double metres) {
       return static_cast<int>(std::ceil(std::min(metres / options.step, 1e4))) + 1;
     };
@@ -76,9 +76,11 @@ class WallFitter {
   }
 
   Wall fit() {
-    constexpr double kBefore = 0.95;  // pull of what lies before the surface; 1 less this, behind
-    constexpr double kWidest = 8;     // reach of that pull at first, in parts of the noise
-    constexpr double kBend = 1;       // metres by which a wall may differ from the plane
+    // Weight of cells in front of the surface; 1 minus this behind it.
+    constexpr double kBefore = 0.95;
+    // Initial width of the robust kernel, in multiples of the noise.
+    constexpr double kWidest = 8;
+    constexpr double kBend = 1;  // Metres by which a wall may differ from the plane.
     for (int round = 0; round < 3; ++round) solve(kBend, 0.5);
     for (double reach = kWidest; reach >= 1; reach *= 0.75)
       for (int round = 0; round < 3; ++round)
@@ -123,8 +125,8 @@ class WallFitter {
     std::copy(depths.begin(), depths.end(), wall_.depths.begin());
   }
 
-  /// Squared second differences along both axes, and a trace of squared depths for what hangs on
-  /// nothing else.
+  /// Penalty on squared second differences along both axes, plus a small one on squared depths for
+  /// otherwise unconstrained nodes.
   void add_bends(std::vector<Eigen::Triplet<double>>& terms) const {
     const double cells = options_.step / options_.cell;
     const double weight = 0.01 * options_.stiffness * cells * cells;
@@ -160,7 +162,7 @@ double Wall::at(const Vec2d& place) const {
 Wall fit_wall(const RangeImage& range, const WallOptions& options) {
   for (const double number : {options.step, options.cell, options.noise, options.stiffness})
     if (!(number > 0 && std::isfinite(number)))
-      throw Error(ErrorCode::bad_input, "the options of a wall's surface must be above 0");
+      throw Error(ErrorCode::bad_input, "the options of the wall surface must be above 0");
   return WallFitter(range, options).fit();
 }
 

@@ -18,11 +18,11 @@ bool is_separator(char c) {
   return c == ' ' || c == '\t' || c == ',' || c == ';' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/// The numbers of one line; `fault` is the first word that is none.
+/// The numbers of one line; `fault` is the first word that is not a number.
 struct NumberRow {
   std::array<double, kMaxColumns> values{};
-  size_t count = 0;    ///< Words, also those beyond the columns that are known.
-  size_t numbers = 0;  ///< Words that are numbers.
+  size_t count = 0;    ///< Number of words, including those beyond the known columns.
+  size_t numbers = 0;  ///< Number of words that are numbers.
   std::string_view fault;
 };
 
@@ -31,7 +31,7 @@ bool parse_number(std::string_view word, double& value) {
   const char* end = word.data() + word.size();
   const auto [stop, code] = std::from_chars(word.data(), end, value);
   if (stop != end || code == std::errc::invalid_argument) return false;
-  // Too small counts as 0, too large as infinite.
+  // Underflow counts as 0, overflow as infinity.
   if (code == std::errc::result_out_of_range)
     value = word.find("e-") != word.npos || word.find("E-") != word.npos ? 0 : kInfinity;
   return true;
@@ -68,7 +68,7 @@ class XyzReader {
   XyzReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
   PointCloud read() {
-    size_t begin = bytes_.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // the mark of UTF-8
+    size_t begin = bytes_.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // UTF-8 byte order mark.
     for (; begin < bytes_.size(); ++line_) {
       const size_t end = std::min(bytes_.find('\n', begin), bytes_.size());
       add(bytes_.substr(begin, end - begin));
@@ -89,14 +89,14 @@ class XyzReader {
     const bool heading = row.numbers == 0 || (row.count == 1 && row.fault.empty());
     if (first && heading && !looks_binary(line)) return;
     if (!row.fault.empty())
-      fail(line, row.fault, fmt::format("'{}' is no number", mesh::printable(row.fault)),
-           "a line is x y z, then perhaps an intensity and red, green, blue");
+      fail(line, row.fault, fmt::format("'{}' is not a number", mesh::printable(row.fault)),
+           "a line needs x y z, optionally an intensity and red, green, blue");
     if (row.count != columns_ && columns_ != 0)
       fail(line, line,
-           fmt::format("{} numbers, where the lines before have {}", row.count, columns_),
+           fmt::format("{} numbers, but the previous lines have {}", row.count, columns_),
            "the file may be cut off");
     if (row.count != 3 && row.count != 4 && row.count != 6 && row.count != 7)
-      fail(line, line, fmt::format("a point of {} numbers", row.count),
+      fail(line, line, fmt::format("invalid point with {} numbers", row.count),
            "3 are x y z, 4 also the intensity, 6 also red, green, blue, 7 all of these");
     columns_ = row.count;
     add(row, line);
@@ -114,8 +114,8 @@ class XyzReader {
     const size_t red = columns_ - 3;
     for (size_t c = red; c < red + 3; ++c) {
       if (v[c] < 0 || v[c] > 65535)
-        fail(line, line, fmt::format("{} is no part of a colour", v[c]),
-             "of 6 numbers the last three are red, green, blue; leave out normals");
+        fail(line, line, fmt::format("{} is not a colour value", v[c]),
+             "the last three of 6 numbers are red, green, blue; omit normals");
       brightest_ = std::max(brightest_, static_cast<float>(v[c]));
     }
     cloud_.colours.emplace_back(static_cast<float>(v[red]), static_cast<float>(v[red + 1]),
@@ -130,7 +130,7 @@ class XyzReader {
                          const std::string& hint) const {
     throw Error(ErrorCode::bad_input, message,
                 {file_, line_, static_cast<int>(at.data() - line.data()) + 1},
-                looks_binary(line) ? "clouds are PLY files or texts of numbers" : hint);
+                looks_binary(line) ? "a cloud must be a PLY file or a text of numbers" : hint);
   }
 
   std::string_view bytes_;
@@ -145,10 +145,10 @@ class XyzReader {
 }  // namespace
 
 PointCloud parse_xyz(std::string_view bytes, const std::string& file, const ReadOptions& options) {
-  // Vectors that grow by doubling hold up to three times what they need while they move.
+  // Vectors that grow by doubling take up to three times their size while they reallocate.
   const auto lines = static_cast<double>(std::count(bytes.begin(), bytes.end(), '\n') + 1);
   require_memory(lines * 3 * (sizeof(Vec3d) + sizeof(Vec3f) + 4), options.memory,
-                 "the cloud of " + file, "thin the cloud out");
+                 "the cloud of " + file, "reduce the number of points");
   return XyzReader(bytes, file).read();
 }
 

@@ -64,8 +64,8 @@ TEST(Compile, WhatCannotBeFittedIsRefusedWithItsPlace) {
   const std::string folder = std::filesystem::temp_directory_path() / "vug-compile-test.vug";
   const std::pair<std::string, std::string> cases[] = {
       {"Facade -> rows(3m, Low, 1, High)\n  Low -> window\n  High -> window", "sizes or counts"},
-      {"Facade -> inset(Low)\n  Low -> window", "is no split that can be"},
-      {"Facade -> Low\n  Low -> window", "is no grid"},
+      {"Facade -> inset(Low)\n  Low -> window", "is not supported"},
+      {"Facade -> Low\n  Low -> window", "is not a grid"},
       {"Facade @2 -> window", "a weight"},
   };
   for (const auto& [rule, said] : cases) {

@@ -111,7 +111,7 @@ TEST(LabelledImage, WhatDoesNotFitIsTold) {
                "which has no name");
   EXPECT_FAULT(read_labelled_image(photo, labels, kClasses, {}, 1000), "more than the limit");
   write_labels(labels, std::vector<uint8_t>(39 * 60, kUnlabelled), 39, 60);
-  EXPECT_FAULT(read_labelled_image(photo, labels, kClasses), "40 x 60 pixels, its labels 39 x 60");
+  EXPECT_FAULT(read_labelled_image(photo, labels, kClasses), "40 x 60 pixels, but its labels have 39 x 60");
   fs::remove(labels);
   EXPECT_FAULT(read_labelled_folder(root, kClasses), "has no labels");
   fs::rename(photo, root / "labels/c.png");

@@ -65,7 +65,7 @@ TEST(Distributions, ThePaperRefusesWeightsBelowZeroAndDents) {
   EXPECT_NE(fault_of("paper", weights(0, 0), square(1), 10), "");
   EXPECT_EQ(fault_of("paper", weights(0.5, 1), square(1), 10), "");
   const Corners arrow = {{0, 0}, {2, 1}, {0, 2}, {1, 1}};
-  EXPECT_NE(fault_of("paper", {}, arrow, 10).find("corner 4 at (1, 1) is a dent"),
+  EXPECT_NE(fault_of("paper", {}, arrow, 10).find("corner 4 at (1, 1) is concave"),
             std::string::npos);
 }
 

@@ -73,7 +73,7 @@ TEST(Ground, OfAMeshIsThatOfTheTriangles) {
   EXPECT_FALSE(ground_of(box)({-0.1, 2}));
   GroundOptions below;
   below.from = 0;
-  EXPECT_NEAR(ground_of(box, below)({1, 1})->room, 3, 1e-6);
+  EXPECT_NEAR(ground_of(box, below)({1, 1})->clearance, 3, 1e-6);
 }
 
 TEST(Grove, StandsOnTheGroundWithoutSteepPlaces) {

@@ -91,8 +91,8 @@ TEST(Leaf, OutlineIsWidestWhereItSaysAndVeinsRunAlongIt) {
   const paint::LeafOutline outline{0.35, 1.3};
   EXPECT_NEAR(outline.half_width(0.35), 1, 1e-12);
   for (const double t : {0.01, 0.2, 0.34, 0.36, 0.7, 0.99}) EXPECT_LT(outline.half_width(t), 1);
-  EXPECT_TRUE(outline.holds({0.9, 0.35}));
-  EXPECT_FALSE(outline.holds({0.9, 0.9}));
+  EXPECT_TRUE(outline.contains({0.9, 0.35}));
+  EXPECT_FALSE(outline.contains({0.9, 0.9}));
   const paint::LeafVeins veins{5, 0.06, 0};
   EXPECT_EQ(paint::vein_at({0, 0.5}, outline, veins), 1);
   // The second vein: two lanes of five and a half, wherever it is looked at.

@@ -45,7 +45,7 @@ TEST(PoissonDisk, StopsAtADensityAndSaysWhereItCannotBe) {
   EXPECT_EQ(points.size(), 600u);
   EXPECT_GE(nearest_pair(points), 0.5 * (1 - 1e-12));
   const std::string fault = fault_of("poisson_disk", {{"distance", 1.0}}, square(20), 1.5);
-  EXPECT_NE(fault.find("600 plants 1 m apart do not fit: the plot is full with "),
+  EXPECT_NE(fault.find("600 plants 1 m apart do not fit: the plot only takes "),
             std::string::npos)
       << fault;
   EXPECT_NE(fault_of("poisson_disk", {{"distance", 1e-6}}, square(100), 0), "");

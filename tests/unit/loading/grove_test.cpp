@@ -170,7 +170,7 @@ TEST(GrovePlaces, WhyNoneStands) {
 TEST(GrovePlaces, TooManyAreToldWithTheirPlace) {
   const std::string said = told("polygon: [(0, 0), (9, 0), (9, 9)], density: 1e12");
   EXPECT_NE(said.find("t.vug:10:7: error: "), std::string::npos) << said;
-  EXPECT_NE(said.find("hold more than"), std::string::npos) << said;
+  EXPECT_NE(said.find("exceed the limit of"), std::string::npos) << said;
 }
 
 TEST(GrovePlaces, FaultsAreToldWithTheirPlace) {

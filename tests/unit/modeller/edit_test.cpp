@@ -55,8 +55,8 @@ TEST(Edit, RefusalsSayWhatAndWhy) {
   const FacadeState state =
       after(blank(), {"apply 0 rows heights=3", "act 0.1 Grid columns=3 rows=2"});
   EXPECT_EQ(refusal(state, "apply 0 Grid"),
-            "rule: 'Facade' at 0 is divided already, by rows(FacadeRow, PartFacade) (retract that, "
-            "or change it)");
+            "rule: 'Facade' at 0 is already divided, by rows(FacadeRow, PartFacade) (retract or "
+            "change that rule)");
   EXPECT_EQ(refusal(state, "apply 0.0 IdenticalGrd"),
             "rule: 'FacadeRow' has no rule 'IdenticalGrd' (did you mean 'IdenticalGrid'?)");
   EXPECT_EQ(refusal(state, "apply 0.1.0.0 Grid").substr(0, 32), "rule: 'window' at 0.1.0.0 is an ");

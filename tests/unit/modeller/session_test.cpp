@@ -95,29 +95,29 @@ TEST(Session, FaultsHaveAPlaceAndAHint) {
             "9:79: /edits/1/numbers/rows: 'rows' is 0, while dividing Grid 12 x 5.5 m at (0, 3.5) "
             "(here it is 1 to 1000)");
   EXPECT_EQ(fault_of(edits("{\"edit\": \"applyy\", \"node\": \"0\", \"rule\": \"rows\"}")),
-            "8:10: /edits/0/edit: there is no edit 'applyy' (did you mean 'apply'?)");
+            "8:10: /edits/0/edit: unknown edit 'applyy' (did you mean 'apply'?)");
   EXPECT_EQ(fault_of(edits("{\"edit\": \"apply\", \"node\": \"1\", \"rule\": \"rows\"}")),
             "8:27: /edits/0/node: the facade has no part '1' (it has 1 of them, counted from 0)");
   EXPECT_EQ(fault_of(edits("{\"edit\": \"apply\", \"node\": \"0\", \"rule\": \"row\"}")),
             "8:40: /edits/0/rule: 'Facade' has no rule 'row' (did you mean 'rows'?)");
   EXPECT_EQ(fault_of(edits("{\"edit\": \"apply\", \"nod\": \"0\", \"rule\": \"rows\"}")),
-            "8:26: /edits/0/nod: there is no 'nod' here (did you mean 'node'?)");
+            "8:26: /edits/0/nod: unknown key 'nod' (did you mean 'node'?)");
   EXPECT_EQ(fault_of(edits("{\"edit\": \"apply\", \"node\": 0, \"rule\": \"rows\"}")),
-            "8:27: /edits/0/node: a text is needed here");
+            "8:27: /edits/0/node: expected a string");
   EXPECT_EQ(fault_of(edits("{\"edit\": \"apply\", \"node\": \"0\"}")),
             "8:1: /edits/0: 'apply' needs a rule");
   EXPECT_EQ(
       fault_of(edits("{\"edit\": \"apply\", \"node\": \"0\", \"rule\": \"rows\", \"numbers\": "
                      "{\"heights\": [3, null]}}")),
-      "8:75: /edits/0/numbers/heights/1: a number is needed here");
-  EXPECT_EQ(fault_of("[]"), "1:1: an object is needed here");
+      "8:75: /edits/0/numbers/heights/1: expected a number");
+  EXPECT_EQ(fault_of("[]"), "1:1: expected an object");
   EXPECT_EQ(fault_of(""), "1:1: invalid JSON");
   EXPECT_EQ(fault_of("{\n \"format\": \"vug facade session\",,"), "2:33: invalid JSON");
   EXPECT_EQ(fault_of("{\"format\": \"other\"}"),
-            "1:12: /format: this is no session of a facade (\"format\": \"vug facade session\")");
+            "1:12: /format: this is not a facade session (\"format\": \"vug facade session\")");
   EXPECT_EQ(fault_of("{\"format\": \"vug facade session\", \"version\": 2}"),
-            "1:45: /version: the session is of version 2 (this program reads version 1)");
-  EXPECT_EQ(fault_of(kStart + "\"width\": 3}"), "7:1: the key 'width' stands twice in one object");
+            "1:45: /version: unsupported session version 2 (this program reads version 1)");
+  EXPECT_EQ(fault_of(kStart + "\"width\": 3}"), "7:1: duplicate key 'width' in one object");
   EXPECT_EQ(fault_of(kStart + "\"edits\": [], \"done\": 1}").substr(0, 12), "7:22: /done:");
   EXPECT_EQ(fault_of(kStart + "\"edits\": [], \"done\": -1}").substr(0, 12), "7:22: /done:");
   EXPECT_NE(fault_of(kStart + "\"edits\": [], \"checkpoints\": {\"a\": 1}}"), "");
@@ -129,7 +129,7 @@ TEST(Session, FaultsHaveAPlaceAndAHint) {
   EXPECT_EQ(fault_of(kStart + "\"editss\": []}").substr(0, 12), "7:11: /edits");
   EXPECT_NE(fault_of("{\"format\": \"vug facade session\", \"version\": 1, \"grammar\": "
                      "\"ripperda.vug\", \"edits\": []}")
-                .find("nothing tells the facade's width"),
+                .find("the facade's width is unknown"),
             std::string::npos);
   EXPECT_EQ(fault_of("{\"format\": \"vug facade session\", \"version\": 1, \"grammar\": "
                      "\"ripperdaa.vug\", \"edits\": []}"),

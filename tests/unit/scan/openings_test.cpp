@@ -146,7 +146,7 @@ TEST(Openings, OfNextToNothing) {
   EXPECT_TRUE(openings_by_raster(seen.range, seen.map).empty());
   EXPECT_TRUE(openings_by_triangles(seen.cloud, seen.range, seen.map).empty());
   EXPECT_THROW(openings_by_raster(seen.range, seen.map, {.closing = -1}), Error);
-  EXPECT_THROW(openings_by_raster(seen.range, seen.map, {.most = kInfinity}), Error);
+  EXPECT_THROW(openings_by_raster(seen.range, seen.map, {.max_size = kInfinity}), Error);
 }
 
 TEST(Openings, AreTheSameForAnyNumberOfThreads) {

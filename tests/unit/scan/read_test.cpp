@@ -67,16 +67,16 @@ TEST(Xyz, FaultsNameTheirPlace) {
     int line, column;
     const char* message;
   };
-  for (const Case& c : {Case{"1 2 3\n4 five 6\n", 2, 3, "'five' is no number"},
-                        {"1 2 3\n4 5\n", 2, 1, "2 numbers, where the lines before have 3"},
-                        {"1 2\n", 1, 1, "a point of 2 numbers"},
-                        {"1 2 3 4 5\n", 1, 1, "a point of 5 numbers"},
-                        {"1 2 3 4 5 6 7 8 9\n", 1, 1, "a point of 9 numbers"},
-                        {"1 2 3 0 -1 0\n", 1, 1, "no part of a colour"},
+  for (const Case& c : {Case{"1 2 3\n4 five 6\n", 2, 3, "'five' is not a number"},
+                        {"1 2 3\n4 5\n", 2, 1, "2 numbers, but the previous lines have 3"},
+                        {"1 2\n", 1, 1, "invalid point with 2 numbers"},
+                        {"1 2 3 4 5\n", 1, 1, "invalid point with 5 numbers"},
+                        {"1 2 3 4 5 6 7 8 9\n", 1, 1, "invalid point with 9 numbers"},
+                        {"1 2 3 0 -1 0\n", 1, 1, "not a colour value"},
                         {"", 1, 1, "empty"},
                         {"# nothing\nx y z\n", 1, 1, "empty"},
                         {"nan nan nan\n", 1, 1, "none of the points"},
-                        {"\x01\x02 1 2\n", 1, 1, "is no number"}}) {
+                        {"\x01\x02 1 2\n", 1, 1, "is not a number"}}) {
     const Error error = fault_of(c.text);
     EXPECT_EQ(error.code(), ErrorCode::bad_input) << c.text;
     EXPECT_EQ(error.where(), (SourceLocation{"x", c.line, c.column})) << c.text;
@@ -123,12 +123,12 @@ TEST(PlyCloud, ReadsAllEncodingsInAnyOrder) {
 TEST(PlyCloud, FaultsAreRefused) {
   const std::string head = "ply\nformat ascii 1.0\nelement vertex ";
   EXPECT_THAT(fault_of(head + "1\nproperty float x\nend_header\n0\n").what(),
-              HasSubstr("lack x, y or z"));
+              HasSubstr("have no x, y or z"));
   const std::string xyz = "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
   EXPECT_THAT(fault_of(head + "0" + xyz).what(), HasSubstr("empty"));
   EXPECT_THAT(fault_of(head + "2" + xyz + "1 2 3 4\n").what(), HasSubstr("cannot be in"));
   const Error word = fault_of(head + "2" + xyz + "1 2 3\n4 five 6\n");
-  EXPECT_THAT(word.what(), HasSubstr("'five' is no number"));
+  EXPECT_THAT(word.what(), HasSubstr("'five' is not a number"));
   EXPECT_EQ(word.where().line, 9);
   EXPECT_THAT(fault_of("ply\nformat ascii 1.0\nend_header\n").what(), HasSubstr("no vertices"));
 }
@@ -165,13 +165,13 @@ TEST(Clouds, PicturesThatWereRenderedAreScans) {
 }
 
 TEST(Clouds, JoinedKeepWhatBothHave) {
-  const PointCloud both = joined(read("1 2 3 7\nnan 0 0 0\n"), read("4 5 6 8\n"));
+  const PointCloud both = concatenated(read("1 2 3 7\nnan 0 0 0\n"), read("4 5 6 8\n"));
   EXPECT_EQ(both.intensities, (std::vector<float>{7, 8}));
   EXPECT_EQ(both.dropped, 1U);
-  const PointCloud less = joined(both, read("4 5 6\n"));
+  const PointCloud less = concatenated(both, read("4 5 6\n"));
   EXPECT_EQ(less.size(), 3U);
   EXPECT_TRUE(less.intensities.empty());
-  EXPECT_EQ(joined(PointCloud{}, both).intensities, both.intensities);
+  EXPECT_EQ(concatenated(PointCloud{}, both).intensities, both.intensities);
   EXPECT_THROW(read_clouds({}), Error);
   EXPECT_THROW(read_clouds({"no/such/file.xyz"}), Error);
 }

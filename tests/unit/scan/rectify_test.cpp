@@ -144,11 +144,11 @@ TEST(Rectify, FaultsAreRefused) {
   };
   EXPECT_EQ(message(good, {}), "done");
   EXPECT_EQ(message({good[3], good[2], good[1], good[0]}, {}),
-            "the corners go round the facade the wrong way");
+            "the corners are in counter-clockwise order");
   EXPECT_EQ(message({good[0], good[2], good[1], good[3]}, {}),
-            "the corners make no convex quadrangle");
+            "the corners do not form a convex quadrangle");
   EXPECT_EQ(message({good[0], good[0], good[1], good[3]}, {}),
-            "the corners make no convex quadrangle");
+            "the corners do not form a convex quadrangle");
   EXPECT_NE(message(good, {.width = 3}), "done");
   EXPECT_NE(message(good, {.width = -3, .height = 2}), "done");
   EXPECT_NE(message(good, {.pixel = -1}), "done");

@@ -9,7 +9,7 @@
 namespace vug::fit {
 namespace {
 
-/// Mean and deviation of what is finite.
+/// Mean and standard deviation of the finite values.
 struct Spread {
   double mean = 0, deviation = 0;
 };
@@ -25,7 +25,8 @@ Spread spread(const Plane& plane) {
   return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean))};
 }
 
-/// Adds a plane in deviations of its own; of one that hardly varies, less, as that is noise.
+/// Adds a plane divided by its standard deviation; planes that hardly vary get less weight, since
+/// they are mostly noise.
 void add(Plane& sum, const Plane& plane, double weight) {
   constexpr double kNoise = 0.5;  // units of L*a*b*
   const Spread of = spread(plane);
@@ -47,8 +48,8 @@ ClusterImage made(int width, int height, std::vector<uint8_t> labels) {
   return {width, height, clusters, std::move(labels)};
 }
 
-/// Clusters of one plane, by value: those whose means are nearer than the step to the one before
-/// become one with it.
+/// Merges clusters of one plane, sorted by value, whose mean is closer than `step` to the previous
+/// one.
 void join(const Plane& values, double step, std::vector<uint8_t>& labels) {
   std::array<double, kMaxLanes> sum{}, count{};
   for (size_t i = 0; i < labels.size(); ++i) sum[labels[i]] += values[i], count[labels[i]] += 1;
@@ -60,11 +61,11 @@ void join(const Plane& values, double step, std::vector<uint8_t>& labels) {
   for (uint8_t& one : labels) one = now[one];
 }
 
-/// Deep ones first, and holes with them: as the first cluster if there are any.
+/// Clusters by depth, deepest first; holes, if any, form the first cluster.
 std::vector<uint8_t> of_depths(const Plane& depths, const ClusterImageOptions& options,
                                RandomKey key) {
   if (options.depth_clusters < 2 || options.depth_clusters >= kMaxLanes)
-    throw Error(ErrorCode::bad_input, "depths have between 2 and 7 clusters");
+    throw Error(ErrorCode::bad_input, "invalid number of depth clusters: must be 2 to 7");
   const float from = middle(depths), most = static_cast<float>(options.depth_range);
   Planes known{0, 1, {{}}};
   for (const float depth : depths)
@@ -92,13 +93,13 @@ Planes glass_cue(const image::Image& linear) {
   };
   const BoxFilter light(width, height, lab.planes[0]);
   Planes out{width, height, {Plane(lab.pixels(), 0)}};
-  // Weights by how well each tells windows from all else on facades of stone
+  // Weights by how well each cue separates windows from the rest on stone facades
   // (docs/explanation/theory/facades.md).
   add(out.planes[0], soft(flat.planes[2], unit), 1);
   add(out.planes[0], soft(flat.planes[1], unit), 0.5);
   add(out.planes[0], difference(light.mean(3 * unit), light.rows(unit)), 0.5);
   add(out.planes[0], soft(central_differences(width, height, lab.planes[0], true), 4 * unit), -1);
-  // Of shops, sky and shadows, which are larger than windows, borders remain.
+  // Reduces regions larger than windows, such as shops, sky and shadows, to their borders.
   out.planes[0] = difference(out.planes[0], soft(out.planes[0], std::max(1, height / 14)));
   return out;
 }
@@ -108,9 +109,9 @@ ClusterImage cluster_image(const image::Image* linear, const image::Image* depth
   if (!linear && !depth)
     throw Error(ErrorCode::bad_input, "a cluster image needs a photo or depths");
   if (depth && depth->channels.size() != 1)
-    throw Error(ErrorCode::bad_input, "depths are a picture of one channel");
+    throw Error(ErrorCode::bad_input, "the picture of depths must have one channel");
   if (linear && depth && (linear->width != depth->width || linear->height != depth->height))
-    throw Error(ErrorCode::bad_input, "photo and depths are not of one size");
+    throw Error(ErrorCode::bad_input, "the photo and the depths differ in size");
   const image::Image& any = linear ? *linear : *depth;
   if (any.pixel_count() == 0) throw Error(ErrorCode::bad_input, "the picture has no pixels");
   if (depth) {

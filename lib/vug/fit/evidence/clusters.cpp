@@ -18,7 +18,7 @@ double distance(const Point& a, const Point& b) {
   return sum;
 }
 
-/// Pixels as points; holes in the depth stand apart from all depths.
+/// Pixels as feature vectors; holes in the depth get a value far from all depths.
 std::vector<Point> points_of(const Planes& planes, double depth_scale) {
   constexpr float kHole = 100;
   std::vector<Point> out(planes.pixels(), Point{});
@@ -39,7 +39,8 @@ size_t nearest(const std::vector<Point>& centres, const Point& point) {
   return best;
 }
 
-/// Each new one is drawn with the square of its distance to those there are.
+/// k-means++: each new centre is drawn with a probability proportional to the squared distance from
+/// the nearest existing one.
 std::vector<Point> starts(const std::vector<Point>& points, int count, RandomKey key) {
   RandomStream stream(key);
   std::vector<Point> out = {points[stream.below(static_cast<uint32_t>(points.size()))]};
@@ -50,7 +51,7 @@ std::vector<Point> starts(const std::vector<Point>& points, int count, RandomKey
       away[i] = std::min(away[i], distance(points[i], out.back()));
       sum += away[i];
     }
-    if (!(sum > 0)) break;  // no other colours
+    if (!(sum > 0)) break;  // No further colours.
     double aim = stream.uniform() * sum;
     size_t i = 0;
     while (i + 1 < points.size() && (aim -= away[i]) >= 0) ++i;
@@ -62,10 +63,11 @@ std::vector<Point> starts(const std::vector<Point>& points, int count, RandomKey
 
 struct Clustering {
   std::vector<Point> centres;
-  double error = 0;  ///< Sum of the squares of what pixels are away from their centres.
+  double error = 0;  ///< Sum of the squared distances of the pixels from their centres.
 };
 
-/// From one choice of starts; a row at a time, so that sums do not depend on threads.
+/// k-means from one set of start centres; reduced row by row, so that sums do not depend on the
+/// threads.
 Clustering refined(const std::vector<Point>& points, size_t width, int rounds,
                    std::vector<Point> centres) {
   struct Sum {
@@ -107,7 +109,8 @@ Clustering refined(const std::vector<Point>& points, size_t width, int rounds,
 
 std::vector<uint8_t> cluster(const Planes& planes, const ClusterOptions& options, RandomKey key) {
   if (options.clusters < 1 || options.clusters > kMaxLanes || planes.pixels() == 0)
-    throw Error(ErrorCode::bad_input, "a picture has between 1 and 8 clusters");
+    throw Error(ErrorCode::bad_input,
+                "invalid clustering: needs 1 to 8 clusters and a picture with pixels");
   const std::vector<Point> points = points_of(planes, options.depth_scale);
   Clustering best;
   for (int attempt = 0; attempt < std::max(1, options.attempts); ++attempt) {

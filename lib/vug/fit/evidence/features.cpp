@@ -11,7 +11,7 @@
 namespace vug::fit {
 namespace {
 
-/// Of values whose means and whose squares' means are given.
+/// Standard deviation from the means of values and of their squares.
 Plane deviation(const Plane& mean, const Plane& mean_square) {
   Plane out(mean_square);
   for (size_t i = 0; i < out.size(); ++i)
@@ -36,13 +36,13 @@ Plane shifted(const Planes& like, const Plane& plane, int dx, int dy) {
   });
 }
 
-/// Of a plane that is blurred already: what is to the left and right, above and below.
+/// Adds samples of a blurred plane from the left, right, above and below.
 void add_surroundings(Planes& out, const Plane& plane, int distance) {
   for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
     out.planes.push_back(shifted(out, plane, dx * distance, dy * distance));
 }
 
-/// f of the definition of L*a*b*.
+/// The function f in the definition of L*a*b*.
 double cube_root(double t) {
   constexpr double kDelta = 6.0 / 29;
   return t > kDelta * kDelta * kDelta ? maths::pow(t, 1.0 / 3)
@@ -57,7 +57,7 @@ Planes to_lab(const image::Image& linear) {
   parallel_for(
       rgb.pixel_count(),
       [&](size_t i) {
-        // What is no colour is black.
+        // Non-finite values count as black.
         const auto light = [&](size_t c) {
           const float v = rgb.pixels[3 * i + c];
           return std::isfinite(v) ? static_cast<double>(v) : 0.0;

@@ -13,7 +13,7 @@
 namespace vug::fit {
 namespace {
 
-/// The pixels of one axis that fall into one of the smaller picture's, and their shares of it.
+/// The range of pixels along one axis that overlap one target pixel, and their weights.
 struct Span {
   int begin = 0;
   std::vector<double> shares;
@@ -48,7 +48,7 @@ image::Image downsampled(const image::Image& picture, WorkingSize size) {
   if (size.width < 1 || size.height < 1 || size.width > picture.width ||
       size.height > picture.height)
     throw Error(ErrorCode::bad_input,
-                fmt::format("{} x {} pixels cannot be reduced to {} x {}", picture.width,
+                fmt::format("cannot downsample {} x {} pixels to {} x {}", picture.width,
                             picture.height, size.width, size.height));
   if (size == WorkingSize{picture.width, picture.height}) return picture;
   image::Image out(size.width, size.height, picture.channels);
@@ -80,7 +80,7 @@ image::Image downsampled(const image::Image& picture, WorkingSize size) {
 std::vector<uint8_t> resampled(const std::vector<uint8_t>& marks, WorkingSize from,
                                WorkingSize to) {
   if (from.width < 1 || from.height < 1 || to.width < 1 || to.height < 1)
-    throw Error(ErrorCode::bad_input, "a picture has at least a pixel");
+    throw Error(ErrorCode::bad_input, "a picture needs at least one pixel");
   std::vector<uint8_t> out;
   out.reserve(static_cast<size_t>(to.width) * static_cast<size_t>(to.height));
   const auto middle = [](int i, int many, int fewer) {
@@ -95,7 +95,7 @@ std::vector<uint8_t> resampled(const std::vector<uint8_t>& marks, WorkingSize fr
 }
 
 double read_memory(int width, int height, size_t channels) {
-  // As floats, once as they are in the file and once of R, G and B.
+  // As floats, both with the channels of the file and as R, G and B.
   return 1.0 * width * height * (static_cast<double>(channels) + 3) * sizeof(float);
 }
 
@@ -105,13 +105,13 @@ image::Image read_with_limit(const std::filesystem::path& path, const image::Fil
                  max_memory ? max_memory : available_memory(),
                  fmt::format("reading {} x {} pixels of {}", info.width, info.height,
                              path.filename().string()),
-                 "make the picture smaller");
+                 "use a smaller picture");
   return image::read(path, {.linear = true});
 }
 
 image::Image to_rgb(const image::Image& picture, const image::FileInfo& file) {
   if (picture.channels.size() > 2) return picture.select({"R", "G", "B"});
-  // Channels called R have been turned to linear light while they were read.
+  // Channels named R are already converted to linear light on reading.
   const bool encoded = file.formats[0].rfind("uint", 0) == 0 && picture.channels[0] != "R";
   image::Image out(picture.width, picture.height, {"R", "G", "B"});
   for (size_t i = 0; i < out.pixels.size(); ++i) {

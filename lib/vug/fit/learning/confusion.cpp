@@ -76,9 +76,10 @@ void cross_validate(const std::vector<LabelledImage>& pictures, const Classes& c
                     RandomKey key, const std::function<void(size_t, const Planes&)>& visit,
                     Progress& progress) {
   if (folds < 2 || pictures.size() < static_cast<size_t>(folds))
-    throw Error(ErrorCode::bad_input,
-                fmt::format("{} pictures cannot be tried in {} folds", pictures.size(), folds), {},
-                "give at least two folds, and a picture for each");
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("cannot cross-validate {} pictures with {} folds", pictures.size(), folds), {},
+        "use at least two folds and one picture per fold");
   const auto parts = static_cast<size_t>(folds);
   for (size_t fold = 0; fold < parts; ++fold) {
     std::vector<const LabelledImage*> seen;

@@ -19,14 +19,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kHint = "write {\"0\": \"door\", \"1\": \"shop\", \"2\": \"window\", ...}";
-/// In the order of Look.
+/// In the order of RegionType.
 constexpr const char* kRegionTypeNames[kRegionTypes] = {"wall", "window", "door", "shop"};
 
 Error refused(const std::string& reason, const char* hint = kHint) {
   return Error(ErrorCode::bad_input, reason, {}, hint);
 }
 
-/// The files of a folder by their names without endings.
+/// The files of a folder by their names without extension.
 std::map<std::string, fs::path> stems(const fs::path& folder) {
   std::error_code failed;
   std::map<std::string, fs::path> out;
@@ -41,11 +41,11 @@ std::map<std::string, fs::path> stems(const fs::path& folder) {
   if (failed)
     throw Error(ErrorCode::bad_input,
                 fmt::format("cannot read folder '{}': {}", folder.string(), failed.message()), {},
-                "pictures lie in images, their labels in labels");
+                "put pictures into images/ and their labels into labels/");
   return out;
 }
 
-/// facade_9 before facade_10.
+/// Natural order: facade_9 before facade_10.
 bool by_number(const std::string& a, const std::string& b) {
   const auto digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   const auto number_at = [&](const std::string& text) {
@@ -63,30 +63,29 @@ bool by_number(const std::string& a, const std::string& b) {
 
 std::vector<uint8_t> read_labels(const fs::path& path, const Classes& classes,
                                  uint64_t max_memory) {
-  constexpr const char* kWhat =
-      "labels are an 8-bit grey picture whose values are the numbers of classes";
+  constexpr const char* kWhat = "labels must be an 8-bit grey picture of class numbers";
   const image::FileInfo info = image::read_info(path);
   const size_t channels = info.channels.size();
   if (info.formats[0] != "uint8")
-    throw refused(fmt::format("'{}' has no labels but {} values", path.string(), info.formats[0]),
-                  kWhat);
+    throw refused(
+        fmt::format("'{}' has {} values instead of labels", path.string(), info.formats[0]), kWhat);
   require_memory(
       read_memory(info.width, info.height, channels), max_memory ? max_memory : available_memory(),
-      fmt::format("reading {} x {} labels", info.width, info.height), "make the picture smaller");
+      fmt::format("reading {} x {} labels", info.width, info.height), "use a smaller picture");
   const image::Image picture = image::read(path);
   std::vector<uint8_t> out;
   out.reserve(picture.pixel_count());
   for (size_t i = 0; i < picture.pixels.size(); i += channels) {
-    // Grey may be written as three equal colours.
+    // Grey may be stored as three equal channels.
     for (size_t c = 1; c < std::min<size_t>(3, channels); ++c)
       if (picture.pixels[i + c] != picture.pixels[i])
         throw refused(fmt::format("'{}' has colours instead of labels", path.string()), kWhat);
     const auto label = static_cast<uint8_t>(std::lround(255 * picture.pixels[i]));
     if (label >= classes.count() && label != kUnlabelled) {
       const auto at = static_cast<int>(out.size());
-      throw refused(fmt::format("'{}' has class {} in column {}, row {}, which has no name",
-                                path.string(), label, at % picture.width, at / picture.width),
-                    "name all classes but 255, which is for pixels without a label");
+      throw refused(fmt::format("'{}' has the unnamed class {} in column {}, row {}", path.string(),
+                                label, at % picture.width, at / picture.width),
+                    "name all classes except 255, which marks unlabelled pixels");
     }
     out.push_back(label);
   }
@@ -110,12 +109,12 @@ int Classes::find(RegionType type) const {
 
 Classes classes_from_json(const nlohmann::json& text) {
   if (!text.is_object() || text.empty() || text.size() > kUnlabelled)
-    throw refused("classes are an object that names numbers");
+    throw refused("classes must be an object that maps numbers to names");
   Classes out;
   for (size_t i = 0; i < text.size(); ++i) {
     const auto found = text.find(std::to_string(i));
     if (found == text.end())
-      throw refused(fmt::format("{} classes are numbered from 0 to {}, but {} is missing",
+      throw refused(fmt::format("{} classes must be numbered from 0 to {}: {} is missing",
                                 text.size(), text.size() - 1, i));
     if (!found->is_string() || found->get<std::string>().empty())
       throw refused(fmt::format("class {} has no name", i));
@@ -150,9 +149,10 @@ LabelledImage read_labelled_image(const fs::path& photo, const fs::path& labels,
   const image::Image picture = read_photo(photo, max_memory);
   const image::FileInfo info = image::read_info(labels);
   if (info.width != picture.width || info.height != picture.height)
-    throw refused(fmt::format("'{}' has {} x {} pixels, its labels {} x {}", photo.string(),
-                              picture.width, picture.height, info.width, info.height),
-                  "label each pixel of the picture");
+    throw refused(
+        fmt::format("'{}' has {} x {} pixels, but its labels have {} x {}", photo.string(),
+                    picture.width, picture.height, info.width, info.height),
+        "labels must have the size of the picture");
   const WorkingSize size = working_size(picture.width, picture.height, limits);
   out.labels =
       resampled(read_labels(labels, classes, max_memory), {picture.width, picture.height}, size);
@@ -168,16 +168,16 @@ std::vector<LabelledImage> read_labelled_folder(const fs::path& folder, const Cl
   for (const auto& [name, path] : photos) {
     if (!labels.contains(name))
       throw refused(fmt::format("'{}' has no labels", path.string()),
-                    "labels are named as their pictures");
+                    "labels must have the same names as their pictures");
     names.push_back(name);
   }
   for (const auto& [name, path] : labels)
     if (!photos.contains(name))
-      throw refused(fmt::format("there is no picture to the labels '{}'", path.string()),
-                    "labels are named as their pictures");
+      throw refused(fmt::format("no picture for the labels '{}'", path.string()),
+                    "labels must have the same names as their pictures");
   if (names.empty())
-    throw refused(fmt::format("there are no pictures in '{}'", (folder / "images").string()),
-                  "pictures lie in images, their labels in labels");
+    throw refused(fmt::format("no pictures in '{}'", (folder / "images").string()),
+                  "put pictures into images/ and their labels into labels/");
   std::stable_sort(names.begin(), names.end(), by_number);
   progress.begin("reading pictures", names.size());
   std::vector<LabelledImage> out;

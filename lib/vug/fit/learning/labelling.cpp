@@ -30,7 +30,7 @@ std::vector<uint8_t> label_pixels(const Planes& maps, const Classes& classes,
                                   const std::vector<DetectedElement>& seen,
                                   const LabellingOptions& options) {
   if (maps.count() != classes.names.size())
-    throw Error(ErrorCode::bad_input, "looks need a map for each class");
+    throw Error(ErrorCode::bad_input, "the number of maps must match the number of classes");
   const std::vector<uint8_t> types = region_map(seen, maps.width, maps.height);
   const auto tree_bias = static_cast<float>(maths::pow(2, options.tree_bias));
   Planes weighed = maps;

@@ -15,7 +15,7 @@ namespace vug::fit {
 namespace {
 
 constexpr int kVersion = 1;
-/// Beyond that a picture is not looked at: there are more than a hundred features of each pixel.
+/// Upper limits of the working size, since each pixel has more than a hundred features.
 constexpr int kMaxRows = 4096, kMaxPixels = 4'000'000;
 
 Planes joined(Planes a, const Planes& b) {
@@ -42,30 +42,30 @@ nlohmann::json PixelClassifier::to_json() const {
 
 PixelClassifier PixelClassifier::from_json(const nlohmann::json& text) {
   const auto refused = [](const char* reason) {
-    return Error(ErrorCode::bad_input, reason, {}, "make looks with `vug facade train`");
+    return Error(ErrorCode::bad_input, reason, {}, "train a classifier with `vug facade train`");
   };
   PixelClassifier out;
   try {
     if (!text.is_object() || text.value("format", "") != "vug looks")
-      throw refused("this is no model of looks");
+      throw refused("this is not a trained pixel classifier");
     if (json_integer(text.at("version")) != kVersion)
-      throw refused("these looks are of another version");
+      throw refused("the pixel classifier has an unsupported version");
     out.classes_ = classes_from_json(text.at("classes"));
     out.limits_.height = json_integer(text.at("working").at("height")).value_or(0);
     out.limits_.pixels = json_integer(text.at("working").at("pixels")).value_or(0);
     out.first_ = Forest::from_json(text.at("first"));
     out.second_ = Forest::from_json(text.at("second"));
   } catch (const nlohmann::json::exception&) {
-    throw refused("the model of looks is damaged");
+    throw refused("the pixel classifier is damaged");
   }
   const int classes = out.classes_.count();
   if (out.limits_.height < 1 || out.limits_.height > kMaxRows || out.limits_.pixels < 1 ||
       out.limits_.pixels > kMaxPixels || out.first_.classes() != classes ||
       out.second_.classes() != classes)
-    throw refused("the model of looks is damaged");
+    throw refused("the pixel classifier is damaged");
   if (out.first_.features() != feature_count() ||
       out.second_.features() != feature_count() + context_count() * static_cast<size_t>(classes))
-    throw refused("these looks are of another version");
+    throw refused("the pixel classifier has an unsupported version");
   return out;
 }
 
@@ -105,7 +105,7 @@ Planes enlarged(const Planes& maps, int width, int height) {
 Evidence classifier_evidence(const Planes& maps, const Classes& classes,
                              const ClassifierEvidenceOptions& options) {
   if (maps.count() != classes.names.size())
-    throw Error(ErrorCode::bad_input, "looks need a map for each class");
+    throw Error(ErrorCode::bad_input, "the number of maps must match the number of classes");
   std::vector<uint32_t> bits;
   bits.reserve(maps.pixels() * kRegionTypes);
   for (size_t i = 0; i < maps.pixels(); ++i) {

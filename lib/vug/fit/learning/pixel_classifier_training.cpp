@@ -11,7 +11,7 @@ namespace {
 
 using Pictures = std::vector<const LabelledImage*>;
 
-/// Labelled pixels of each picture, drawn at random.
+/// Random labelled pixels of each picture.
 class PixelSample {
  public:
   PixelSample(const Pictures& pictures, const PixelClassifierOptions& options, RandomKey key)
@@ -38,14 +38,14 @@ class PixelSample {
   std::vector<std::vector<uint32_t>> places_;
 };
 
-/// The examples of those pictures, whose planes are made one picture after the other on each
-/// thread, so that they never stand in memory all at once.
+/// Collects the examples of those pictures. Each thread computes the planes of one picture at a
+/// time, so that they are never all in memory.
 Examples gather(const Pictures& pictures, const PixelSample& sample,
                 const std::vector<size_t>& which, const std::function<Planes(size_t)>& planes_of,
                 Progress& progress) {
   std::vector<std::vector<float>> values(which.size());
   std::vector<size_t> counts(which.size(), 0);
-  progress.begin("looking at pictures", which.size());
+  progress.begin("computing features", which.size());
   parallel_for(which.size(), [&](size_t n) {
     progress.check();
     const Planes planes = planes_of(which[n]);
@@ -74,12 +74,12 @@ PixelClassifier PixelClassifier::train(const Pictures& pictures, const Classes& 
                                        Progress& progress) {
   const auto features_of_all =
       static_cast<double>(feature_count() + context_count() * static_cast<size_t>(classes.count()));
-  // Once of each picture, once joined.
+  // Once per picture and once concatenated.
   require_memory(
       2.0 * sizeof(float) * features_of_all *
           static_cast<double>(pictures.size() * PixelSample::of_each(pictures.size(), options)),
       options.max_memory ? options.max_memory : available_memory(), "training looks",
-      "draw fewer examples");
+      "use fewer examples");
   const PixelSample sample(pictures, options, key.at("pixels"));
   std::vector<size_t> all, odd, even;
   for (size_t k = 0; k < pictures.size(); ++k) {
@@ -87,7 +87,7 @@ PixelClassifier PixelClassifier::train(const Pictures& pictures, const Classes& 
     (all.size() % 2 ? odd : even).push_back(k);
     all.push_back(k);
   }
-  if (all.empty()) throw Error(ErrorCode::bad_input, "no pixel has a label to train on");
+  if (all.empty()) throw Error(ErrorCode::bad_input, "no labelled pixels to train on");
   const auto see = [&](size_t k) { return features(pictures[k]->photo); };
   const auto forest = [&](const std::vector<size_t>& which, const ForestOptions& how,
                           std::string_view name, const std::function<Planes(size_t)>& planes) {
@@ -98,7 +98,7 @@ PixelClassifier PixelClassifier::train(const Pictures& pictures, const Classes& 
   out.classes_ = classes;
   out.limits_ = limits;
   out.first_ = forest(all, options.first, "first", see);
-  // A single picture has to judge itself.
+  // With a single picture there is no other one to train on.
   const Forest of_odd = odd.empty() ? out.first_ : forest(odd, options.first, "odd", see);
   const Forest of_even = odd.empty() ? out.first_ : forest(even, options.first, "even", see);
   std::vector<const Forest*> stranger(pictures.size(), &of_odd);

@@ -15,10 +15,10 @@ namespace vug::fit {
 
 namespace {
 
-/// A leaf's votes are whole numbers up to this, above 0.
+/// Votes of a leaf are integers from 1 to this.
 constexpr double kMaxVotes = 250;
 
-/// The number as it is written, which takes five digits.
+/// The value after writing it with five digits.
 double written(float value) {
   const std::string text = fmt::format("{:.5g}", value);
   double out = 0;
@@ -56,7 +56,7 @@ class TreeGrower {
     return out;
   }
 
-  /// Gini's: the sum of squares by the sum, the larger the purer.
+  /// Gini purity: sum of squares divided by the sum; larger is purer.
   static double purity(const Counts& counts) {
     const double all = std::accumulate(counts.begin(), counts.end(), 0.0);
     double squares = 0;
@@ -99,7 +99,7 @@ class TreeGrower {
     return index;
   }
 
-  /// A feature with thresholds in order, and between each two of them how many of each class.
+  /// A feature with sorted thresholds, and the class counts of the intervals between them.
   struct SplitCandidate {
     size_t feature = 0;
     std::vector<float> thresholds;
@@ -120,7 +120,7 @@ class TreeGrower {
   Forest::Split best_split(size_t begin, size_t end, const Counts& counts) {
     std::vector<SplitCandidate> candidates;
     for (int i = 0; i < options_.tried_features; ++i) candidates.push_back(candidate(begin, end));
-    // One example after the other for all trials, as each is far from the next one in memory.
+    // Loops over examples outside and candidates inside, because examples are far apart in memory.
     for (size_t at = begin; at < end; ++at) {
       const float* example = examples_.at(chosen_[at]);
       const size_t of = examples_.classes[chosen_[at]];
@@ -164,9 +164,10 @@ class TreeGrower {
 Forest Forest::train(const Examples& examples, int classes, const ForestOptions& options,
                      RandomKey key, Progress& progress) {
   if (examples.count() == 0 || examples.values.size() != examples.count() * examples.features)
-    throw Error(ErrorCode::bad_input, "there are no examples to train on");
+    throw Error(ErrorCode::bad_input, "no examples to train on");
   for (const uint8_t c : examples.classes)
-    if (c >= classes) throw Error(ErrorCode::bad_input, "an example has a class that there is not");
+    if (c >= classes)
+      throw Error(ErrorCode::bad_input, "an example has a class that is out of range");
   Forest out;
   out.classes_ = classes;
   out.features_ = examples.features;
@@ -183,7 +184,8 @@ Forest Forest::train(const Examples& examples, int classes, const ForestOptions&
 
 Planes Forest::classify(const Planes& features) const {
   if (features.count() != features_)
-    throw Error(ErrorCode::bad_input, "the classifier was trained on other features");
+    throw Error(ErrorCode::bad_input,
+                "the classifier was trained on a different number of features");
   const auto classes = static_cast<size_t>(classes_);
   Planes out{features.width, features.height,
              std::vector<std::vector<float>>(classes, std::vector<float>(features.pixels()))};
@@ -211,8 +213,8 @@ Planes Forest::classify(const Planes& features) const {
   return out;
 }
 
-// A tree is written as it is grown: each split before what is below it, so that no places need to
-// be. Leaves are -1 among the features.
+// Trees are written in the order of growth: each split before its descendants, so that no child
+// indices are needed. A leaf is -1 among the features.
 nlohmann::json Forest::to_json() const {
   nlohmann::json trees = nlohmann::json::array();
   for (const Tree& tree : trees_) {
@@ -244,13 +246,13 @@ Forest::Tree Forest::tree_from_json(const nlohmann::json& text) const {
     tree.votes.push_back(static_cast<uint8_t>(count));
   }
   size_t split_count = 0, leaves = 0;
-  std::vector<size_t> open;  // splits that lack what is not below their threshold
+  std::vector<size_t> open;  // Splits whose right child is still missing.
   for (size_t i = 0; i < features.size(); ++i) {
     Split split;
     split.feature = features[i];
     if (split.feature >= static_cast<int>(features_) || split.feature < -1) return {};
     if (i > 0 && features[i - 1] < 0) {
-      // Behind a leaf goes on what was begun last.
+      // The node after a leaf is the right child of the last open split.
       if (open.empty()) return {};
       tree.splits[open.back()].right = static_cast<int>(i);
       open.pop_back();

@@ -1,6 +1,6 @@
-// Krichevsky and Trofimov's adaptive code: pixels n_1 .. n_k of k clusters, n in all, cost
+// Krichevsky and Trofimov's adaptive code: pixels n_1 .. n_k of k clusters, n in total, cost
 //   -log2 [ G(k/2) / G(n + k/2) * prod G(n_i + 1/2) / G(1/2) ]
-// bits, for instance log2(128 / 5) for (3, 1).
+// bits, for example log2(128 / 5) for (3, 1).
 #include <vug/base/kind.h>
 #include <vug/fit/likelihood.h>
 #include <vug/inference/bits.h>
@@ -45,10 +45,11 @@ class Kt : public Likelihood {
 }  // namespace vug::fit
 
 VUG_LIKELIHOOD(kt) {
-  return {{"kt",
-           "likelihood",
-           "Adaptive code of a region's clusters: regions of few clusters, whichever, are cheap.",
-           "krichevsky1981",
-           {}},
-          [](const Evidence& evidence) { return std::make_shared<const Kt>(evidence); }};
+  return {
+      {"kt",
+       "likelihood",
+       "Adaptive code of a region's clusters: regions of few clusters, no matter which, are cheap.",
+       "krichevsky1981",
+       {}},
+      [](const Evidence& evidence) { return std::make_shared<const Kt>(evidence); }};
 }

@@ -1,5 +1,5 @@
-// The published data term: pixels that are not of the region's main cluster, log2(clusters) bits
-// each. On colour alone it hardly tells windows from walls (docs/explanation/theory/facades.md).
+// The published data term: log2(clusters) bits for each pixel outside of the region's main cluster.
+// With colour alone it hardly separates windows from walls (docs/explanation/theory/facades.md).
 #include <vug/base/kind.h>
 #include <vug/fit/likelihood.h>
 #include <vug/inference/bits.h>

@@ -1,4 +1,4 @@
-// Code lengths under each look, from maps that were trained on labelled pictures.
+// Code lengths under each region type, from the maps of a trained pixel classifier.
 #include <vug/base/error.h>
 #include <vug/base/kind.h>
 #include <vug/fit/likelihood.h>
@@ -18,15 +18,16 @@ class Supervised : public Likelihood {
 }  // namespace vug::fit
 
 VUG_LIKELIHOOD(supervised) {
-  return {{"supervised",
-           "likelihood",
-           "Sums up how unlikely each pixel is under its region's look, by maps of looks.",
-           "",
-           {}},
-          [](const Evidence& evidence) {
-            if (evidence.lanes() != kRegionTypes)
-              throw Error(ErrorCode::bad_input,
-                          "the supervised likelihood needs a map for each look");
-            return std::make_shared<const Supervised>();
-          }};
+  return {
+      {"supervised",
+       "likelihood",
+       "Sums the code lengths of the pixels under their region's type, from a trained classifier.",
+       "",
+       {}},
+      [](const Evidence& evidence) {
+        if (evidence.lanes() != kRegionTypes)
+          throw Error(ErrorCode::bad_input,
+                      "the supervised likelihood needs one lane per region type");
+        return std::make_shared<const Supervised>();
+      }};
 }

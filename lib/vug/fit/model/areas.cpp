@@ -1,4 +1,4 @@
-// Where the areas of a tree lie, and whether everything fits into them.
+// Layout of a tree's areas and validation of its parameters.
 #include <vug/fit/model/model.h>
 
 #include <algorithm>
@@ -6,14 +6,14 @@
 namespace vug::fit {
 namespace {
 
-/// A part of an area: from x on, in the area's own places and, if `again`, in those of its mirror
-/// image or repetitions too.
+/// A slice of an area: one for the part itself and, for mirrored or repeated parts, one for each
+/// copy.
 struct Slice {
   int x = 0, width = 0, y = 0, height = 0;
 };
 
-/// Gives node `part` the area of the slices of `above`: each in all places of `above`. Those of odd
-/// number are mirrored where `mirror` says so.
+/// Gives node `part` the slices of `above`, each in all instances of `above`. Slices with an odd
+/// index are mirrored if `mirror` is set.
 void cut(TreeState& state, int part, const Area& above, const std::vector<Slice>& slices,
          bool mirror) {
   const Slice& first = slices.front();
@@ -41,11 +41,11 @@ bool same_places(const Area& a, const std::vector<AreaInstance>& instances_a, co
                     instances_b.begin() + b.first);
 }
 
-/// How wide the widest window of each line is.
+/// Width of the widest window of each line.
 using Sizes = std::array<int, kMaxLines>;
 
-/// Lines that begin at or after 0, are apart, end in time, and are even where they must be; unused
-/// ones are 0.
+/// Whether the lines start at 0 or later, do not touch, end within the room, and are even if
+/// `regular`; unused lines must be 0.
 bool lines_fit(const Lines& lines, int count, const Sizes& sizes, int room, bool regular) {
   for (int i = 0; i < count; ++i) {
     const auto at = static_cast<size_t>(i);
@@ -137,7 +137,7 @@ bool Model::fits(const TreeState& state, int i) const {
   const SymbolInfo& symbol = rules_->symbol(node.symbol);
   if (symbol.terminal) {
     if (node.width < limits_.min_size || node.height < limits_.min_size) return false;
-    // Where a grid's windows stand its lines say; a kind may stand nowhere.
+    // Windows of a grid are positioned by its lines; a kind may have no instance.
     if (in_grid(node)) return node.width <= area.width && node.height <= area.height;
     return node.x >= 0 && node.y >= 0 && node.x + node.width <= area.width &&
            node.y + node.height <= area.height;

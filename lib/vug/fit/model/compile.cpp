@@ -16,7 +16,7 @@ const std::map<std::string, RegionType>& element_types() {
   return types;
 }
 
-/// What a split is told beside its parts: `regular: false`.
+/// A flag argument of a split, such as `regular: false`.
 bool flag(const facade::Item& split, const std::string& name) {
   for (const scene::Operand& operand : split.expr->operands)
     if (operand.name == name) return operand.value->text == "true";
@@ -39,7 +39,7 @@ class Compiler {
     for (const facade::Rule& rule : from_.rules) find_grid(rule);
     for (const facade::Rule& rule : from_.rules) add(rule);
     if (from_.axiom.size() != 1 || from_.axiom[0].kind != facade::ItemKind::symbol)
-      throw Error(ErrorCode::bad_input, "the axiom of a grammar that is fitted is one symbol",
+      throw Error(ErrorCode::bad_input, "the axiom of a grammar to be fitted must be one symbol",
                   from_.where);
     out_.axiom = symbol(from_.axiom[0]);
     return indexed(std::move(out_));
@@ -49,7 +49,7 @@ class Compiler {
   [[noreturn]] static void refuse(const facade::Rule& rule, const std::string& why) {
     throw Error(ErrorCode::bad_input,
                 fmt::format("'{}' cannot be fitted: {}", facade::to_string(rule), why), rule.where,
-                "see data/facades/ripperda.vug for what can");
+                "see data/facades/ripperda.vug for supported rules");
   }
 
   int find(const std::string& name) const {
@@ -72,14 +72,14 @@ class Compiler {
     return rule.items[0];
   }
 
-  /// A head whose rule is a grid is a kind of grid.
+  /// A head with a grid rule is a grid of that type.
   void find_grid(const facade::Rule& rule) {
     const facade::Item& item = only_item(rule);
     if (item.kind != facade::ItemKind::split || item.name != "grid") return;
     SymbolInfo& info = out_.symbols[static_cast<size_t>(find(rule.head))];
     const bool regular = flag(item, "regular"), identical = flag(item, "identical");
     if (info.grid && (info.regular != regular || info.identical != identical))
-      refuse(rule, "another rule of its head is a grid of another kind");
+      refuse(rule, "another rule of its head makes a grid of another type");
     info.grid = true;
     info.regular = regular, info.identical = identical;
   }
@@ -96,7 +96,7 @@ class Compiler {
             : 1;
     const size_t least = production.op == Op::rows ? 2 : 1;
     if (production.parts.size() < least || production.parts.size() > most)
-      refuse(rule, "it has another number of parts");
+      refuse(rule, "it has the wrong number of parts");
     out_.productions.push_back(std::move(production));
   }
 
@@ -108,18 +108,18 @@ class Compiler {
     if (item.kind == facade::ItemKind::symbol) {
       production.parts = {symbol(item)};
       if (!out_.symbols[static_cast<size_t>(production.parts[0])].grid)
-        refuse(rule, "what it becomes is no grid");
+        refuse(rule, "its right side is not a grid");
       return Op::grid;
     }
     if (item.kind != facade::ItemKind::split) refuse(rule, "it is a value");
     for (const scene::Operand& operand : item.expr->operands)
       if (operand.value->kind == scene::ExprKind::number)
-        refuse(rule, "it has sizes or counts, which are to be found");
+        refuse(rule, "it has sizes or counts, which must be free");
     if (item.name == "rows") return Op::rows;
     if (item.name == "mirror") return Op::mirror;
     if (item.name == "repeat") return flag(item, "alike") ? Op::repeat : Op::elements;
     if (item.name == "grid") return Op::windows;
-    refuse(rule, fmt::format("'{}' is no split that can be", item.name));
+    refuse(rule, fmt::format("the split '{}' is not supported", item.name));
   }
 
   const facade::Rules& from_;

@@ -1,6 +1,6 @@
-// Bits of a tree: c(T) = nodes * log2(symbols) + bits of all parameters (cite ripperda2009), and
-// those of the pixels. Counts take 4 bits, places and sizes as many as the picture's width or
-// height needs.
+// Code length of a tree: c(T) = nodes * log2(symbols) + bits of all parameters (cite ripperda2009),
+// plus the bits of the pixels. Counts take 4 bits; positions and sizes take as many as the
+// picture's width or height needs.
 #include <vug/base/error.h>
 #include <vug/fit/model/model.h>
 #include <vug/inference/bits.h>
@@ -55,7 +55,7 @@ Model::Model(const Rules& rules, const Limits& limits, int width, int height,
       y_bits_(bits_for(height)) {
   constexpr int kMax = std::numeric_limits<int16_t>::max();
   if (width < 1 || height < 1 || width > kMax || height > kMax)
-    throw Error(ErrorCode::bad_input, "a facade has between 1 and 32767 pixels in each direction");
+    throw Error(ErrorCode::bad_input, "invalid facade size: each side must have 1 to 32767 pixels");
   if (limits.min_size < 1 || limits.max_lines > kMaxLines || limits.max_kinds > kMaxKinds)
     throw Error(ErrorCode::bad_input, "the limits of facade trees are out of range");
   for (size_t symbol = 0; symbol < rules.symbols.size(); ++symbol) {
@@ -64,9 +64,10 @@ Model::Model(const Rules& rules, const Limits& limits, int width, int height,
       return rules.production(way).op == Op::terminal;
     }));
   }
-  if (!(pixel_weight > 0)) throw Error(ErrorCode::bad_input, "the trust in pixels is above 0");
+  if (!(pixel_weight > 0))
+    throw Error(ErrorCode::bad_input, "the weight of pixels must be above 0");
   if (evidence && (evidence->width() != width || evidence->height() != height))
-    throw Error(ErrorCode::bad_input, "the evidence has another size than the facade");
+    throw Error(ErrorCode::bad_input, "the evidence and the facade differ in size");
 }
 
 TreeState Model::make_state(Tree tree) const {
@@ -155,7 +156,7 @@ double Model::pixel_bits(const TreeState& state, int i) const {
       return 0;
     case Op::repeat:
     case Op::mirror: {
-      // Pixels that are left over where the width is no multiple of the part's.
+      // Pixels left over if the width is not a multiple of the part's width.
       const Area& part = state.area(i + 1);
       if (tree.end(i + 1) < tree.end(i)) return 0;
       if (area.width * area.count == part.width * part.count) return 0;
@@ -164,7 +165,7 @@ double Model::pixel_bits(const TreeState& state, int i) const {
       return likelihood_->bits(RegionType::wall, rest);
     }
     case Op::windows: {
-      // Windows of a grid look alike, whatever their sizes: one region.
+      // Windows of a grid look alike regardless of their sizes and form one region.
       Sums windows, wall = whole();
       each_window_of(*rules_, tree, i,
                      [&](int, const Rect& r) { windows += sum_of(*evidence_, state, area, r); });

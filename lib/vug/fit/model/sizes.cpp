@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kTiny = 1e-9;
 
-/// Of each cell, what the best of these sizes gains there, or nothing.
+/// The largest gain of these sizes in each cell, or 0.
 std::vector<double> best_of(const SizeGains& gains, const std::vector<size_t>& sizes) {
   std::vector<double> out;
   for (const std::vector<double>& cell : gains.cells) {
@@ -18,7 +18,7 @@ std::vector<double> best_of(const SizeGains& gains, const std::vector<size_t>& s
   return out;
 }
 
-/// The size that gains most beside those that gain `others`, and what all gain then.
+/// The size that adds most to sizes with the gains `others`, and the resulting total gain.
 std::pair<size_t, double> best_beside(const SizeGains& gains, const std::vector<double>& others) {
   std::vector<double> together(gains.count(), 0);
   for (size_t cell = 0; cell < others.size(); ++cell) {
@@ -31,7 +31,7 @@ std::pair<size_t, double> best_beside(const SizeGains& gains, const std::vector<
   return {static_cast<size_t>(most - together.begin()), *most};
 }
 
-/// Exchanges one size after the other for a better one until none is; what all gain then.
+/// Exchanges single sizes for better ones until no exchange helps; returns the total gain.
 double exchange(const SizeGains& gains, std::vector<size_t>& sizes, double gain) {
   for (bool better = true; better;) {
     better = false;
@@ -58,7 +58,7 @@ SizeChoice chosen(const SizeGains& gains, const std::vector<size_t>& sizes) {
 
 std::vector<SizeChoice> choose_sizes(const SizeGains& gains, int most, double cost) {
   std::vector<SizeChoice> out;
-  double limit = 0;  // what as many sizes as cells gain
+  double limit = 0;  // Upper bound: the gain with as many sizes as cells.
   for (const std::vector<double>& cell : gains.cells)
     limit += std::max(0.0, *std::max_element(cell.begin(), cell.end()));
   std::vector<size_t> sizes;

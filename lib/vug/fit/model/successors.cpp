@@ -7,7 +7,7 @@ namespace {
 
 int16_t small(int value) { return static_cast<int16_t>(value); }
 
-/// Chooses one production's parts.
+/// Chooses the successors of one production.
 class SuccessorChooser {
  public:
   SuccessorChooser(const MoveContext& context, const TreeState& state, int i,
@@ -47,7 +47,7 @@ class SuccessorChooser {
     return false;
   }
 
-  /// Where a door or a shop is: doors stand on the ground, as a choice of its own.
+  /// Rectangle of a door or a shop. Standing on the ground is a choice of its own, for doors.
   void rect(const Node& old, Node& node) {
     node.x = small(along_x(hints_.left, 0, area_.width - limits_.min_size, old.x));
     node.width = small(
@@ -62,20 +62,20 @@ class SuccessorChooser {
   }
 
  private:
-  /// A new part, of the production's part of that number.
+  /// Adds a node for the symbol `number` of the production's right side.
   Node& add(size_t number) {
     Node node;
     node.symbol = small(production_.parts[number]);
     node.parent_op = static_cast<int8_t>(production_.op);
     return out_.nodes.emplace_back(node);
   }
-  /// What is told of the part that is chosen now.
+  /// The fixed values of the node being chosen.
   const Node& fixed() const {
     static const Node nothing;
     const size_t at = out_.nodes.size() - 1;
     return at < fixed_.nodes.size() ? fixed_.nodes[at] : nothing;
   }
-  /// A place along x between low and high, both included, in the area.
+  /// A position along x in the area, low <= position <= high.
   int along_x(const inference::DiscreteDistribution& profile, int low, int high, int fixed) {
     return choices_.among(profile, x0_ + low, x0_ + high + 1, x0_ + fixed) - x0_;
   }
@@ -104,7 +104,7 @@ class SuccessorChooser {
     add(0);
     if (production_.parts.size() < 2) return area_.width / 2 >= limits_.min_size;
     Node& middle = add(1);
-    // As even or odd as the whole, so that the sides are equal.
+    // With the parity of the whole width, so that both sides are equal.
     const int odd = area_.width % 2;
     const int low = (limits_.min_size - odd + 1) / 2;
     const int high = (area_.width - 2 * limits_.min_size - odd) / 2;
@@ -122,7 +122,7 @@ class SuccessorChooser {
     return true;
   }
 
-  /// How many, and where.
+  /// Chooses the number and positions of lines.
   int lines(int room, const inference::DiscreteDistribution& profile, bool regular, int origin,
             int fixed_count, const Lines& fixed, Lines& out) {
     const int step = limits_.min_size + 1;
@@ -193,7 +193,7 @@ class SuccessorChooser {
     return true;
   }
 
-  /// All of the first kind, as most grids are, or each cell by itself.
+  /// All cells of the first kind, the usual case, or one by one.
   bool cells(int kinds) {
     const Cells full = grid_.full_cells();
     if (choices_.flip(fixed_.cells == full)) {
@@ -206,7 +206,7 @@ class SuccessorChooser {
       for (int column = 0; column < grid_.columns; ++column)
         chosen.set_kind(column, row, choices_.below(kinds + 1, old.kind(column, row)));
     out_.cells = chosen.cells;
-    return out_.cells != full;  // which has a way of its own
+    return out_.cells != full;  // That outcome belongs to the first branch.
   }
 
   const Rules& rules_;

@@ -3,7 +3,7 @@
 namespace vug::fit {
 namespace {
 
-/// Makes room for `count` nodes of which nothing is known, before place `at`.
+/// Inserts invalid cache entries for `count` nodes before index `at`.
 void open(TreeState& state, int at, int count) {
   const auto n = static_cast<size_t>(count);
   state.areas.insert(state.areas.begin() + at, n, Area{});

@@ -1,4 +1,4 @@
-// Changes what stands in one cell, or in a whole column or row of cells, of a grid whose windows
+// Changes the content of one cell, or of a whole column or row of cells, in a grid whose windows
 // differ.
 #include <vug/fit/model/cells.h>
 
@@ -33,5 +33,5 @@ bool cell(const MoveContext& context, TreeState& state, Choices& forward, Choice
 }  // namespace vug::fit
 
 VUG_MOVE(cell) {
-  return {{"cell", "move", "Changes what stands in cells of a grid.", "", {}}, 2, cell};
+  return {{"cell", "move", "Changes the content of cells of a grid.", "", {}}, 2, cell};
 }

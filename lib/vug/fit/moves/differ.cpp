@@ -1,13 +1,13 @@
-// Gives the windows of one kind in a column or row a kind of their own, or joins the last kind with
+// Splits the windows of one kind in a column or row off as a new kind, or merges the last kind with
 // another one.
 #include <vug/fit/model/cells.h>
 
 namespace vug::fit {
 namespace {
 
-constexpr int kMaxStep = 12;  // pixels by which sizes differ
+constexpr int kMaxStep = 12;  // Maximum difference of sizes in pixels.
 
-/// Whether the kind stands in cells of that line, and in no others.
+/// Whether the kind occurs in cells of that line only.
 bool only_there(const GridAxis& axis, int line, int kind) {
   bool there = false;
   for (int at = 0; at < axis.count; ++at)
@@ -71,7 +71,7 @@ bool differ(const MoveContext& context, TreeState& state, Choices& forward, Choi
 VUG_MOVE(differ) {
   return {{"differ",
            "move",
-           "Gives windows of a column or row a kind of their own, or joins kinds.",
+           "Splits off a new window kind for a column or row, or merges two kinds.",
            "",
            {}},
           2,

@@ -1,4 +1,4 @@
-// Moves the line between two parts: the ground floor and what is above it, two elements, or the
+// Moves the line between two parts: the ground floor and the part above it, two elements, or the
 // sides and the middle of a symmetric part.
 #include <vug/fit/move.h>
 
@@ -16,7 +16,7 @@ bool divide(const MoveContext& context, TreeState& state, Choices& forward, Choi
   const bool far = op == Op::rows && forward.flip();
   if (op == Op::rows) back.flip(far);
   int by = 0;
-  if (far) {  // to a place that the picture hints at
+  if (far) {  // To a position that the picture hints at.
     const Area& above = state.area(tree.parent(i));
     const int bottom = above.y + above.height, least = context.model.limits().min_size;
     const int low = above.y + least, high = bottom - least + 1;
@@ -26,7 +26,7 @@ bool divide(const MoveContext& context, TreeState& state, Choices& forward, Choi
     by = step(forward, back) * (op == Op::mirror ? 2 : 1);
   }
   tree[i].extent = static_cast<int16_t>(tree[i].extent + by);
-  const int next = tree.end(i);  // of elements the one behind takes up what this one leaves
+  const int next = tree.end(i);  // The next element absorbs the difference.
   if (op == Op::elements && tree[next].extent > 0) {
     tree[next].extent = static_cast<int16_t>(tree[next].extent - by);
     state.invalidate_bits(next);

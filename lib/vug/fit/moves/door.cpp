@@ -1,10 +1,11 @@
-// Puts a door into a grid, or takes it out.
+// Adds a door to a grid, or removes it.
 #include <vug/fit/move.h>
 
 namespace vug::fit {
 namespace {
 
-/// The production of a symbol to windows of the same kind with, or without, something else; -1.
+/// The production of a symbol to windows of the same kind with (or without) a door; -1 if there is
+/// none.
 int other_way(const Rules& rules, int symbol, int way, bool with_door) {
   for (const int other : rules.productions_of(symbol)) {
     const Production& production = rules.production(other);
@@ -45,5 +46,5 @@ bool door(const MoveContext& context, TreeState& state, Choices& forward, Choice
 }  // namespace vug::fit
 
 VUG_MOVE(door) {
-  return {{"door", "move", "Puts a door into a grid, or takes it out.", "", {}}, 1, door};
+  return {{"door", "move", "Adds a door to a grid, or removes it.", "", {}}, 1, door};
 }

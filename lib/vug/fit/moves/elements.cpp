@@ -1,4 +1,4 @@
-// Splits an element that is not rewritten yet in two, or merges two such neighbours.
+// Splits an undivided element in two, or merges two undivided neighbours.
 #include <vug/fit/move.h>
 
 namespace vug::fit {
@@ -10,7 +10,7 @@ bool elements(const MoveContext& context, TreeState& state, Choices& forward, Ch
   const auto plain = [&](int i) {
     return static_cast<Op>(tree[i].parent_op) == Op::elements && tree[i].production < 0;
   };
-  const auto pair = [&](int i) {  // with the element behind it
+  const auto pair = [&](int i) {  // Together with the next element.
     if (!plain(i)) return false;
     const int above = tree.parent(i), next = tree.end(i);
     return next < tree.end(above) && plain(next);

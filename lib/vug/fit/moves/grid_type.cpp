@@ -1,5 +1,5 @@
-// Turns a grid into one of another type. Lines of a regular grid move a little when it becomes
-// irregular; back again they must be near to even ones.
+// Changes the type of a grid. Lines of a regular grid are jittered when it becomes irregular; the
+// reverse requires lines close to evenly spaced ones.
 #include <vug/fit/move.h>
 
 #include <algorithm>
@@ -8,13 +8,13 @@
 namespace vug::fit {
 namespace {
 
-constexpr int kMaxJitter = 2;  // pixels
+constexpr int kMaxJitter = 2;  // Pixels.
 
 int span_of(const Lines& lines, int count) {
   return lines[static_cast<size_t>(count - 1)] - lines[0];
 }
 
-/// Spans for which the lines of a regular grid, beginning at the first, are near to all.
+/// Spans for which evenly spaced lines from the first one are close to all lines.
 std::vector<int> spans(const Lines& lines, int count) {
   std::vector<int> out;
   const int middle = span_of(lines, count);
@@ -62,7 +62,7 @@ bool grid_type(const MoveContext& context, TreeState& state, Choices& forward, C
   };
   const int above = pick_same(state, forward, back, fits);
   if (above < 0) return false;
-  std::vector<int> types;  // productions to grids
+  std::vector<int> types;  // Productions to grids.
   for (const int way : rules.productions_of(tree[above].symbol))
     if (rules.production(way).op == Op::grid) types.push_back(way);
   const auto count = static_cast<int>(types.size());
@@ -85,7 +85,8 @@ bool grid_type(const MoveContext& context, TreeState& state, Choices& forward, C
     const Cells full = grid.full_cells();
     if (from.identical && !to.identical) grid.cells = full;
     if (!from.identical && to.identical) {
-      const int kinds = grid.size - static_cast<int>(parts.size());  // all parts but the door
+      // All children except the door.
+      const int kinds = grid.size - static_cast<int>(parts.size());
       if (kinds != 1 || grid.cells != full) return false;
       grid.cells = {};
     }
@@ -109,5 +110,5 @@ bool grid_type(const MoveContext& context, TreeState& state, Choices& forward, C
 }  // namespace vug::fit
 
 VUG_MOVE(grid_type) {
-  return {{"grid_type", "move", "Turns a grid into one of another type.", "", {}}, 1, grid_type};
+  return {{"grid_type", "move", "Changes the type of a grid.", "", {}}, 1, grid_type};
 }

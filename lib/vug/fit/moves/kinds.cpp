@@ -1,11 +1,11 @@
-// Adds a kind of window to a grid whose windows may differ, or takes the last one away when no
-// cell holds it.
+// Adds a window kind to a grid whose windows may differ, or removes the last kind if no cell uses
+// it.
 #include <vug/fit/model/cells.h>
 
 namespace vug::fit {
 namespace {
 
-/// The size of a window of the last kind, chosen or told.
+/// Chooses, or scores, the window size of the last kind.
 void choose_size(const MoveContext& context, const TreeState& state, int i, Choices& choices,
                  Node& window) {
   const Area& area = state.area(i);
@@ -48,6 +48,5 @@ bool kinds(const MoveContext& context, TreeState& state, Choices& forward, Choic
 }  // namespace vug::fit
 
 VUG_MOVE(kinds) {
-  return {
-      {"kinds", "move", "Adds a kind of window to a grid, or takes one away.", "", {}}, 1, kinds};
+  return {{"kinds", "move", "Adds a window kind to a grid, or removes one.", "", {}}, 1, kinds};
 }

@@ -1,4 +1,5 @@
-// Moves one column or row of an irregular grid: a little, or to a place that the picture hints at.
+// Moves one column or row of an irregular grid by a few pixels, or to a position that the picture
+// hints at.
 #include <vug/fit/move.h>
 
 namespace vug::fit {

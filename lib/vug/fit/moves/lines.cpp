@@ -1,17 +1,17 @@
-// Puts a column or row into a grid, or takes one out: anywhere in an irregular one, at the ends of
-// a regular one.
+// Inserts or deletes a column or row: anywhere in an irregular grid, at either end of a regular
+// one.
 #include <vug/fit/model/cells.h>
 
 namespace vug::fit {
 namespace {
 
-/// What is left of the span of `count` even lines when the last one goes.
+/// Span of `count` evenly spaced lines without the last one.
 int shortened(int span, int count) {
   return even_lines(0, span, count)[static_cast<size_t>(count - 2)];
 }
 
-/// The span of one line more: one of those that this one would be left of, or, of a single line,
-/// any that has room.
+/// Span after adding a line: a span that shortens to the current one, or any span with room if
+/// there is a single line.
 int choose_longer(int count, int span, int room, int least, Choices& choices, int fixed) {
   if (count == 1) return choices.between(least + 1, room, fixed);
   int low = span;
@@ -21,7 +21,7 @@ int choose_longer(int count, int span, int room, int least, Choices& choices, in
   return choices.between(low, high, fixed);
 }
 
-/// Before the first line of a regular grid or behind the last one.
+/// Inserts before the first line of a regular grid or after the last one.
 bool insert_at_end(GridAxis& axis, int least, Choices& forward, Choices& back) {
   const bool low = forward.flip();
   const int first = axis.at(0), last = first + axis.span();
@@ -87,7 +87,7 @@ bool change_lines(const MoveContext& context, TreeState& state, Choices& forward
 }  // namespace vug::fit
 
 VUG_MOVE(lines) {
-  return {{"lines", "move", "Puts a column or row into a grid, or takes one out.", "", {}},
+  return {{"lines", "move", "Inserts a column or row into a grid, or deletes one.", "", {}},
           3,
           change_lines};
 }

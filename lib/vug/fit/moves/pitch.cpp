@@ -1,4 +1,4 @@
-// Changes the distance of a regular grid's lines; the first or the last of them stays.
+// Changes the spacing of a regular grid's lines; the first or the last line stays in place.
 #include <vug/fit/move.h>
 
 namespace vug::fit {
@@ -17,7 +17,7 @@ bool pitch(const MoveContext& context, TreeState& state, Choices& forward, Choic
   if (i < 0) return false;
   const bool last_stays = forward.flip();
   back.flip(last_stays);
-  const bool each = forward.flip();  // distance by as much, or all of them together
+  const bool each = forward.flip();  // By this much for each spacing, or for the whole span.
   back.flip(each);
   Node& grid = tree[i];
   const int by = step(forward, back) * (each ? count_of(grid) - 1 : 1);
@@ -33,7 +33,7 @@ bool pitch(const MoveContext& context, TreeState& state, Choices& forward, Choic
 }  // namespace vug::fit
 
 VUG_MOVE(pitch) {
-  return {{"pitch", "move", "Changes the distance of a regular grid's columns or rows.", "", {}},
+  return {{"pitch", "move", "Changes the spacing of a regular grid's columns or rows.", "", {}},
           2,
           pitch};
 }

@@ -1,10 +1,11 @@
-// Moves one edge of windows, or of what stands by itself, to a place that the picture hints at.
+// Moves one edge of windows, or of a free-standing element, to a position that the picture hints
+// at.
 #include <vug/fit/move.h>
 
 namespace vug::fit {
 namespace {
 
-/// One of the four edges of a rectangle that begins at `low` and is `size` long.
+/// One of the edges of a rectangle that starts at `low` and has the size `size`.
 struct Edge {
   int origin, room, low, size;
   bool is_low;
@@ -32,7 +33,7 @@ bool redraw(const MoveContext& context, TreeState& state, Choices& forward, Choi
   const Edge edge{along_x ? state.instance(area, 0).x : area.y, along_x ? area.width : area.height,
                   context.model.in_grid(node) ? first_line : stands,
                   along_x ? node.width : node.height, low_edge};
-  if (edge.low + edge.size > edge.room) return false;  // a kind that stands in no cell
+  if (edge.low + edge.size > edge.room) return false;  // A kind without instances.
   const int begin = edge.window_begin(least), end = edge.window_end(least);
   back.among(profile, begin, end, edge.place());
   const int by = forward.among(profile, begin, end) - edge.place();
@@ -43,11 +44,8 @@ bool redraw(const MoveContext& context, TreeState& state, Choices& forward, Choi
 }  // namespace vug::fit
 
 VUG_MOVE(redraw) {
-  return {{"redraw",
-           "move",
-           "Moves an edge of windows or a door to where the picture hints at one.",
-           "",
-           {}},
-          3,
-          redraw};
+  return {
+      {"redraw", "move", "Moves an edge of windows or a door to an edge in the picture.", "", {}},
+      3,
+      redraw};
 }

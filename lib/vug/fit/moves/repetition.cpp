@@ -1,4 +1,4 @@
-// Says that a grid repeats a part of itself, or says it all.
+// Folds a grid that repeats a part of itself into a repetition, or unfolds it.
 #include <vug/fit/search/symmetry.h>
 
 namespace vug::fit {
@@ -14,7 +14,7 @@ bool repetition(const MoveContext& context, TreeState& state, Choices& forward, 
 VUG_MOVE(repetition) {
   return {{"repetition",
            "move",
-           "Says once what a grid repeats, or says it as often as it is there.",
+           "Folds a repeating grid into one repeated part, or unfolds it.",
            "",
            {}},
           1,

@@ -1,4 +1,4 @@
-// Changes how often a part is repeated.
+// Changes the number of repetitions of a part.
 #include <vug/fit/move.h>
 
 namespace vug::fit {
@@ -13,7 +13,7 @@ bool repetitions(const MoveContext& context, TreeState& state, Choices& forward,
   back.flip(!more);
   tree[i].extent = static_cast<int16_t>(tree[i].extent + (more ? 1 : -1));
   state.invalidate_bits(i),
-      state.invalidate_bits(tree.parent(i));  // which answers for what is left over
+      state.invalidate_bits(tree.parent(i));  // Accounts for the left-over pixels.
   state.invalidate_areas();
   return tree[i].extent >= 2 && context.model.compute_areas(state);
 }
@@ -22,5 +22,7 @@ bool repetitions(const MoveContext& context, TreeState& state, Choices& forward,
 }  // namespace vug::fit
 
 VUG_MOVE(repetitions) {
-  return {{"repetitions", "move", "Changes how often a part is repeated.", "", {}}, 1, repetitions};
+  return {{"repetitions", "move", "Changes the number of repetitions of a part.", "", {}},
+          1,
+          repetitions};
 }

@@ -1,4 +1,4 @@
-// Moves one edge of the windows of a grid, or of what stands by itself, by a few pixels.
+// Moves one edge of the windows of a grid, or of a free-standing element, by a few pixels.
 #include <vug/fit/move.h>
 
 namespace vug::fit {
@@ -10,7 +10,7 @@ bool resize(const MoveContext& context, TreeState& state, Choices& forward, Choi
   if (i < 0) return false;
   const bool along_x = forward.flip(), low_edge = forward.flip();
   back.flip(along_x), back.flip(low_edge);
-  const int by = step(forward, back);  // of the size
+  const int by = step(forward, back);  // Change of the size.
   return move_edge(context, state, i, along_x, low_edge, low_edge ? -by : by);
 }
 

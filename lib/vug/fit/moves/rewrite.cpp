@@ -1,4 +1,4 @@
-// Applies a production to an area that has none, or takes one back whose parts have none.
+// Applies a production to an undivided node, or reverts one whose children are undivided.
 #include <vug/fit/move.h>
 
 #include <algorithm>
@@ -44,5 +44,5 @@ bool rewrite(const MoveContext& context, TreeState& state, Choices& forward, Cho
 }  // namespace vug::fit
 
 VUG_MOVE(rewrite) {
-  return {{"rewrite", "move", "Applies a production, or takes one back.", "", {}}, 2, rewrite};
+  return {{"rewrite", "move", "Applies a production, or reverts one.", "", {}}, 2, rewrite};
 }

@@ -1,4 +1,4 @@
-// Moves a grid, or what stands by itself, in its area by a few pixels.
+// Moves a grid, or a free-standing element, in its area by a few pixels.
 #include <vug/fit/move.h>
 
 namespace vug::fit {

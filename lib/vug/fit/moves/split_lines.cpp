@@ -1,11 +1,11 @@
-// Splits columns or rows and merges them: in a regular grid all of them, at half the distance; in
-// an irregular one a line becomes two, or two neighbours one.
+// Splits and merges columns or rows: in a regular grid all of them, at half the spacing; in an
+// irregular grid one line becomes two, or two neighbours become one.
 #include <vug/fit/model/cells.h>
 
 namespace vug::fit {
 namespace {
 
-/// Between each two lines another one, and back.
+/// Inserts a line between each two lines, and the reverse.
 bool split_all(GridAxis& axis, int most, Choices& forward, Choices&) {
   const int first = axis.at(0), span = axis.span(), count = axis.count;
   if (count < 2 || 2 * count - 1 > most) return false;
@@ -28,7 +28,7 @@ bool merge_all(GridAxis& axis, int, Choices&, Choices& back) {
   return true;
 }
 
-/// Where the lines between the neighbours of lines first..last may be, in the picture.
+/// Range in the picture for lines between the neighbours of lines first..last.
 struct Window {
   int low, high;
 };
@@ -41,7 +41,7 @@ bool split_one(GridAxis& axis, int most, Choices& forward, Choices& back) {
   if (axis.count + 1 > most) return false;
   const int line = forward.below(axis.count);
   const Window room = window(axis, line, line);
-  back.below(axis.count, line);  // of the pairs there will be
+  back.below(axis.count, line);  // One of the resulting pairs.
   back.among(axis.profile, room.low, room.high, axis.origin + axis.at(line));
   const int first = forward.among(axis.profile, room.low, room.high - 1);
   const int second = forward.among(axis.profile, first + 1, room.high);

@@ -1,4 +1,4 @@
-// Says that a grid's two halves are mirror images, or says them both.
+// Folds a grid with mirror symmetry into one half, or unfolds it.
 #include <vug/fit/search/symmetry.h>
 
 namespace vug::fit {
@@ -12,8 +12,7 @@ bool symmetry(const MoveContext& context, TreeState& state, Choices& forward, Ch
 }  // namespace vug::fit
 
 VUG_MOVE(symmetry) {
-  return {
-      {"symmetry", "move", "Says once what is on both sides of an area, or says it twice.", "", {}},
-      1,
-      symmetry};
+  return {{"symmetry", "move", "Folds a symmetric grid into one half, or unfolds it.", "", {}},
+          1,
+          symmetry};
 }

@@ -1,4 +1,4 @@
-// Changes what is in an element: a window becomes a door, or a shop.
+// Changes the content of an element: for example from a window to a door or a shop.
 #include <vug/fit/move.h>
 
 #include <algorithm>
@@ -31,5 +31,5 @@ bool terminal(const MoveContext& context, TreeState& state, Choices& forward, Ch
 }  // namespace vug::fit
 
 VUG_MOVE(terminal) {
-  return {{"terminal", "move", "Changes what is in an element.", "", {}}, 1, terminal};
+  return {{"terminal", "move", "Changes the content of an element.", "", {}}, 1, terminal};
 }

@@ -1,5 +1,5 @@
-// Applies two productions at once, an area to a grid and the grid to its windows, or takes both
-// back: what lies between them is seldom worth its bits.
+// Applies two productions at once, from an area to a grid and from the grid to its windows, or
+// reverts both, since the state in between is rarely worth its bits.
 #include <vug/fit/move.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace vug::fit {
 namespace {
 
-using Way = std::pair<int, int>;  ///< A production to a grid, and one of that grid to windows.
+using Way = std::pair<int, int>;  ///< A production to a grid, and one from that grid to windows.
 
 std::vector<Way> ways_of(const Rules& rules, int symbol) {
   std::vector<Way> out;
@@ -41,7 +41,7 @@ bool whole_grid(const MoveContext& context, TreeState& state, Choices& forward, 
     const Way way = ways[static_cast<size_t>(forward.below(count))];
     if (!choose_successors(context, state, i, way.first, forward, {}, grid)) return false;
     apply_production(state, i, way.first, grid);
-    // Windows are chosen in the grid's area, which is that of the node above.
+    // Windows are chosen in the grid's area, which is that of its parent.
     state.areas[static_cast<size_t>(i + 1)] = state.areas[static_cast<size_t>(i)];
     if (!choose_successors(context, state, i + 1, way.second, forward, {}, windows)) return false;
     apply_production(state, i + 1, way.second, windows);
@@ -49,7 +49,8 @@ bool whole_grid(const MoveContext& context, TreeState& state, Choices& forward, 
     return true;
   }
   const Way way = {tree[i].production, tree[i + 1].production};
-  // The way back chooses the grid before its windows, which can only be told while it is there.
+  // The reverse move chooses the grid before its windows, but the windows can only be scored while
+  // the grid exists.
   const Successors old_windows = successors_of(state, i + 1);
   undo_production(state, i + 1);
   Choices scored;
@@ -69,11 +70,7 @@ bool whole_grid(const MoveContext& context, TreeState& state, Choices& forward, 
 }  // namespace vug::fit
 
 VUG_MOVE(whole_grid) {
-  return {{"whole_grid",
-           "move",
-           "Puts a grid with its windows into an area, or takes it away.",
-           "",
-           {}},
+  return {{"whole_grid", "move", "Adds a grid with its windows to an area, or removes it.", "", {}},
           2,
           whole_grid};
 }

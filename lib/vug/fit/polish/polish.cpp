@@ -6,7 +6,7 @@
 namespace vug::fit {
 namespace {
 
-/// Moves what is in the area of node i, as far as that is a grid or stands by itself.
+/// Shifts the contents of node i's area: a grid or free-standing elements.
 void shift_content(TreeState& state, int i, int dx, int dy) {
   for (int part = i + 1; part < state.tree.end(i); ++part) {
     Node& node = state.tree[part];
@@ -20,7 +20,7 @@ void shift_content(TreeState& state, int i, int dx, int dy) {
   state.invalidate_bits(i);
 }
 
-/// Whether one of the node's areas is divided further, so that what is in it cannot be shifted.
+/// Whether the node is split further, so that its contents cannot be shifted.
 bool divided(const Rules& rules, const TreeState& state, int i) {
   const int way = state.tree[i].production;
   if (way < 0) return false;
@@ -56,7 +56,7 @@ class Polisher {
   }
 
  private:
-  /// The best of all values of what `change(state, by)` changes.
+  /// Exhaustive search over the values that `change(state, by)` changes.
   template <class Change>
   bool search(int low, int high, const Change& change) {
     TreeState best = state_;
@@ -70,7 +70,7 @@ class Polisher {
     return better;
   }
 
-  /// The node as it is before it is rewritten, where that is cheaper.
+  /// Removes the node's descendants if that is cheaper.
   bool try_prune(int i) {
     TreeState other = state_;
     other.prune(i);
@@ -78,7 +78,7 @@ class Polisher {
     return replace_if_cheaper(model_, state_, std::move(other));
   }
 
-  /// A grid that is the only thing in one of the node's parts becomes the node's own, where that is
+  /// Moves a grid that is the only content of one of the node's children up to the node, if that is
   /// cheaper.
   bool try_hoist(int i) {
     const Tree& tree = state_.tree;
@@ -109,7 +109,7 @@ class Polisher {
     return false;
   }
 
-  /// Edges of what stands by itself, and the whole of it.
+  /// Searches the edges and the position of a free-standing element.
   bool rect(int i) {
     bool better = false;
     for (const bool along_x : {true, false}) {
@@ -130,7 +130,8 @@ class Polisher {
     return better;
   }
 
-  /// The line between this part and the next: what is in them stays where it is, or goes with it.
+  /// Searches the line between this child and the next, with their contents staying in place or
+  /// moving along.
   bool extent(int i) {
     const Op op = static_cast<Op>(state_.tree[i].parent_op);
     const int above = state_.tree.parent(i), next = state_.tree.end(i);
@@ -144,7 +145,7 @@ class Polisher {
         if (op == Op::elements && tree[next].extent > 0) add(tree[next].extent, -by);
         if (tree[i].extent <= 0 || (op == Op::elements && tree[next].extent < 0)) return false;
         const Rules& rules = model_.rules();
-        // Areas begin at the left top: the row, the middle and the next element move.
+        // Areas start at the upper left: the row, the middle and the next element move.
         const int moved = op == Op::elements ? next : i;
         if (stays && divided(rules, other, moved)) return false;
         if (stays)

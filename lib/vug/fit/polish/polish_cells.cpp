@@ -1,5 +1,5 @@
-// Lines of a grid whose windows may differ: a line that moves may be worth it only if its cells
-// become other kinds with it, and sizes of kinds follow.
+// Lines of a grid whose windows may differ: moving a line may only pay off if its cells change
+// their kinds with it and the sizes of the kinds adapt.
 #include <vug/fit/evidence/grid_gains.h>
 #include <vug/fit/model/cells.h>
 #include <vug/fit/polish/polish.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTiny = 1e-9;
 
-/// The sizes that a grid's windows have, and what its cells gain by them.
+/// The window sizes of a grid and the gains of its cells.
 class WindowCells {
  public:
   WindowCells(const Model& model, const Evidence& evidence, const TreeState& state, int grid)
@@ -22,10 +22,10 @@ class WindowCells {
         sizes_.push_back({node.width, node.height});
   }
 
-  /// Each cell with what gains most there.
+  /// Each cell with its best size.
   SizeChoice chosen(const Node& grid) const { return chosen(grid, sizes_); }
 
-  /// The same, and sizes that follow by small steps until none gains.
+  /// The same, with sizes adapted in small steps until none improves.
   SizeChoice followed(const Node& grid) const {
     constexpr int kReach = 2;
     std::vector<WindowSize> sizes = sizes_;
@@ -92,7 +92,7 @@ class WindowCells {
   std::vector<WindowSize> sizes_;
 };
 
-/// Places for a line: near to where it is, and where most is gained without other sizes.
+/// Candidate positions of a line: near its current one, and the best one with unchanged sizes.
 std::set<int> places(const WindowCells& cells, const Node& grid, bool along_x, int line) {
   constexpr int kReach = 4;
   const Lines& lines = along_x ? grid.left : grid.top;

@@ -1,5 +1,5 @@
-// Grids: where each line gains most is a table; lines that may not touch are placed by dynamic
-// programming over it, those of a regular grid by trying first lines and spans.
+// Refinement of grids with a table of each line's gain per position: lines that must not touch are
+// placed by dynamic programming, lines of a regular grid by searching first lines and spans.
 #include <vug/fit/evidence/folded_integral.h>
 #include <vug/fit/polish/polish.h>
 
@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kNever = -std::numeric_limits<double>::infinity();
 
-/// A grid's windows along x or y, with tables of what each line gains at each place.
+/// A grid's windows along x or y, with tables of the gain of each line at each position.
 class Axis {
  public:
-  /// Sizes of kinds along the axis, the first of which is that of kind 1.
+  /// Sizes of the kinds along the axis; the first entry is that of kind 1.
   using Sizes = std::vector<int>;
 
   Axis(const Rules& rules, const Tree& tree, int grid, const FoldedIntegral& integral, int room,
@@ -31,7 +31,7 @@ class Axis {
         room_(room),
         count_(along_x ? tree[grid].columns : tree[grid].rows) {}
 
-  /// As they are.
+  /// The current sizes.
   Sizes sizes(int kinds) const {
     Sizes out;
     for (int kind = 1; kind <= kinds; ++kind)
@@ -39,8 +39,8 @@ class Axis {
     return out;
   }
 
-  /// Kinds that are worth a change of size together, as places of `sizes`: each by itself, those
-  /// that stand in one line, and all.
+  /// Groups of kinds whose sizes may change together, as indices into `sizes`: single kinds, kinds
+  /// that share a line, and all kinds.
   std::set<std::vector<size_t>> groups(size_t kinds) const {
     std::set<std::vector<size_t>> out;
     std::vector<size_t> all(kinds);
@@ -56,7 +56,7 @@ class Axis {
     return out;
   }
 
-  /// The best lines of windows of these sizes; what they gain goes to `gain`.
+  /// The best lines for windows of these sizes; `gain` receives their gain.
   Lines best(const Sizes& sizes, int least, double& gain) const {
     std::vector<std::vector<double>> gains;
     std::vector<int> widest;
@@ -76,7 +76,7 @@ class Axis {
   static int size_of_kind(const Sizes& sizes, int kind) {
     return sizes[static_cast<size_t>(kind) - 1];
   }
-  /// Of the line's largest window.
+  /// Size of the line's largest window.
   int size_of(int line, const Sizes& sizes, int least) const {
     int out = least;
     for (int other = 0; other < across(); ++other)
@@ -106,7 +106,7 @@ class Axis {
   Lines free(const std::vector<std::vector<double>>& gains, const std::vector<int>& sizes,
              double& gain) const {
     const auto count = static_cast<size_t>(count_);
-    // upto[line][at]: the most that lines up to this one gain, it being at `at` or before.
+    // upto[line][at]: largest gain of the lines up to this one if it starts at `at` or before.
     std::vector<std::vector<double>> upto(count);
     std::vector<std::vector<int>> where(count);
     for (size_t line = 0; line < count; ++line) {

@@ -1,6 +1,6 @@
-// Kinds of a grid's windows: for each number of kinds the sizes that gain most, and what stands in
-// each cell. Bits of cells grow only where the kinds pass a power of two, so that chains, which
-// walk by single steps, are held back by what costs nothing further on.
+// Window kinds of a grid: for each number of kinds the sizes with the largest gain, and the kind of
+// each cell. The bits of cells grow only when the number of kinds passes a power of two, a barrier
+// that chains, which take single steps, rarely cross even if further kinds would be free.
 #include <vug/fit/evidence/grid_gains.h>
 #include <vug/fit/model/cells.h>
 #include <vug/fit/polish/polish.h>
@@ -10,7 +10,7 @@
 namespace vug::fit {
 namespace {
 
-/// Of the grid's cells, row after row from the top.
+/// Gains of the grid's cells, row by row from the top.
 SizeGains size_gains(const GridGains& windows, const Node& grid, int least) {
   SizeGains out;
   out.min_size = out.max_size = {least, least};
@@ -42,7 +42,7 @@ bool polish_kinds(const MoveContext& context, const Evidence& evidence, TreeStat
     better = false;
     const SizeGains gains = size_gains(GridGains(model, evidence, state, grid), state.tree[grid],
                                        model.limits().min_size);
-    // A kind costs its node; that cells may take more bits too is for the model to tell.
+    // A kind costs its node; the model accounts for additional bits of the cells.
     const double cost = model.complexity(state.tree, grid + 1) / model.pixel_weight();
     TreeState best = state;
     for (const SizeChoice& choice : choose_sizes(gains, model.limits().max_kinds, cost))

@@ -11,13 +11,13 @@ namespace {
 using inference::DiscreteDistribution;
 using Weights = std::vector<double>;
 
-/// Pixels on each side of a place that are compared.
+/// Pixels compared on each side of a position.
 constexpr int kReach = 2;
 /// Share of proposals that follow the picture.
 constexpr double kHintWeight = 0.85;
 
-/// Calls change(before, behind) with the sums of strips on both sides of each place along an axis,
-/// each over the picture's other axis; what it returns, where above 0, are the weights.
+/// Weights of the positions along an axis: the positive part of change(before, behind) for the sums
+/// of the strips on both sides, each extending over the other axis.
 Weights changes(const Evidence& evidence, bool along_x, int reach,
                 const std::function<double(const Sums&, const Sums&)>& change) {
   const int size = along_x ? evidence.width() : evidence.height();
@@ -62,7 +62,7 @@ EdgeHints EdgeHints::from_clusters(const Evidence& evidence) {
 }
 
 EdgeHints EdgeHints::from_supervised(const Evidence& evidence) {
-  // Bits that a pixel saves as a window.
+  // Bits that a pixel saves as part of a window.
   const auto gain = [](const Sums& sums) {
     return difference(sums, RegionType::wall, RegionType::window);
   };

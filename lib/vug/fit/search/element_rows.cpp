@@ -7,10 +7,10 @@
 namespace vug::fit {
 namespace {
 
-/// What stands between two places of a row.
+/// An element between two positions of a row.
 struct RowElement {
   double bits = 0;
-  int way = -1;  ///< The production of its element.
+  int way = -1;  ///< The production of its element; -1: none.
   Rect rect;
 };
 
@@ -32,10 +32,12 @@ class ElementRowSearch {
     ys_ = with_borders(strongest_edges(evidence, state, area_, false, kHeights), area_.height);
   }
 
-  /// Things that stand apart, the wall between them shared out; none where there are none.
+  /// The best separate elements, with the wall between them split among them; empty if there are
+  /// none.
   std::vector<TreeState> make() const {
     const size_t n = xs_.size();
-    // least[k]: bits of what lies before place k, wall being counted where things are not.
+    // least[k]: minimum bits of everything before position k, counting wall outside of the
+    // elements.
     std::vector<double> least(n, 0);
     std::vector<RowElement> last(n);
     std::vector<size_t> from(n, 0);
@@ -72,7 +74,7 @@ class ElementRowSearch {
     return places;
   }
 
-  /// What saves most there, over the wall's code for the area as it is.
+  /// The element that saves most there, relative to the area's code as wall.
   RowElement between(int x0, int x1) const {
     RowElement best;
     const int least = model_.limits().min_size;

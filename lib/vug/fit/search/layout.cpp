@@ -7,8 +7,8 @@
 namespace vug::fit {
 namespace {
 
-/// What lies before each place along one axis, summed over the segments of the other one; without
-/// segments over all, less the mean, which shows where anything may be at all.
+/// Prefix sums of the gain along one axis, over the segments of the other one; without segments
+/// over the whole axis minus the mean, which shows where windows are possible at all.
 std::vector<double> before(const FoldedIntegral& integral, bool along_x,
                            const std::vector<Segment>& across) {
   const int room = along_x ? integral.width() : integral.height();
@@ -27,10 +27,10 @@ std::vector<double> before(const FoldedIntegral& integral, bool along_x,
   return out;
 }
 
-/// Sizes that are near to each other made equal, and each segment's group.
+/// Segments grouped by similar size, with equal sizes within a group.
 struct Groups {
-  std::vector<int> sizes;  ///< Of the groups.
-  std::vector<size_t> of;  ///< The group of each segment.
+  std::vector<int> sizes;  ///< Sizes of the groups.
+  std::vector<size_t> of;  ///< Group of each segment.
 };
 
 Groups grouped(const std::vector<Segment>& segments, int tolerance) {
@@ -54,7 +54,7 @@ Groups grouped(const std::vector<Segment>& segments, int tolerance) {
   return out;
 }
 
-/// Where segments begin once they have their group's size, centred as before.
+/// Starts of the segments with the size of their group, keeping their centres.
 Lines starts(const std::vector<Segment>& segments, const Groups& groups, bool regular) {
   Lines out{};
   for (size_t i = 0; i < segments.size(); ++i)
@@ -71,7 +71,7 @@ int way_to_windows(const Rules& rules, int grid, bool with_door) {
   return -1;
 }
 
-/// False where kinds are too many.
+/// False if there are too many kinds.
 bool put_grid(const MoveContext& context, TreeState& state, int i, int way,
               const FoldedIntegral& integral, const Layout& layout, int tolerance) {
   const Rules& rules = context.model.rules();
@@ -113,7 +113,8 @@ bool put_grid(const MoveContext& context, TreeState& state, int i, int way,
   return true;
 }
 
-/// With a door: there, or from some row down to the ground in some column, where that costs least.
+/// Adds the cheapest variant with a door: at `there`, or in some column from some row down to the
+/// ground.
 void add_doors(const MoveContext& context, const TreeState& state, int i, const Rect& there,
                std::vector<TreeState>& out) {
   const Rules& rules = context.model.rules();

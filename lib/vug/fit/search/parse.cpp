@@ -62,8 +62,8 @@ class Parser {
   }
 
  private:
-  /// Of windows, and with a column for what stands between them; of windows beside what stands on
-  /// the ground in any place.
+  /// Layouts of windows: plain, with an additional column for the element between the windows, and
+  /// next to elements on the ground anywhere.
   std::vector<std::pair<Layout, Rect>> layouts(const TreeState& state, int i,
                                                const FoldedIntegral& integral) const {
     std::vector<std::pair<Layout, Rect>> out;
@@ -97,7 +97,7 @@ class Parser {
     return out;
   }
 
-  /// The best so far.
+  /// The best state so far.
   struct BestState {
     BestState(const Model& of, const TreeState& start) : model(of), state(start) {
       bits = model.energy(state);
@@ -119,7 +119,7 @@ class Parser {
     return false;
   }
 
-  /// All parts of node i expanded, the last first, so that places of the others stay.
+  /// Expands all children of node i, the last first, so that the indices of the others stay valid.
   TreeState expanded(TreeState state, int i, int depth) const {
     for (int number = state.tree.child_count(i) - 1; number >= 0; --number)
       state = best(std::move(state), state.tree.child(i, number), depth);
@@ -140,7 +140,7 @@ class Parser {
     return node;
   }
 
-  /// Node i divided in every way that the picture supports.
+  /// Node i split in every way that the picture supports.
   std::vector<TreeState> splits(const TreeState& state, int i,
                                 const FoldedIntegral& integral) const {
     std::vector<TreeState> out;
@@ -176,8 +176,8 @@ class Parser {
     return out;
   }
 
-  /// Widths of middles that end halfway between places where the picture changes, as something
-  /// stands, or nothing, from one to the next.
+  /// Widths of middles that end halfway between two edges of the picture, as elements and gaps
+  /// alternate there.
   std::set<int> middles(const TreeState& state, const Area& area) const {
     const std::vector<int> places = strongest_edges(evidence_, state, area, true, kMiddles);
     std::set<int> out;

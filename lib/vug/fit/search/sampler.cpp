@@ -48,10 +48,10 @@ SamplerResult sample(const MoveContext& context, const SamplerOptions& options, 
   chains.set_scale(1);
   chains.forget_swaps();
   SamplerResult out;
-  std::map<std::string, std::vector<size_t>> seen;  // the rounds of each structure
-  // The coldest chain's temperature stays, the others move less and less, which leaves what is
-  // sampled in the limit (cite roberts2007). Where they stopped moving before the best basin was
-  // found, hardly anything would come out of it.
+  std::map<std::string, std::vector<size_t>> seen;  // Rounds of each structure.
+  // The temperature of the coldest chain is fixed; those of the others adapt with decreasing steps,
+  // which preserves the limit distribution (cite roberts2007). If adaptation stopped before the
+  // best basin is found, chains would rarely leave it again.
   chains.run(rounds - warm, true, progress, [&](const TreeState& state, double energy) {
     out.trace.push_back(energy);
     seen[structure_of(model.rules(), state.tree)].push_back(out.trace.size() - 1);

@@ -7,19 +7,21 @@
 namespace vug::fit {
 namespace {
 
-/// Where to begin with clusters: each may be what windows are made of.
+/// Start values for clusters: each cluster may be that of the windows.
 std::vector<Gains> first_gains(const Evidence& evidence, bool supervised) {
   if (supervised) return {supervised_gains()};
   std::vector<Gains> out;
   const Sums all = evidence.sums(0, 0, evidence.width(), evidence.height());
   const double pixels = static_cast<double>(evidence.width()) * evidence.height();
-  // What is first is most likely (see ClusterImage); else whatever is not the most frequent.
+  // The first cluster is the most likely one (see ClusterImage); all others except the most
+  // frequent are tried as well.
   const auto lanes = all.lane.begin() + evidence.lanes();
   const auto most = std::max_element(all.lane.begin(), lanes) - all.lane.begin();
   for (int cluster = 0; cluster < evidence.lanes(); ++cluster) {
     if (cluster == most && cluster > 0) continue;
     Sums windows = all;
-    // As if a quarter of the picture were windows, and six in ten of their pixels were of it.
+    // Assumes that a quarter of the picture is windows and that six in ten of their pixels are in
+    // this cluster.
     for (uint32_t& n : windows.lane) n = static_cast<uint32_t>(0.1 * n);
     windows.lane[static_cast<size_t>(cluster)] += static_cast<uint32_t>(0.15 * pixels);
     out.push_back(gains_from_regions(windows, all, evidence.lanes()));
@@ -27,7 +29,7 @@ std::vector<Gains> first_gains(const Evidence& evidence, bool supervised) {
   return out;
 }
 
-/// What windows look like in a tree, as against the rest.
+/// Gains estimated from the windows of a tree and the rest of the picture.
 Gains learnt(const Model& model, const Evidence& evidence, const TreeState& state) {
   Sums windows, wall = evidence.sums(0, 0, evidence.width(), evidence.height());
   model.each_terminal(state, [&](RegionType type, int, const Rect& r) {
@@ -46,7 +48,7 @@ std::vector<TreeState> seeds(const MoveContext& context, const Evidence& evidenc
   std::vector<std::pair<double, Gains>> learnt_gains;
   ParseOptions quick = options.parse;
   quick.depth = std::min(quick.depth, 1);
-  // Clusters that lead to the same windows lead to the same gains.
+  // Different clusters may lead to the same windows and thus to the same gains.
   std::map<std::pair<Gains, int>, std::pair<double, TreeState>> parsed;
   const auto parse_once = [&](const Gains& gains, const ParseOptions& how) {
     const auto [at, first] = parsed.try_emplace({gains, how.depth});
@@ -58,7 +60,7 @@ std::vector<TreeState> seeds(const MoveContext& context, const Evidence& evidenc
     found.push_back(at->second);
     return at->second;
   };
-  // What windows look like is learnt from quick looks; the best of it is worth thorough ones.
+  // Gains are estimated from quick parses; the best of them are parsed at full depth.
   for (Gains gains : first_gains(evidence, supervised)) {
     double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < options.rounds; ++round) {

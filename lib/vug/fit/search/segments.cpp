@@ -9,16 +9,15 @@ namespace vug::fit {
 std::vector<Segment> best_segments(const std::vector<double>& before, const SegmentLimits& limits) {
   const auto places = static_cast<int>(before.size()) - 1;
   const auto at = [](int i) { return static_cast<size_t>(std::max(0, i)); };
-  // best[n][i]: the most that n segments before place i gain; size[n][i]: of the last of them, if
-  // it ends at i, else 0.
+  // best[n][i]: largest gain of n segments before position i; size[n][i]: size of the last of them
+  // if it ends at i, else 0.
   std::vector<std::vector<double>> best(1, std::vector<double>(before.size(), 0));
   std::vector<std::vector<int>> size(1);
   for (int n = 1; n <= limits.max_count; ++n) {
     std::vector<double> row(before.size(), -1e300);
     std::vector<int> last(before.size(), 0);
     const std::vector<double>& fewer = best.back();
-    // Of starts that are neither too near nor too far the best is the front of a queue, in which
-    // what is better drives out what came before it.
+    // Monotonic queue: its front is the best of the starts that are neither too near nor too far.
     std::deque<int> starts;
     const auto worth = [&](int start) {
       return (n > 1 ? fewer[at(start - 1)] : 0) - before[at(start)];

@@ -5,41 +5,41 @@
 namespace vug::fit {
 namespace {
 
-constexpr int kMaxJitter = 2;  // pixels
+constexpr int kMaxJitter = 2;  // Pixels.
 
-/// How the columns of a part come again in the whole area.
+/// How the columns of a part are mapped to its copies in the whole area.
 struct ColumnSymmetry {
   Op op = Op::mirror;
-  int times = 2;  ///< How often the part is there.
+  int times = 2;  ///< Number of copies, including the part itself.
 
   int part_width(int room) const { return room / times; }
-  /// Where a window, in a part's column that begins at x and of that width, begins when the part
-  /// comes again for the time `again` > 0.
+  /// Start of a window in copy `again` > 0, for a window of that width that starts at x in the
+  /// part.
   int place(int room, int again, int x, int width) const {
     return op == Op::mirror ? room - x - width : repetition_offset(room, times, again) + x;
   }
 };
 
-/// The production of a symbol to that grid; -1 where there is none.
+/// The production of a symbol to that grid; -1 if there is none.
 int way_to_grid(const Rules& rules, int symbol, int grid) {
   for (const int way : rules.productions_of(symbol))
     if (rules.production(way).op == Op::grid && rules.production(way).parts[0] == grid) return way;
   return -1;
 }
 
-/// How far lines of a grid may be off what a fold says.
+/// Maximum deviation of a grid's lines from exact symmetry.
 int jitter(const MoveContext& context, const Node& grid) {
   return context.model.rules().symbol(grid.symbol).regular ? 0 : kMaxJitter;
 }
 
-/// Column of the whole grid in which the part's column comes the time `again`.
+/// Column of the whole grid for a column of copy `again`.
 int column_of(const ColumnSymmetry& fold, int columns, int again, int column) {
   const bool turned = fold.op == Op::mirror && again % 2 == 1;
   return again * columns + (turned ? columns - 1 - column : column);
 }
 
-/// The production of node i to one part by that operation, if that part can be a grid like the
-/// one below node i; -1 otherwise.
+/// The production of node i to one part by that operation, if that part can be a grid like the one
+/// below node i; -1 otherwise.
 int folded_way(const MoveContext& context, const TreeState& state, int i, Op op) {
   const Rules& rules = context.model.rules();
   for (const int way : rules.productions_of(state.tree[i].symbol)) {
@@ -51,7 +51,7 @@ int folded_way(const MoveContext& context, const TreeState& state, int i, Op op)
   return -1;
 }
 
-/// Whether node i has been rewritten to a grid with windows of one kind and no door.
+/// Whether node i was rewritten to a grid with windows of one kind and no door.
 bool can_fold(const MoveContext& context, const TreeState& state, int i) {
   const Rules& rules = context.model.rules();
   const Tree& tree = state.tree;
@@ -60,7 +60,7 @@ bool can_fold(const MoveContext& context, const TreeState& state, int i) {
          rules.production(tree[i + 1].production).parts.size() == 1;
 }
 
-/// Whether node i has been rewritten to one part by that operation, and that can be unfolded.
+/// Whether node i was rewritten to one part by that operation and can be unfolded.
 bool can_unfold(const MoveContext& context, const TreeState& state, int i, Op op) {
   const Rules& rules = context.model.rules();
   const Tree& tree = state.tree;
@@ -105,7 +105,7 @@ bool fold(const MoveContext& context, TreeState& state, int i, int production,
   part.size = 3;
   above.production = static_cast<int16_t>(production);
   above.size = 4;
-  // The area stays where it was, for the choices that come after.
+  // The area is unchanged and needed by the following choices.
   const Area area = state.area(i);
   state.replace(i, {above, part, grid, window});
   state.areas[static_cast<size_t>(i)] = area;
@@ -151,7 +151,7 @@ bool fold_or_unfold(const MoveContext& context, TreeState& state, Op op, Choices
     return can_fold(context, state, i) && folded_way(context, state, i, op) >= 0;
   };
   const auto folded = [&](int i) { return can_unfold(context, state, i, op); };
-  // How often the part is there, which only repetitions choose.
+  // The number of copies, which is only a choice for repetitions.
   const auto times = [&](Choices& choices, int fixed) {
     return op == Op::repeat ? choices.between(2, most, fixed) : 2;
   };
@@ -167,7 +167,7 @@ bool fold_or_unfold(const MoveContext& context, TreeState& state, Op op, Choices
     return true;
   }
   const ColumnSymmetry way{op, times(forward, 0)};
-  // What was folded has to be unfolded by the same choices: the node first, the places then.
+  // Unfolding takes the same choices in order: first the node, then the positions.
   Choices places;
   places.score();
   if (!fold(context, state, i, folded_way(context, state, i, op), way, places)) return false;

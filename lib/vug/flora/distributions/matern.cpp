@@ -1,4 +1,4 @@
-// Matern's cluster process: stems spread evenly over a disk about the middle of their clump
+// Matern's cluster process: stems distributed uniformly over a disk about the centre of their clump
 // (cite matern1960; its K function: illian2008, 6.3).
 #include <vug/base/maths.h>
 #include <vug/flora/cluster_process.h>
@@ -13,10 +13,10 @@ struct Matern {
   double radius = 1.2;
 
   static void describe(Schema<Matern>& s) {
-    s.doc("Clumps with an edge: round tufts, as dense at their rim as in their middle.")
+    s.doc("Clumps with a sharp edge: round tufts, as dense at the rim as in the middle.")
         .cite("matern1960")
         .param("per_clump", &Matern::per_clump,
-               {.doc = "stems of a clump on average", .min = 0, .max = 1e6, .above_min = true})
+               {.doc = "mean number of stems per clump", .min = 0, .max = 1e6, .above_min = true})
         .param("radius", &Matern::radius, positive_length("of a clump"));
   }
 };

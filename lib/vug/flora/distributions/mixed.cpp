@@ -1,4 +1,4 @@
-// Several processes in one plot, independent of each other: a superposition.
+// Superposition of several independent processes in one plot.
 #include <vug/flora/distribution.h>
 
 #include <algorithm>
@@ -11,17 +11,16 @@ struct Mixed {
   std::vector<double> shares;
 
   static void describe(Schema<Mixed>& s) {
-    s.doc("Several distributions at once, as where single stems stand between clumps.")
-        .param("of", &Mixed::of, {.doc = "which; none: uniform and thomas"})
-        .param("shares", &Mixed::shares,
-               {.doc = "of the density, against each other; none: the same for each", .min = 0});
+    s.doc("Several distributions at once, for example single stems between clumps.")
+        .param("of", &Mixed::of, {.doc = "the distributions; none: uniform and thomas"})
+        .param("shares", &Mixed::shares, {.doc = "relative densities; none: equal", .min = 0});
   }
   std::string fault() const {
     if (!shares.empty() && shares.size() != (of.empty() ? 2 : of.size()))
-      return "there are as many 'shares' as distributions, or none";
+      return "'shares' must have one number per distribution, or none";
     return !shares.empty() &&
                    std::all_of(shares.begin(), shares.end(), [](double s) { return s == 0; })
-               ? "one of the 'shares' is above 0"
+               ? "one of the 'shares' must be above 0"
                : "";
   }
 };

@@ -1,5 +1,5 @@
-// Corners averaged by random weights: what the paper calls a random distribution in a convex
-// polygon. It is not even: points crowd in the middle.
+// Random weighted means of the corners, the paper's random distribution in a convex polygon. It is
+// not uniform: points crowd in the middle.
 #include <vug/flora/distribution.h>
 #include <vug/flora/weighted_point.h>
 
@@ -15,15 +15,15 @@ struct Paper {
 
   static void describe(Schema<Paper>& s) {
     s.doc(
-         "As in the paper: corners averaged by random weights. Plants crowd in the middle of a "
+         "As in the paper: random weighted means of the corners. Plants crowd in the middle of a "
          "convex polygon.")
         .cite("luo2010bamboo")
         .param("weights", &Paper::weights,
-               {.doc = "each corner's is drawn above the first and up to the second", .min = 0});
+               {.doc = "range of the random weights, excluding the lower limit", .min = 0});
   }
   std::string fault() const {
     return weights.size() != 2 || !(weights[0] < weights[1])
-               ? "'weights' are two numbers, the smaller one first"
+               ? "'weights' must be two numbers, the smaller one first"
                : "";
   }
 };
@@ -38,9 +38,9 @@ class PaperPoints final : public Distribution {
     if (const int dent = plot.first_reflex_corner(); dent >= 0)
       throw Error(
           ErrorCode::bad_input,
-          fmt::format("the paper's distribution needs a convex polygon; corner {} at {} is a dent",
+          fmt::format("the paper's distribution needs a convex polygon; corner {} at {} is concave",
                       dent + 1, to_string(plot.corners()[static_cast<size_t>(dent)])),
-          {}, "the others take any simple polygon");
+          {}, "use another distribution: they take any simple polygon");
     const auto count = static_cast<uint64_t>(std::llround(density * plot.area()));
     std::vector<Vec2d> points;
     points.reserve(count);

@@ -1,6 +1,6 @@
-// Darts of which no two are nearer than a distance, thrown until there are as many as asked for or
-// no place is left at all: squares that may still be free are halved until a disk covers each
-// (cite ebeida2012).
+// Maximal Poisson-disk sampling (cite ebeida2012): dart throwing with a minimum distance until the
+// requested number is reached or no room is left. Squares that may still be free are quartered
+// until a disk covers each of them.
 #include <vug/flora/distribution.h>
 
 #include <fmt/format.h>
@@ -12,20 +12,21 @@ namespace vug::flora {
 namespace {
 
 constexpr double kMaxSquares = 1 << 26;
-constexpr int kDeepest = 48;  // squares of a rounding error's size
+constexpr int kDeepest = 48;  // Squares of the size of rounding errors.
 constexpr int32_t kNobody = -1;
 
 struct PoissonDisk {
   double distance = 1;
 
   static void describe(Schema<PoissonDisk>& s) {
-    s.doc("No two plants nearer than a distance. Without a density: as many as fit.")
+    s.doc("A minimum distance between any two plants. Without a density: as many as fit.")
         .cite("ebeida2012")
-        .param("distance", &PoissonDisk::distance, positive_length("between any two, at least"));
+        .param("distance", &PoissonDisk::distance,
+               positive_length("minimum between any two plants"));
   }
 };
 
-/// Squares so small that each holds one point at most.
+/// Squares so small that each contains at most one point.
 class DartThrower {
  public:
   DartThrower(const Plot& plot, double distance) : plot_(plot), distance_(distance) {
@@ -35,7 +36,7 @@ class DartThrower {
       throw Error(
           ErrorCode::too_large,
           fmt::format("the box around a plot of {:.4g} m^2 has room for {:.2g} plants {:.3g} m "
-                      "apart; {:.2g} are the most",
+                      "apart; the limit is {:.2g}",
                       plot.area(), size.x * size.y, distance, kMaxSquares),
           {}, "use a larger distance, or several shorter plots");
     columns_ = static_cast<int64_t>(size.x) + 1, rows_ = static_cast<int64_t>(size.y) + 1;
@@ -63,7 +64,7 @@ class DartThrower {
     points_.push_back(p);
   }
 
-  /// Quarters of the open squares that may hold another point.
+  /// Quarters the open squares and keeps those that may take another point.
   void divide() {
     next_.clear();
     size_ /= 2;
@@ -95,7 +96,7 @@ class DartThrower {
     next_.push_back(square);
   }
 
-  /// Whether `is` holds for a point that may be within the distance of the square.
+  /// Whether `is` holds for any point that may be within the distance of the square.
   template <class Test>
   bool any_about(int64_t base, const Test& is) const {
     const int64_t column = base % columns_, row = base / columns_;
@@ -110,7 +111,7 @@ class DartThrower {
 
   const Plot& plot_;
   double distance_;
-  double side_ = 0, size_ = 0;  ///< Of the first squares, and of those that are open.
+  double side_ = 0, size_ = 0;  ///< Side lengths of the first squares and of the open squares.
   int depth_ = 0;
   int64_t columns_ = 0, rows_ = 0;
   std::vector<int32_t> in_square_;
@@ -137,9 +138,9 @@ class DiskPoints final : public Distribution {
     }
     if (!enough() && density != 0)
       throw Error(ErrorCode::bad_input,
-                  fmt::format("{:.0f} plants {:.3g} m apart do not fit: the plot is full with {}",
+                  fmt::format("{:.0f} plants {:.3g} m apart do not fit: the plot only takes {}",
                               wanted, p_.distance, darts.points().size()),
-                  {}, "lower the density or the distance; without a density as many come as fit");
+                  {}, "lower the density or the distance, or omit the density for as many as fit");
     return darts.points();
   }
 

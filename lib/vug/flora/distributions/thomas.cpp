@@ -1,5 +1,5 @@
-// The Thomas process: stems normally distributed about the middle of their clump. Its
-// K(r) = pi r^2 + (1 - exp(-r^2 / (4 spread^2))) / clumps per area (cite illian2008, 6.3).
+// The Thomas process: stems normally distributed about the centre of their clump. Its K(r) = pi r^2
+// + (1 - exp(-r^2 / (4 spread^2))) / clumps per area (cite illian2008, 6.3).
 #include <vug/flora/cluster_process.h>
 
 namespace vug::flora {
@@ -10,12 +10,12 @@ struct Thomas {
   double spread = 0.6;
 
   static void describe(Schema<Thomas>& s) {
-    s.doc("Clumps that are dense in the middle and thin out: bamboo that grows in tufts.")
+    s.doc("Clumps that are dense in the middle and thin out, like bamboo in tufts.")
         .cite("thomas1949")
         .param("per_clump", &Thomas::per_clump,
-               {.doc = "stems of a clump on average", .min = 0, .max = 1e6, .above_min = true})
+               {.doc = "mean number of stems per clump", .min = 0, .max = 1e6, .above_min = true})
         .param("spread", &Thomas::spread,
-               positive_length("standard deviation of a stem's place along x and along z"));
+               positive_length("standard deviation of a stem's offset along x and z"));
   }
 };
 
@@ -25,7 +25,7 @@ class ThomasPoints final : public Distribution {
 
   std::vector<Vec2d> points(const Plot& plot, double density, RandomKey key,
                             Progress& progress) const override {
-    // Beyond 6 spreads lie 1.5e-8 of the stems; what normal() gives there stays.
+    // 1.5e-8 of the stems lie beyond 6 spreads; they are kept where normal() puts them.
     return cluster_points(plot, density, key, progress,
                           {p_.per_clump, 6 * p_.spread, [this](RandomStream& random) {
                              const double x = random.normal();

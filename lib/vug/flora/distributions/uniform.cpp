@@ -1,5 +1,5 @@
-// As many points as asked for, each anywhere alike: the binomial process, or with a number that is
-// itself by chance the Poisson process.
+// Independent uniform points: the binomial process for a fixed number of points, the Poisson
+// process for a random one.
 #include <vug/flora/distribution.h>
 
 #include <cmath>
@@ -11,9 +11,11 @@ struct Uniform {
   bool exact = true;
 
   static void describe(Schema<Uniform>& s) {
-    s.doc("Each plant anywhere alike: a tended stand of moso.")
-        .param("exact", &Uniform::exact,
-               {.doc = "as many as the density says; else that many on average (Poisson)"});
+    s.doc("Independent uniform positions, like a tended stand of moso.")
+        .param(
+            "exact", &Uniform::exact,
+            {.doc =
+                 "exactly the number given by the density; else that number on average (Poisson)"});
   }
 };
 

@@ -5,7 +5,9 @@ namespace {
 
 struct Leaf : LeafParams {
   static void describe(Schema<Leaf>& s) {
-    s.doc("A lanceolate leaf, its base in the origin, its midrib along y, its face up towards z.");
+    s.doc(
+        "A lanceolate leaf with its base at the origin, its midrib along y and its face towards "
+        "z.");
     describe_leaf(s);
   }
 };

@@ -11,16 +11,16 @@ struct Spray : LeafParams {
   int seed = 0;
 
   static void describe(Schema<Spray>& s) {
-    s.doc("Leaves in two rows at the end of a twig that goes from the origin along y.")
+    s.doc("Leaves in two rows at the end of a twig that starts at the origin along y.")
         .param("leaves", &Spray::leaves, {.doc = "how many", .min = 1, .max = 1000})
         .param("angle", &Spray::angle,
-               {.doc = "between the twig and those beside it",
+               {.doc = "between the twig and its lateral leaves",
                 .dimension = Dimension::angle,
                 .min = 0,
                 .max = kPi})
         .param("spacing", &Spray::spacing, positive_length("along the twig from leaf to leaf"))
         .param("vary", &Spray::vary,
-               {.doc = "share by which lengths, angles and bends differ", .min = 0, .max = 1})
+               {.doc = "relative variation of lengths, angles and bends", .min = 0, .max = 1})
         .param("seed", &Spray::seed, {.doc = "another number, another spray", .min = 0});
     describe_leaf(s);
   }

@@ -1,6 +1,6 @@
-// Actions: rules that the modeller of ripperda2009 (section 5) combines. What a symbol is called
-// does not matter, and where a rule hands everything on to a symbol that only ends in elements, a
-// rule of that one follows at once.
+// Actions: rules combined as in the modeller of ripperda2009 (section 5). The name of the symbol
+// does not matter, and if a rule passes its rectangle to a symbol that only ends in elements, a
+// rule of that symbol is applied as well.
 #include <vug/modeller/plans.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace vug::modeller {
 namespace {
 
-/// Rules of the symbol that the action stands for; a rule by its own name alone.
+/// Rules of the symbol included in the action; a rule name selects that rule only.
 std::vector<int> rules_of(const Style& style, const std::string& symbol, const std::string& name) {
   for (const Action& action : style.actions()) {
     if (action.name != name) continue;
@@ -44,12 +44,11 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
 }  // namespace vug::modeller
 
 VUG_EDIT_KIND(act) {
-  return {
-      "act",
-      "an action on an open node: a rule, and what follows where that only ends in elements; of "
-      "several rules the first that takes the numbers",
-      true,
-      true,
-      {},
-      run};
+  return {"act",
+          "an action on an open node: a rule, and the next one if that only ends in elements; of "
+          "several rules the first that accepts the numbers",
+          true,
+          true,
+          {},
+          run};
 }

@@ -13,7 +13,7 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
 }  // namespace vug::modeller
 
 VUG_EDIT_KIND(apply) {
-  return {"apply", "divides an open node by one rule; numbers that are not told are as usual",
+  return {"apply", "divides an open node by one rule; omitted numbers get their defaults",
           true,    true,
           {},      run};
 }

@@ -9,8 +9,8 @@ Error bad(const std::string& message, const std::string& hint = {}) {
   return Error(ErrorCode::bad_input, message, {}, hint);
 }
 
-/// Plans of parts that there are under both rules: at the same places, for symbols as they are in
-/// `bare`, where nothing is decided of the parts.
+/// Keeps the plans of parts that exist under both rules: at the same positions, translated to the
+/// symbols in `bare`, whose parts are undecided.
 void keep_parts(const FacadeState& bare, int node, const Plan& old, Plan& plan) {
   for (const int part : bare.parts(node)) {
     const facade::PartKey& place = bare.planned(part).place;
@@ -24,14 +24,15 @@ void keep_parts(const FacadeState& bare, int node, const Plan& old, Plan& plan) 
 FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   require_divided(state, node);
   if (node == FacadeState::kWhole || state.rule(node) < 0)
-    throw bad("the node stands within a rule", "change what divides the node above it");
+    throw bad("the node is part of a rule", "change the rule that divides its ancestor");
   const Plan& old = state.plan_of_node(node);
   const Style& style = state.style();
   Plan plan = old;
   plan.parts.clear();
   plan.numbers.clear();
   plan.rule = style.find_rule(state.node(node).symbol, edit.rule);
-  if (plan.rule == old.rule) throw bad("that rule divides the node already", "'set' its numbers");
+  if (plan.rule == old.rule)
+    throw bad("that rule divides the node already", "use 'set' to change its numbers");
   const bool hands_on = style.passes_to(plan.rule).has_value();
   if (!hands_on) plan.numbers = merged(old.numbers, edit.numbers);
 
@@ -40,7 +41,7 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   plan.numbers = bare.plan_of_node(here).numbers;
   keep_parts(bare, here, old, plan);
   if (hands_on && !edit.numbers.empty()) {
-    if (plan.parts.empty()) throw bad("nothing that is kept has free numbers", "tell none");
+    if (plan.parts.empty()) throw bad("no remaining part has free numbers", "omit the numbers");
     Plan part = *plan.parts.begin()->second;
     part.numbers = merged(part.numbers, edit.numbers);
     plan.parts.begin()->second = std::make_shared<const Plan>(std::move(part));
@@ -52,12 +53,11 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
 }  // namespace vug::modeller
 
 VUG_EDIT_KIND(change) {
-  return {
-      "change",
-      "another rule in place of the one that divides a node, as another type of grid; parts and "
-      "numbers stay as far as they fit",
-      true,
-      true,
-      {},
-      run};
+  return {"change",
+          "replaces the rule that divides a node, for example by another type of grid; parts and "
+          "numbers are kept as far as they fit",
+          true,
+          true,
+          {},
+          run};
 }

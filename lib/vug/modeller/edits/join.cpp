@@ -9,7 +9,7 @@ FacadeState run(const FacadeState& state, int node, const Edit&) {
   if (!plan.apart) throw Error(ErrorCode::bad_input, "the node's parts have not been separated");
   plan.apart = false;
   FacadeState made = state.with(node, std::make_shared<const facade::Plan>(plan));
-  // What was decided of the others is forgotten.
+  // Decisions about the other instances are dropped.
   const int here = made.at(state.path_keys(node));
   std::map<facade::PartKey, facade::PlanPtr> parts;
   for (const int part : made.parts(here))
@@ -24,10 +24,11 @@ FacadeState run(const FacadeState& state, int node, const Edit&) {
 }  // namespace vug::modeller
 
 VUG_EDIT_KIND(join) {
-  return {"join",
-          "makes separated parts one again; all become as the first, on the left or at the bottom",
-          false,
-          false,
-          {},
-          run};
+  return {
+      "join",
+      "joins separated parts again; all become like the first one, on the left or at the bottom",
+      false,
+      false,
+      {},
+      run};
 }

@@ -12,8 +12,8 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   const double number = edit.numbers.at("line")[0];
   if (!(number >= 0) || number >= static_cast<double>(all.size()) || number != std::floor(number))
     throw facade::InfeasiblePlan(
-        facade::Reason::does_not_fit, "line", fmt::format("there is no line {}", number),
-        all.empty() ? "the rule says where its lines are"
+        facade::Reason::does_not_fit, "line", fmt::format("no line {}", number),
+        all.empty() ? "the rule fixes the positions of its lines"
                     : fmt::format("it has {} lines, counted from 0", all.size()));
   facade::Plan plan = state.plan_of_node(node);
   const facade::NumberValues numbers =
@@ -27,7 +27,7 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
 
 VUG_EDIT_KIND(move) {
   return {
-      "move",         "moves a line between two parts, or that a column or row of a grid begins at",
+      "move",         "moves a line between two parts, or the start of a column or row of a grid",
       false,          false,
       {"line", "to"}, run};
 }

@@ -5,7 +5,7 @@ namespace {
 
 FacadeState run(const FacadeState& state, int node, const Edit&) {
   if (!state.planned(node).plan)
-    throw Error(ErrorCode::bad_input, "nothing is decided of the node", {},
+    throw Error(ErrorCode::bad_input, "there are no decisions about the node", {},
                 "no rule divides it yet");
   return state.with(node, nullptr);
 }
@@ -14,6 +14,7 @@ FacadeState run(const FacadeState& state, int node, const Edit&) {
 }  // namespace vug::modeller
 
 VUG_EDIT_KIND(retract) {
-  return {"retract", "takes away the rule that divides a node, and all below it", false, false, {},
-          run};
+  return {"retract", "removes the rule that divides a node, and everything below it",
+          false,     false,
+          {},        run};
 }

@@ -10,11 +10,11 @@ FacadeState run(const FacadeState& state, int node, const Edit&) {
   const std::vector<int> parts = state.parts(node);
   if (std::all_of(parts.begin(), parts.end(),
                   [&](int part) { return state.node(part).copies.empty(); }))
-    throw Error(ErrorCode::bad_input, "nothing of the node is mirrored or repeated");
+    throw Error(ErrorCode::bad_input, "the node has no mirrored or repeated parts");
   facade::Plan plan = state.plan_of_node(node);
   plan.apart = true;
   const FacadeState apart = state.with(node, std::make_shared<const facade::Plan>(plan));
-  // Each place begins as what was stamped there.
+  // Each instance starts with the plan of the part that it copied.
   for (const int part : apart.parts(apart.at(state.path_keys(node)))) {
     const facade::PartKey place = apart.planned(part).place;
     const auto stamped = plan.parts.find({place.item, place.part, 0, 0});
@@ -27,10 +27,7 @@ FacadeState run(const FacadeState& state, int node, const Edit&) {
 }  // namespace vug::modeller
 
 VUG_EDIT_KIND(separate) {
-  return {"separate",
-          "breaks a symmetry: what the node's split stamps again becomes parts of their own",
-          false,
-          false,
-          {},
-          run};
+  return {"separate", "breaks a symmetry: copies made by the node's split become separate parts",
+          false,      false,
+          {},         run};
 }

@@ -1,5 +1,5 @@
-// New numbers. Lists that a count is the length of are forgotten when it changes: they are as usual
-// then, unless they are told too.
+// Sets numbers. Lists whose length is a count are reset to their defaults when the count changes,
+// unless they are set too.
 #include <vug/modeller/plans.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace {
 
 FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   require_divided(state, node);
-  if (edit.numbers.empty()) throw Error(ErrorCode::bad_input, "there is no number to set");
+  if (edit.numbers.empty()) throw Error(ErrorCode::bad_input, "no number to set");
   facade::Plan plan = state.plan_of_node(node);
   for (const facade::FreeNumber& number : state.planned(node).free) {
     const auto count = edit.numbers.find(number.per);
@@ -28,8 +28,7 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
 }  // namespace vug::modeller
 
 VUG_EDIT_KIND(set) {
-  return {
-      "set", "tells counts and sizes of a divided node; a name without a number is as usual again",
-      false, true,
-      {},    run};
+  return {"set", "sets counts and sizes of a divided node; a name without a number resets it",
+          false, true,
+          {},    run};
 }

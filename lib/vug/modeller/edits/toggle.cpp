@@ -15,7 +15,7 @@ int whole(const facade::Node& grid, const Edit& edit, const std::string& name,
   const double value = edit.numbers.at(name)[0];
   if (value >= 0 && value < most && value == std::floor(value)) return static_cast<int>(value);
   throw facade::InfeasiblePlan(facade::Reason::does_not_fit, name,
-                               fmt::format("there is no {} {}", name, value),
+                               fmt::format("no {} {}", name, value),
                                fmt::format("the grid has {} {}, counted from 0", most, counts));
 }
 
@@ -24,7 +24,7 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   if (node == FacadeState::kWhole || state.node(node).split != "grid")
     throw Error(ErrorCode::bad_input, "the node is not divided by a grid");
   if (!has_cells(state, node))
-    throw Error(ErrorCode::bad_input, "all cells of this grid are one", {},
+    throw Error(ErrorCode::bad_input, "all cells of this grid are the same node", {},
                 "change it to one that is not identical, or separate its cells");
   const std::pair<int, int> cell(whole(state.node(node), edit, "column", "columns"),
                                  whole(state.node(node), edit, "row", "rows"));
@@ -32,7 +32,7 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   if (!plan.off.erase(cell)) plan.off.insert(cell);
   FacadeState made = state.with(node, std::make_shared<const facade::Plan>(std::move(plan)));
   if (made.parts(made.at(state.path_keys(node))).empty())
-    throw Error(ErrorCode::bad_input, "it is the last cell of the grid", {}, "retract the grid");
+    throw Error(ErrorCode::bad_input, "this is the last cell of the grid", {}, "retract the grid");
   return made;
 }
 
@@ -41,7 +41,7 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
 
 VUG_EDIT_KIND(toggle) {
   return {"toggle",
-          "takes what stands in one cell of a grid away, or puts it back",
+          "removes the content of one cell of a grid, or restores it",
           false,
           false,
           {"column", "row"},
