@@ -53,7 +53,7 @@ TEST(AtomicFile, KeepsLinksAndPermissions) {
   EXPECT_EQ(read_text(folder / "real" / "new.txt"), "made");
 }
 
-/// A file like those that a process leaves when it is killed while it writes.
+/// Creates a file as left by a process that was killed while writing.
 fs::path make_stale_partial_file(const fs::path& target) {
   const pid_t child = fork();
   if (child == 0) {
@@ -66,14 +66,14 @@ fs::path make_stale_partial_file(const fs::path& target) {
   return target.parent_path() / name.str();
 }
 
-TEST(AtomicFile, TheNextRunRemovesWhatTheDeadHaveLeft) {
+TEST(AtomicFile, RemovesStalePartialFiles) {
   const fs::path folder = fs::path(testing::TempDir()) / "vug_left";
   fs::remove_all(folder);
   const fs::path stale = make_stale_partial_file(folder / "a.exr"),
                  png = make_stale_partial_file(folder / "a.png"),
                  other = make_stale_partial_file(folder / "b.exr");
   for (const fs::path& file : {stale, png, other}) ASSERT_TRUE(fs::exists(file)) << file;
-  // On another machine its maker may live, which the lock tells.
+  // Its process may run on another machine, as its lock shows.
   const int held = open(stale.c_str(), O_RDONLY);
   ASSERT_EQ(flock(held, LOCK_EX | LOCK_NB), 0);
   require_writable(folder / "a.exr");
@@ -94,7 +94,7 @@ std::string refusal_to_write(const fs::path& path) {
   return "";
 }
 
-TEST(AtomicFile, SaysBeforeTheWorkWhatCannotBeWritten) {
+TEST(AtomicFile, ReportsUnwritableTargetsBeforeTheWork) {
   const fs::path folder = fs::path(testing::TempDir()) / "vug_writable";
   fs::remove_all(folder);
   write_text(folder / "file", "a file");
@@ -110,7 +110,7 @@ TEST(AtomicFile, SaysBeforeTheWorkWhatCannotBeWritten) {
   EXPECT_EQ(read_text(folder / "file"), "a file");
 }
 
-TEST(AtomicFile, SaysWhatCannotBeRead) {
+TEST(AtomicFile, ReportsUnreadableFiles) {
   try {
     read_text("/nowhere/at/all.vug");
     FAIL();
@@ -119,8 +119,8 @@ TEST(AtomicFile, SaysWhatCannotBeRead) {
   }
 }
 
-/// None of these ends, or they end the program; so nothing but a regular file is opened.
-TEST(ReadText, RefusesWhatIsNoRegularFile) {
+/// Opening these would block or end the program, so only regular files are opened.
+TEST(ReadText, RejectsSpecialFiles) {
   const fs::path folder = fs::path(testing::TempDir()) / "vug_no_file";
   fs::remove_all(folder);
   fs::create_directories(folder);

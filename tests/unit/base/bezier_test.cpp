@@ -10,7 +10,8 @@ namespace {
 
 const Bezier kWild{{Vec3d(0, 0, 0), Vec3d(0, 4, 1), Vec3d(-3, 5, 2), Vec3d(2, 1, -1)}};
 
-/// Chords and control polygons of a subdivision: the length lies between the two sums.
+/// Lengths of the chords and of the control polygons of a subdivision: bounds of the curve's
+/// length.
 void bracket(const Bezier& curve, int depth, double& low, double& high) {
   if (depth > 0) {
     for (const Bezier& half : curve.split(0.5)) bracket(half, depth - 1, low, high);
@@ -45,13 +46,13 @@ TEST(Bezier, ParameterInvertsLength) {
   EXPECT_EQ(arc.parameter(1e9), 1);
 }
 
-TEST(Bezier, StraightAndEvenIsProportional) {
+TEST(Bezier, ParameterOfAStraightUniformCurveIsProportional) {
   const ArcBezier arc(Bezier{{Vec3d(0), Vec3d(0, 1, 0), Vec3d(0, 2, 0), Vec3d(0, 3, 0)}});
   EXPECT_NEAR(arc.length(), 3, 1e-14);
   EXPECT_NEAR(arc.parameter(0.75), 0.25, 1e-13);
 }
 
-TEST(Bezier, DerivativesAreThoseOfThePoint) {
+TEST(Bezier, DerivativesMatchThePoint) {
   const double h = 1e-5;
   for (const double t : {0.1, 0.4, 0.8}) {
     const Vec3d first = (kWild.point(t + h) - kWild.point(t - h)) / (2 * h);
@@ -61,7 +62,7 @@ TEST(Bezier, DerivativesAreThoseOfThePoint) {
   }
 }
 
-TEST(Bezier, EndsWithoutSpeedHaveATangent) {
+TEST(Bezier, EndsWithZeroSpeedHaveATangent) {
   const Bezier rests{{Vec3d(0), Vec3d(0), Vec3d(1, 0, 0), Vec3d(1, 1, 0)}};
   EXPECT_LT((rests.tangent(0) - Vec3d(1, 0, 0)).length(), 1e-12);
   const Bezier line{{Vec3d(0), Vec3d(0), Vec3d(0, 2, 0), Vec3d(0, 2, 0)}};
@@ -69,7 +70,7 @@ TEST(Bezier, EndsWithoutSpeedHaveATangent) {
   EXPECT_LT((line.tangent(1) - Vec3d(0, 1, 0)).length(), 1e-12);
 }
 
-TEST(Bezier, DroopingHasItsLengthAndItsEnds) {
+TEST(Bezier, DroopingHasTheGivenLengthAndAngles) {
   const double lean = 0.05, tip = 2.0;
   const Bezier stem = drooping(9, lean, tip, 0.7, 0.5);
   EXPECT_NEAR(ArcBezier(stem).length(), 9, 1e-10);
@@ -78,7 +79,7 @@ TEST(Bezier, DroopingHasItsLengthAndItsEnds) {
   EXPECT_NEAR(std::atan2(-stem.tangent(1).z, stem.tangent(1).x), 0.7, 1e-12);
 }
 
-TEST(Bezier, RefusesWhatIsNoCurve) {
+TEST(Bezier, RejectsInvalidCurves) {
   const Vec3d p(1, 2, 3);
   EXPECT_THROW(ArcBezier(Bezier{{p, p, p, p}}), Error);
   EXPECT_THROW(ArcBezier(Bezier{{p, p, p, Vec3d(std::nan(""), 0, 0)}}), Error);

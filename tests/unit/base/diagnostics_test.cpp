@@ -43,7 +43,7 @@ TEST(Schema, BindsByNameAndPosition) {
   EXPECT_EQ(ring->centre, Vec3d(1, 2, 3));
 }
 
-TEST(Schema, NamesEachFault) {
+TEST(Schema, ReportsEachError) {
   EXPECT_EQ(first_fault({{"raduis", Value(1.0), {}}}), "'ring' has no parameter 'raduis'");
   EXPECT_EQ(first_fault({{"radius", Value(0.0), {}}}), "'radius' must be above 0, not 0");
   EXPECT_EQ(first_fault({{"radius", Value(NAN), {}}}), "'radius' is not a finite number");
@@ -55,7 +55,7 @@ TEST(Schema, NamesEachFault) {
             "'radius' is given twice");
 }
 
-TEST(Schema, BoundsCarryTheUnitOfWhatWasGiven) {
+TEST(Schema, BoundsHaveTheUnitOfTheGivenValue) {
   EXPECT_EQ(first_fault({{"radius", Value(-2.0), {}}}), "'radius' must be above 0, not -2m");
   Schema<Ring> schema("ring", "test");
   schema.param("radius", &Ring::radius, {.doc = "", .dimension = Dimension::angle, .max = kPi / 2});
@@ -68,7 +68,7 @@ TEST(Schema, BoundsCarryTheUnitOfWhatWasGiven) {
   EXPECT_EQ(share.all().at(0).message, "'radius' must be at most 100%, not 120%");
 }
 
-TEST(Schema, ElementsOfAListKeepTheBounds) {
+TEST(Schema, ListElementsAreRangeChecked) {
   struct Picture {
     std::vector<int> size;
   };
@@ -93,7 +93,7 @@ TEST(Schema, ElementsOfAListKeepTheBounds) {
   EXPECT_EQ(told(many), "the 23rd of 'size' must be at least 1, not 0");
 }
 
-TEST(Schema, DefaultsCarryTheirUnits) {
+TEST(Schema, DefaultsHaveUnits) {
   struct Arc {
     double radius = 0.25;
     double angle = kPi / 4;

@@ -9,7 +9,7 @@
 namespace vug {
 namespace {
 
-/// How far the frames are from square, at most.
+/// The maximum deviation of the frames from orthonormality.
 double slack(const std::vector<Frame>& frames) {
   double most = 0;
   for (const Frame& f : frames)
@@ -18,7 +18,7 @@ double slack(const std::vector<Frame>& frames) {
   return most;
 }
 
-// On a planar curve the plane's normal is carried to itself: any turn of it is twist.
+// On a planar curve the plane's normal is transported to itself: any rotation of it is twist.
 TEST(Frames, NoTwistOnAPlanarCurve) {
   const ArcBezier arc(Bezier{{Vec3d(0), Vec3d(0, 6, 2), Vec3d(0, 11, 3), Vec3d(0, 10, 9)}});
   std::vector<Vec3d> points, tangents;
@@ -32,8 +32,8 @@ TEST(Frames, NoTwistOnAPlanarCurve) {
   EXPECT_LT(slack(frames), 1e-14);
 }
 
-/// The angle by which the frame at the end of three turns of a helix misses the true one, which
-/// turns against Frenet's by the torsion times the length.
+/// The error angle of the frame after three turns of a helix; the exact frame rotates against the
+/// Frenet frame by the torsion times the length.
 double helix_error(int steps) {
   const double radius = 1, pitch = 0.5, speed = std::hypot(radius, pitch), end = 6 * kPi;
   const auto frenet = [&](double t) {
@@ -61,7 +61,7 @@ TEST(Frames, FourthOrderOnAHelix) {
   EXPECT_NEAR(std::log2(middle / fine), 4, 0.2);
 }
 
-TEST(Frames, TurnByTheRightHand) {
+TEST(Frames, RotatesByTheRightHandRule) {
   const Frame f = level_frame({0, 1, 0});
   EXPECT_EQ(f.normal, Vec3d(1, 0, 0));
   const Frame t = f.rotated(f.tangent, kPi / 2);
@@ -69,7 +69,7 @@ TEST(Frames, TurnByTheRightHand) {
   EXPECT_LT((f.around(kPi / 2) - f.binormal).length(), 1e-15);
 }
 
-TEST(Frames, PointsInOnePlaceAndTurnsBackStaySquare) {
+TEST(Frames, CoincidentPointsAndReversalsStayOrthonormal) {
   const Frame f = level_frame({0, 1, 0});
   EXPECT_LT(slack({transported(f, Vec3d(0), Vec3d(0), Vec3d(0, 1, 0)),
                    transported(f, Vec3d(0), Vec3d(0, 1, 0), Vec3d(0, -1, 0)),

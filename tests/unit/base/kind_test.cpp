@@ -8,7 +8,7 @@
 namespace vug {
 namespace {
 
-/// What both kinds of rope below have in common.
+/// Common base of both kinds of rope below.
 struct Strand {
   double length = 1;
 };
@@ -56,7 +56,7 @@ std::string refusal(const NamedValues& parameters) {
   return "accepted";
 }
 
-TEST(Kind, MakesItsProductOfArguments) {
+TEST(Kind, MakesItsProductFromArguments) {
   const RopePtr made = make_product(kRopes, "rope", {{"length", 2.0}, {"plies", 5}});
   EXPECT_EQ(made->length, 2);  // a member of a base of the parameter struct
   EXPECT_EQ(made->plies, 5);
@@ -65,7 +65,7 @@ TEST(Kind, MakesItsProductOfArguments) {
   EXPECT_EQ(make_product(kRopes, "rope", {{"knots", 4}})->knots, 4);
 }
 
-TEST(Kind, RefusesWhatDoesNotFit) {
+TEST(Kind, RejectsInvalidArguments) {
   EXPECT_EQ(refusal({{"plies", 0}}), "'plies' must be at least 1, not 0");
   EXPECT_EQ(refusal({{"plies", 20}}), "too many plies for its length");
   EXPECT_EQ(refusal({{"plies", 0}, {"length", -1.0}}),
@@ -76,7 +76,7 @@ TEST(Kind, RefusesWhatDoesNotFit) {
   EXPECT_EQ(refusal({{"knots", "two"}}), "'knots' expects a whole number, not a text");
 }
 
-TEST(Kind, KnowsItsNeighbours) {
+TEST(Kind, SuggestsTheNearestName) {
   try {
     make_product(kRopes, "rop");
     FAIL();
@@ -87,7 +87,7 @@ TEST(Kind, KnowsItsNeighbours) {
   EXPECT_EQ(find_kind(kRopes, "thread"), nullptr);
 }
 
-TEST(Kind, IsFoundByTheNameThatSomebodyTyped) {
+TEST(Kind, IsFoundByName) {
   struct Knot {
     KindInfo info;
   };
@@ -104,13 +104,13 @@ TEST(Kind, IsFoundByTheNameThatSomebodyTyped) {
   }
 }
 
-TEST(Kind, LeavesFailuresOfTheSystemAlone) {
+TEST(Kind, PropagatesSystemErrors) {
   Diagnostics diagnostics;
   EXPECT_THROW(rope().make({{"file", Value("gone.png"), {}}}, {}, diagnostics), Error);
   EXPECT_FALSE(diagnostics.has_errors());
 }
 
-TEST(Kind, FilesLieBesideTheTextThatNamesThem) {
+TEST(Kind, FilesAreRelativeToTheNamingText) {
   const auto file = [](const std::string& name, const std::string& text) {
     Diagnostics diagnostics;
     const auto made = rope().make({{"file", Value(name), {text, 3, 1}}}, {}, diagnostics);
@@ -123,7 +123,7 @@ TEST(Kind, FilesLieBesideTheTextThatNamesThem) {
   EXPECT_EQ(file("wool.png", ""), "wool.png");
 }
 
-TEST(Kind, ObjectsTravelAsValues) {
+TEST(Kind, ObjectsAreStoredInValues) {
   EXPECT_TRUE(ValueTraits<RopePtr>::write(nullptr).empty());
   const RopePtr one = std::make_shared<const Rope>();
   const Value value = ValueTraits<RopePtr>::write(one);

@@ -9,8 +9,9 @@
 namespace vug {
 namespace {
 
-// The C library is the oracle; it may differ between machines in the last bit, ours may not.
-TEST(Maths, AgreesWithTheLibrary) {
+// The C library is the oracle; its results may differ between machines in the last bit, those of
+// maths.h must not.
+TEST(Maths, MatchesTheCLibrary) {
   RandomStream random(RandomKey(1).at("maths"));
   for (int i = 0; i < 20000; ++i) {
     const double x = random.uniform(-1000, 1000);
@@ -27,7 +28,7 @@ TEST(Maths, AgreesWithTheLibrary) {
   }
 }
 
-TEST(Maths, HyperbolicFunctionsAgreeWithTheLibrary) {
+TEST(Maths, HyperbolicFunctionsMatchTheCLibrary) {
   RandomStream random(RandomKey(1).at("hyperbolic"));
   for (int i = 0; i < 20000; ++i) {
     const double x = std::pow(10, random.uniform(-6, 1.4)) * (i % 2 ? 1 : -1);
@@ -41,8 +42,9 @@ TEST(Maths, HyperbolicFunctionsAgreeWithTheLibrary) {
   EXPECT_TRUE(std::isnan(maths::atanh(1.5)));
 }
 
-// The library's powers are right to 0.52 units, so both are mostly the nearest number there is.
-TEST(Maths, PowersAreThoseOfTheLibraryInAlmostAllDigits) {
+// The library's powers are accurate to 0.52 ulp, so both are usually the nearest representable
+// number.
+TEST(Maths, PowersMatchTheCLibraryToAlmostAllDigits) {
   RandomStream random(RandomKey(1).at("power"));
   const int count = 20000;
   int others = 0;
@@ -57,7 +59,7 @@ TEST(Maths, PowersAreThoseOfTheLibraryInAlmostAllDigits) {
   EXPECT_LT(others, count / 100);
 }
 
-TEST(Maths, EdgesAreRight) {
+TEST(Maths, EdgeCasesAreCorrect) {
   EXPECT_EQ(maths::log(0), -INFINITY);
   EXPECT_TRUE(std::isnan(maths::log(-1)));
   EXPECT_EQ(maths::exp(1000), INFINITY);
@@ -67,7 +69,7 @@ TEST(Maths, EdgesAreRight) {
   EXPECT_EQ(maths::pow(3, 0.5), 1.7320508075688772);
   EXPECT_EQ(maths::pow(1e308, 1.1), INFINITY);
   EXPECT_EQ(maths::pow(1e-308, 1.5), 0);
-  EXPECT_NEAR(maths::pow(1e-200, 1.6) / 1e-320, 1, 1e-3);  // a number that is not normal
+  EXPECT_NEAR(maths::pow(1e-200, 1.6) / 1e-320, 1, 1e-3);  // a subnormal number
   EXPECT_NEAR(maths::pow(1e-310, 0.5) / 1e-155, 1, 1e-9);
   EXPECT_EQ(maths::pow(1, 1e300), 1);
   EXPECT_TRUE(std::isnan(maths::pow(-2, 0.5)));

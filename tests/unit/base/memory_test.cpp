@@ -8,7 +8,7 @@
 namespace vug {
 namespace {
 
-TEST(Memory, ReadsAmounts) {
+TEST(Memory, ParsesAmounts) {
   EXPECT_EQ(parse_bytes("8G"), uint64_t{8} << 30);
   EXPECT_EQ(parse_bytes("512MiB"), uint64_t{512} << 20);
   EXPECT_EQ(parse_bytes("1.5k"), 1536u);
@@ -16,7 +16,7 @@ TEST(Memory, ReadsAmounts) {
     EXPECT_THROW(parse_bytes(bad), Error) << bad;
 }
 
-TEST(Memory, RefusesAndSaysHowMuch) {
+TEST(Memory, RejectsExcessWithBothAmounts) {
   EXPECT_NO_THROW(require_memory(10, 20, "it"));
   try {
     require_memory(3.0 * (1 << 30), 1 << 30, "the level set 'rock'");
@@ -35,7 +35,7 @@ TEST(Memory, RefusesAndSaysHowMuch) {
   }
 }
 
-TEST(Memory, ResidentMemoryGrowsWithWhatIsTouched) {
+TEST(Memory, ResidentMemoryGrowsWithTouchedPages) {
   const uint64_t before = resident_memory();
   EXPECT_GT(before, 1u << 20);
   const std::vector<char> more(64u << 20, 'x');

@@ -1,4 +1,4 @@
-// The loops visit every index once and pass exceptions on, over TBB and on plain threads.
+// The loops visit every index once and propagate exceptions, with TBB and with plain threads.
 #include <vug/base/parallel.h>
 #include <vug/base/parallel_sort.h>
 #include <vug/base/tsan_parallel.h>
@@ -36,7 +36,7 @@ TEST_P(Parallel, VisitsEachIndexOnce) {
     }
 }
 
-TEST_P(Parallel, NestsAndGoesOnAfterwards) {
+TEST_P(Parallel, NestedLoopsWork) {
   const ThreadLimit limit(3);
   for (int round = 0; round < 2; ++round) {
     std::vector<size_t> sums(50);
@@ -49,7 +49,7 @@ TEST_P(Parallel, NestsAndGoesOnAfterwards) {
   }
 }
 
-TEST_P(Parallel, PassesAnExceptionOn) {
+TEST_P(Parallel, PropagatesExceptions) {
   const ThreadLimit limit(3);
   EXPECT_THROW(loop(1000, 1,
                     [](size_t i) {
@@ -62,8 +62,9 @@ INSTANTIATE_TEST_SUITE_P(Backends, Parallel, testing::Values(false, true),
                          [](const auto& backend) { return backend.param ? "plain" : "tbb"; });
 
 #ifdef __SANITIZE_THREAD__
-TEST(ThreadSanitizerDeathTest, SeesARaceInOurOwnLoops) {
-  // The proof that tests/sanitizers/tsan.supp hides nothing of what parallel_for calls.
+TEST(ThreadSanitizerDeathTest, DetectsARaceInParallelFor) {
+  // Shows that tests/sanitizers/tsan.supp does not suppress races in functions called by
+  // parallel_for.
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto race = [] {
     const ThreadLimit limit(4);

@@ -17,7 +17,7 @@ fs::path fresh(const std::string& name) {
   return folder;
 }
 
-/// The number of a process that has been.
+/// The id of a process that has ended.
 std::string a_dead_process() {
   const pid_t child = fork();
   if (child == 0) _exit(0);
@@ -25,7 +25,7 @@ std::string a_dead_process() {
   return std::to_string(child);
 }
 
-TEST(Hidden, NamesOfTheDeadAreTold) {
+TEST(PartialFiles, FindsFilesOfDeadProcesses) {
   const fs::path folder = fresh("vug_hidden_names");
   const std::string dead = a_dead_process();
   const fs::path file = folder / (".a." + dead + ".part.exr"),
@@ -42,7 +42,7 @@ TEST(Hidden, NamesOfTheDeadAreTold) {
   EXPECT_EQ(partial_file_name("a", ".exr"), ".a." + std::to_string(getpid()) + ".part.exr");
 }
 
-TEST(Hidden, FoldersThatAreMadeAreKnown) {
+TEST(PartialFiles, ReturnsCreatedFolders) {
   const fs::path folder = fresh("vug_hidden_folders");
   EXPECT_TRUE(make_folders(folder).empty());
   EXPECT_TRUE(make_folders("").empty());
@@ -54,7 +54,7 @@ TEST(Hidden, FoldersThatAreMadeAreKnown) {
   EXPECT_TRUE(fs::exists(folder / "a" / "file"));
 }
 
-TEST(Hidden, FoldersThatCannotBeMadeLeaveNone) {
+TEST(PartialFiles, FailedCreationLeavesNoFolders) {
   const fs::path folder = fresh("vug_hidden_failure");
   const fs::path deep = folder / "a" / std::string(300, 'x');
   try {

@@ -1,4 +1,5 @@
-// Stages are told to a watcher in order; a Progress without one is shared by works that overlap.
+// Stages are reported to a watcher in order; overlapping workers share a Progress without a
+// watcher.
 #include <vug/base/error.h>
 #include <vug/base/progress.h>
 
@@ -12,7 +13,7 @@
 namespace vug {
 namespace {
 
-TEST(Progress, TellsEachPercentOnceAndEndsAtAll) {
+TEST(Progress, ReportsEachPercentOnceAndEndsAt100) {
   std::vector<double> told;
   Progress progress([&](const std::string& stage, double fraction) {
     EXPECT_EQ(stage, "digging");
@@ -25,7 +26,7 @@ TEST(Progress, TellsEachPercentOnceAndEndsAtAll) {
   for (size_t i = 0; i < told.size(); ++i) EXPECT_DOUBLE_EQ(told[i], static_cast<double>(i) / 100);
 }
 
-TEST(Progress, TellsOneAtATimeAndNeverBackwards) {
+TEST(Progress, ReportsOneAtATimeAndNeverBackwards) {
   std::atomic<int> inside{0};
   double last = -1;
   bool overlapped = false, fell = false;
@@ -60,12 +61,12 @@ TEST(Progress, CancelledWorkStopsAtTheNextCheck) {
   EXPECT_THROW(progress.begin("next", 1), Error);
 }
 
-TEST(Progress, WorksThatOverlapShareOneThatNobodyWatches) {
+TEST(Progress, OverlappingWorkersShareOneWithoutAWatcher) {
   std::vector<std::thread> works;
   for (int work = 0; work < 4; ++work)
     works.emplace_back([work] {
       for (int i = 0; i < 20000; ++i) {
-        // Longer than what a string keeps inside itself.
+        // Longer than the small-string buffer.
         Progress::none().begin(std::string(40 + static_cast<size_t>(work), 'x'), 10);
         Progress::none().advance();
         Progress::none().end();

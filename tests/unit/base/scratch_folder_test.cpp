@@ -9,7 +9,7 @@
 namespace vug {
 namespace {
 
-TEST(ScratchFolder, GoesWithAllThatIsInIt) {
+TEST(ScratchFolder, IsRemovedWithItsContents) {
   std::filesystem::path first, second;
   {
     const ScratchFolder one("vug_scratch_test"), other("vug_scratch_test");
@@ -23,7 +23,7 @@ TEST(ScratchFolder, GoesWithAllThatIsInIt) {
   EXPECT_FALSE(std::filesystem::exists(second));
 }
 
-TEST(ScratchFolder, SaysWhereNoneCanBeMade) {
+TEST(ScratchFolder, ReportsFoldersThatCannotBeCreated) {
   try {
     const ScratchFolder none("no_such_folder/vug");
     FAIL() << "made " << none.path();

@@ -8,7 +8,7 @@ namespace {
 
 void expect_near(const Vec3d& a, const Vec3d& b) { EXPECT_LT((a - b).length(), 1e-12) << a << b; }
 
-TEST(Transform, InverseUndoes) {
+TEST(Transform, InverseInverts) {
   const Transform t = Transform::translation({1, 2, 3}) * Transform::rotation({1, 1, 0}, 0.7) *
                       Transform::scaling({2, 0.5, 3});
   const Vec3d p(0.3, -1.7, 4);
@@ -29,7 +29,7 @@ TEST(Transform, NormalsStayPerpendicular) {
   EXPECT_NEAR(t.vector(along).dot(t.normal(normal)), 0, 1e-12);
 }
 
-TEST(Transform, RefusesToFlatten) { EXPECT_THROW(Transform::scaling({1, 0, 1}), Error); }
+TEST(Transform, RejectsSingularMaps) { EXPECT_THROW(Transform::scaling({1, 0, 1}), Error); }
 
 }  // namespace
 }  // namespace vug

@@ -16,7 +16,8 @@ field::Field wall_of(const std::string& rules, FacadeFrame frame = {}, double wi
   return wall(std::make_shared<const Tree>(s.tree), frame, 0.6);
 }
 
-/// A front with every kind of element in its defaults, in planes behind and before the wall's.
+/// A facade with every kind of element with default parameters, in planes behind and in front of
+/// the wall's.
 field::Field everything() {
   std::string rules =
       "axiom A\n A -> rows(1, B, 1, recess(40cm, C, front: D), 1, project(30cm, E))\n";
@@ -31,27 +32,27 @@ Vec3d random_point(RandomStream& random) {
   return {random.uniform(-13, 13), random.uniform(-1, 13), random.uniform(-2, 2)};
 }
 
-TEST(Carve, HolesAndWhatStandsOut) {
+TEST(Carve, HolesAndProjections) {
   const field::Field f = wall_of(
       "axiom A\n A -> columns(4m, inset(1m, window(reveal: 20cm, sash: 0cm)), 4m, wall(relief: "
       "30cm), "
       "4m, doorway(depth: 2m))");
   EXPECT_GT(f.value({-4, 4.5, -0.1}), 0) << "in the window";
   EXPECT_LT(f.value({-4, 4.5, -0.5}), 0) << "behind it";
-  EXPECT_LT(f.value({-5.5, 4.5, -0.1}), 0) << "beside it";
+  EXPECT_LT(f.value({-5.5, 4.5, -0.1}), 0) << "next to it";
   EXPECT_LT(f.value({0, 4, 0.2}), 0) << "raised wall";
   EXPECT_GT(f.value({4, 4, -0.5}), 0) << "a passage through the wall";
   EXPECT_GT(f.value({0, 4, 0.4}), 0);
 }
 
-TEST(Carve, PlanesBehindAndBefore) {
+TEST(Carve, OffsetPlanes) {
   const field::Field f = wall_of(
       "axiom A\n A -> columns(1, recess(30cm, wall), 1, project(40cm, inset(1m, window(sash: "
       "0cm))))");
   EXPECT_GT(f.value({-3, 4, -0.2}), 0);
   EXPECT_LT(f.value({-3, 4, -0.4}), 0);
   EXPECT_LT(f.value({0.5, 4, 0.3}), 0);
-  EXPECT_GT(f.value({3, 4, 0.3}), 0) << "windows are holes in what is projected, too";
+  EXPECT_GT(f.value({3, 4, 0.3}), 0) << "windows are holes in projected parts, too";
 }
 
 TEST(Carve, MirroredElementsAreMirrored) {
@@ -64,15 +65,15 @@ TEST(Carve, MirroredElementsAreMirrored) {
   }
 }
 
-TEST(Carve, StandsWhereItsFrameSays) {
+TEST(Carve, IsPlacedByItsFrame) {
   const std::string rules = "axiom A\n A -> doorway(depth: 30cm)";
   const field::Field here = wall_of(rules), there = wall_of(rules, {{5, 1, 2}, kPi / 2});
-  // Turned to the left by a right angle it looks along +x.
+  // Rotated to the left by a right angle it faces +x.
   EXPECT_NEAR(there.value({5 - 0.1, 5, 2}), here.value({0, 4, -0.1}), 1e-9);
   EXPECT_NEAR(there.value({5 - 0.1, 5, 2 - 5}), here.value({5, 4, -0.1}), 1e-9);
 }
 
-TEST(Carve, ClaimsHold) {
+TEST(Carve, FieldTraitsHold) {
   const field::Field f = everything();
   RandomStream random(RandomKey(7));
   EXPECT_LE(f.lipschitz(), 1 + 1e-9);
@@ -99,7 +100,7 @@ TEST(Carve, ClaimsHold) {
   }
 }
 
-TEST(Carve, GradientsAreThoseOfTheValues) {
+TEST(Carve, GradientsMatchTheValues) {
   const field::Field f = everything();
   RandomStream random(RandomKey(8));
   int smooth = 0;
@@ -116,17 +117,17 @@ TEST(Carve, GradientsAreThoseOfTheValues) {
   EXPECT_GT(smooth, 1960) << "all but those on a crease";
 }
 
-TEST(Carve, WeatherLeavesNothingOverHoles) {
+TEST(Carve, WeatheringLeavesHolesOpen) {
   for (const char* kind :
        {"window", "door", "doorway", "niche", "panel(depth: 5cm)", "wall(relief: -5cm)"}) {
     const field::Field f = wall_of(std::string("axiom A\n A -> inset(2m, ") + kind + ")");
-    // Field values there are what a displacement of the carved wall has to stay below.
+    // The field values there are upper bounds of displacements of the carved wall.
     for (double z = 0; z < 1; z += 0.005)
       ASSERT_GE(f.value({0.3, 4.6, z}), std::min(0.05, z + 0.05) - 1e-9) << kind << ' ' << z;
   }
 }
 
-TEST(Carve, ElementsSaySoWhereTheirMeasuresLeaveNothing) {
+TEST(Carve, ElementsReportInvalidDimensions) {
   const Sample s =
       facade_of("axiom A\n A -> columns(10cm, column(base: 3, capital: 3), 1, wall)", 0, 12, 0.3);
   try {
@@ -138,7 +139,7 @@ TEST(Carve, ElementsSaySoWhereTheirMeasuresLeaveNothing) {
   }
 }
 
-TEST(Carve, ElementsOfThePapersGrammarMayBeTiny) {
+TEST(Carve, TinyElementsOfThePublishedGrammarAreValid) {
   for (const char* kind : {"window", "door", "shop", "doorway"})
     for (const double size : {1e-3, 0.03, 0.2}) {
       const Sample s = facade_of(std::string("axiom A\n A -> ") + kind, 0, size, 2 * size);
@@ -153,7 +154,7 @@ TEST(Carve, ZonesAndInfill) {
   EXPECT_GT(windows.value({9, 4, 0}), 0);
   const field::Field fill = carve(s.tree).fill;
   EXPECT_LT(fill.value({9, 4, -0.25}), 0) << "the door's leaf";
-  EXPECT_NEAR(fill.value({3, 4, -0.258}), -0.03, 1e-9) << "panes are as thick as voxels are large";
+  EXPECT_NEAR(fill.value({3, 4, -0.258}), -0.03, 1e-9) << "panes are as thick as a voxel";
 }
 
 TEST(Outline, DistancesAreExact) {

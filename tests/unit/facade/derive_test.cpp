@@ -3,7 +3,7 @@
 namespace vug::facade {
 namespace {
 
-TEST(Derive, GuardsAndWeightsSeeTheScope) {
+TEST(Derive, GuardsAndWeightsUseTheScope) {
   const std::string rules =
       "axiom A\n A -> rows(3m, Storey, 1, Storey)\n"
       "Storey if height > 4m -> repeat(x, 4m, window)\n"
@@ -14,7 +14,7 @@ TEST(Derive, GuardsAndWeightsSeeTheScope) {
   expect_rect(s.rects("door")[0], 0, 0, 3, 3);
 }
 
-TEST(Derive, IndexAndTotalOfAPlace) {
+TEST(Derive, IndexAndTotalOfACell) {
   const Sample s = facade_of(
       "axiom A\n A -> repeat(x, Bay, count: 5, alike: false)\n"
       "Bay if index == 2 and total == 5 -> door\n Bay if index != 2 -> window");
@@ -22,7 +22,7 @@ TEST(Derive, IndexAndTotalOfAPlace) {
   expect_rect(s.rects("door")[0], 4.8, 0, 2.4, 9);
 }
 
-TEST(Derive, ParametersElementsAmongThem) {
+TEST(Derive, ParametersIncludingElements) {
   const Sample s = facade_of(
       "axiom A\n A -> rows(1, Bays(2), 1, Bays(3))\n"
       "Bays(n) -> repeat(x, Bay(n > 2), count: n)\n"
@@ -33,7 +33,7 @@ TEST(Derive, ParametersElementsAmongThem) {
   EXPECT_EQ(s.tree.nodes[1].text, "Bays(2)");
 }
 
-TEST(Derive, ArgumentsSeeThePlaceOfTheirPart) {
+TEST(Derive, ArgumentsUseTheCellOfTheirPart) {
   const Sample s = facade_of(
       "axiom A\n A -> repeat(x, P, Bay(index, width), alike: false)\n"
       "Bay(i, w) if i == 1 -> columns(w / 4, door, 1, wall)\n Bay(i, w) if i != 1 -> wall");
@@ -52,7 +52,7 @@ TEST(Derive, SeveralItemsShareTheScope) {
   expect_rect(s.rects("door")[0], 0, 0, 12, 9);
 }
 
-TEST(Derive, EndlessRecursionIsStopped) {
+TEST(Derive, InfiniteRecursionIsStopped) {
   EXPECT_THROW(facade_of("axiom A\n A -> B\n B -> A"), Error);
   try {
     facade_of("axiom A\n A -> columns(1, A, 1, A)");
@@ -62,7 +62,7 @@ TEST(Derive, EndlessRecursionIsStopped) {
   }
 }
 
-TEST(Derive, WhatNoRuleAppliesToIsAWarning) {
+TEST(Derive, SymbolsWithoutAnApplicableRuleAreWarnings) {
   const Sample s = facade_of("axiom A\n A -> columns(1, B, 3, B)\n B if width > 5m -> wall");
   EXPECT_EQ(s.said,
             "no rule of 'B' applies to 3 x 9 m (add a rule without a guard for all other "
@@ -70,13 +70,13 @@ TEST(Derive, WhatNoRuleAppliesToIsAWarning) {
   EXPECT_EQ(s.rects("wall").size(), 1u);
 }
 
-TEST(Derive, TheSameSeedTheSameTree) {
+TEST(Derive, EqualSeedsGiveEqualTrees) {
   const std::string rules =
       "axiom A\n A -> rows(B, B)\n B @2 -> mirror(C, B)\n B -> grid(window)\n C -> grid(window, "
       "door)";
   EXPECT_EQ(theta(facade_of(rules, 5).tree), theta(facade_of(rules, 5).tree));
   EXPECT_NE(theta(facade_of(rules, 5).tree), theta(facade_of(rules, 6).tree));
-  // A part keeps what it drew whatever stands beside it.
+  // The random numbers of a part do not depend on its neighbours.
   const Sample a = facade_of("axiom A\n A -> rows(4m, B, 1, wall)\n B -> grid(window)");
   const Sample b = facade_of("axiom A\n A -> rows(4m, B, 1, door, 1, wall)\n B -> grid(window)");
   EXPECT_EQ(a.rects("window"), b.rects("window"));

@@ -1,4 +1,4 @@
-// Facades of texts, for tests.
+// Helpers that derive facades from texts.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace vug::facade {
 
-/// A facade of rules, 12 m x 9 m, and all that was said of them: "message (hint)" in lines.
+/// A facade of 12 m x 9 m derived from rules, with all diagnostics as lines "message (hint)".
 struct Sample {
   explicit Sample(const std::string& block, uint64_t seed = 0, double width = 12,
                   double height = 9) {
@@ -32,8 +32,8 @@ struct Sample {
     }
   }
 
-  /// All places of elements of that kind, in the order of element_instances(); at least one, so
-  /// that a test of a facade with faults fails instead of crashing.
+  /// The rectangles of all elements of that kind, in the order of element_instances(); at least
+  /// one, so that a test of a facade with errors fails instead of crashing.
   std::vector<Rect> rects(const std::string& kind) const {
     std::vector<Rect> out;
     for (const ElementInstance& one : element_instances(tree))
@@ -46,7 +46,7 @@ struct Sample {
 
   Tree tree;
   std::string said;
-  SourceLocation where;  ///< Of the last thing said.
+  SourceLocation where;  ///< Location of the last diagnostic.
 };
 
 inline Sample facade_of(const std::string& rules, uint64_t seed = 0, double width = 12,

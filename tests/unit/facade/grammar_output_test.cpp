@@ -7,7 +7,7 @@
 namespace vug::facade {
 namespace {
 
-/// Kinds and places of all elements, in millimetres, sorted; walls aside, which are what is left.
+/// Kinds and positions of all elements except walls, in millimetres, sorted.
 std::vector<std::tuple<std::string, int, int, int, int>> elements_of(const Tree& tree) {
   std::vector<std::tuple<std::string, int, int, int, int>> out;
   for (const ElementInstance& one : element_instances(tree)) {
@@ -47,7 +47,7 @@ TEST(GrammarText, DerivesToTheSameElements) {
       "axiom A\nA -> recess(1m, B, front: columns(1, wall, 30cm, column))\nB -> niche");
 }
 
-TEST(GrammarText, KeepsWhatWasDrawn) {
+TEST(GrammarText, KeepsRandomChoices) {
   for (uint64_t seed = 0; seed < 20; ++seed)
     expect_same_again(
         "axiom A\nA -> rows(R, P)\nR -> repeat(x, E, alike: false, even: false)\n"
@@ -56,7 +56,7 @@ TEST(GrammarText, KeepsWhatWasDrawn) {
         seed);
 }
 
-TEST(GrammarText, IsShortWhereTheFacadeIs) {
+TEST(GrammarText, IsShortForSimpleFacades) {
   const Sample sample =
       facade_of("axiom A\nA -> grid(window(sash: 0), columns: 4, rows: 3, gap: 1m)");
   EXPECT_EQ(grammar_text(sample.tree, {.name = "front", .thickness = 1.25}),
@@ -65,7 +65,7 @@ TEST(GrammarText, IsShortWhereTheFacadeIs) {
             "margin: [0m, 0m, 0m, 0m])\n}\n");
 }
 
-TEST(GrammarText, TellsTheMeasuresOfElements) {
+TEST(GrammarText, ContainsTheArgumentsOfElements) {
   const std::string rules =
       "axiom A\nA -> columns(1, window(12cm, panes: [1, 2]), 1, W, 1, door(panels: 0))\n"
       "W -> window(head: round, reveal: 33cm)";
@@ -79,7 +79,7 @@ TEST(GrammarText, TellsTheMeasuresOfElements) {
   EXPECT_EQ(grammar_text(again.tree), text);
 }
 
-TEST(GrammarText, OfNothingIsAWall) {
+TEST(GrammarText, AnEmptyTreeIsAWall) {
   Tree tree;
   tree.name = "bare", tree.width = 2, tree.height = 3;
   const Sample again(grammar_text(tree), 0, 2, 3);

@@ -1,4 +1,4 @@
-// Deriving with chosen rules and numbers.
+// Derivations by plans.
 #include "derived.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ PlanPtr rule(int number, NumberValues numbers = {}, std::map<PartKey, PlanPtr> p
   return std::make_shared<const Plan>(std::move(out));
 }
 
-/// Rules, and what plans for the axiom's symbol come to; 12 m x 9 m.
+/// Rules and derivations of plans for the axiom's symbol; 12 m x 9 m.
 struct Desk {
   explicit Desk(const std::string& block)
       : document(scene::parse("grammar f: facade {\n" + block + "\n}\n", "test.vug", diagnostics)),
@@ -30,14 +30,14 @@ struct Desk {
     EXPECT_TRUE(made.has_value());
     return made.value_or(PlannedDerivation());
   }
-  /// Why the plan cannot be followed.
+  /// The error of a plan that cannot be followed.
   InfeasiblePlan refused(PlanPtr plan, double least = 0.05) {
     try {
       of(std::move(plan), least);
     } catch (const InfeasiblePlan& error) {
       return error;
     }
-    ADD_FAILURE() << "nothing was refused";
+    ADD_FAILURE() << "no error";
     return {Reason::none, "", "nothing was refused"};
   }
 
@@ -89,7 +89,7 @@ TEST(Plan, NumbersOfAGrid) {
   EXPECT_NEAR(rects[2].x, 8, 1e-12);
 }
 
-TEST(Plan, WhatIsToldWrongIsNamed) {
+TEST(Plan, InvalidNumbersAreNamed) {
   Desk desk("axiom A\n A -> grid(window)\n A -> rows(B, B)\n B -> wall");
   const auto number = [&](NumberValues told) {
     return desk.refused(rule(0, std::move(told))).number();
@@ -122,8 +122,8 @@ TEST(Plan, RulesThatDoNotApply) {
   EXPECT_NE(std::string(wide.what()).find("they need 20m of 12m"), std::string::npos);
 }
 
-TEST(Plan, ApartStandsWhereCopiesStood) {
-  // A lopsided side, mirrored within a mirror within a repeat.
+TEST(Plan, SeparatedCopiesKeepTheirPlacements) {
+  // An asymmetric side, mirrored within a mirror within a repeat.
   Desk desk(
       "axiom A\n A -> repeat(x, B)\n B -> mirror(C, D)\n C -> mirror(D)\n"
       "D -> columns(1, window, 2, wall)");
@@ -156,13 +156,13 @@ TEST(Plan, ApartStandsWhereCopiesStood) {
   };
   EXPECT_EQ(mirrored(whole.derived.tree), mirrored(apart.derived.tree));
   EXPECT_GT(mirrored(apart.derived.tree), 0);
-  // Broken on the outside alone: mirrors within a turned frame.
+  // Differs only at the outside: mirrors within a rotated frame.
   const std::vector<Rect> partly = sorted_rects(desk.of(broken(a, broken(b, c))).derived.tree);
   ASSERT_EQ(partly.size(), one.size());
   for (size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(partly[i].x, one[i].x, 1e-12);
 }
 
-TEST(Plan, CellsThatAreOff) {
+TEST(Plan, EmptyCells) {
   Desk desk("axiom A\n A -> grid(window, door, identical: false)");
   Plan plan;
   plan.rule = 0;
@@ -178,7 +178,7 @@ TEST(Plan, NumbersOfASecondSplit) {
   ASSERT_EQ(made.nodes[0].free.size(), 2u);
   EXPECT_EQ(made.nodes[0].free[1].name, "2.heights");
   EXPECT_EQ(made.nodes[0].free[1].values, (std::vector<double>{2, 7}));
-  // The inner split is a node of its own.
+  // The inner split is a separate node.
   const PartKey inner{2, 1, 0, 1};
   const PlannedDerivation told = desk.of(rule(0, {}, {{inner, rule(-1, {{"widths", {5}}})}}));
   expect_rect(told.derived.tree.nodes.back().rect, 5, 3.5, 7, 5.5);

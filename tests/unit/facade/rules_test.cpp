@@ -10,7 +10,7 @@ const Rules& ripperda() {
   return rules;
 }
 
-TEST(Rules, ThePapersGrammarHas45RulesAnd15Symbols) {
+TEST(Rules, ThePublishedGrammarHas45RulesAnd15Symbols) {
   EXPECT_EQ(ripperda().rules.size(), 45u);
   EXPECT_EQ(ripperda().symbols().size(), 15u);
   std::map<std::string, int> grids;
@@ -26,7 +26,7 @@ TEST(Rules, ThePapersGrammarHas45RulesAnd15Symbols) {
   EXPECT_EQ(to_string(ripperda().rules[0]), "Facade -> rows(FacadeRow, PartFacade)");
 }
 
-TEST(Rules, ThePapersGrammarDerives) {
+TEST(Rules, ThePublishedGrammarDerives) {
   const std::string text = "include \"ripperda.vug\"\n";
   Diagnostics diagnostics;
   scene::ParseOptions options;

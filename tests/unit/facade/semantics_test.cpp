@@ -14,8 +14,8 @@ FacadeInstance placed(const Sample& s, FacadeFrame frame = {}) {
   return {std::make_shared<const Tree>(s.tree), frame};
 }
 
-/// Kind of the element at a place of the facade of 12 m x 9 m, x from its middle; the symbol where
-/// it is none, "" for nothing.
+/// The kind of the element at a point of the facade of 12 m x 9 m, x from its middle; the symbol if
+/// there is no element, "" for nothing.
 std::string at(const Semantics& semantics, const Vec3d& p) {
   const int node = semantics.node_at(p);
   if (node < 0) return "";
@@ -31,11 +31,11 @@ const Sample& front() {
   return s;
 }
 
-TEST(Semantics, SurfacesBelongToWhatMadeThem) {
+TEST(Semantics, SurfacesBelongToTheirElements) {
   const Semantics s(placed(front()));
   EXPECT_EQ(at(s, {-4, 1, -0.1}), "window") << "the lower reveal";
   EXPECT_EQ(at(s, {-4, 0.97, 0.1}), "window") << "the sill's front, below its rectangle";
-  EXPECT_EQ(at(s, {-5.5, 4, 0}), "Bay") << "plain wall beside it";
+  EXPECT_EQ(at(s, {-5.5, 4, 0}), "Bay") << "plain wall next to it";
   EXPECT_EQ(at(s, {0, 4, 0.3}), "wall") << "the raised face";
   EXPECT_EQ(at(s, {2, 4, 0.15}), "wall") << "its side";
   EXPECT_EQ(at(s, {4, 4, 0.4}), "column") << "the shaft";
@@ -44,7 +44,7 @@ TEST(Semantics, SurfacesBelongToWhatMadeThem) {
   EXPECT_EQ(at(s, {3, 3, -2}), "doorway") << "inside the passage";
 }
 
-TEST(Semantics, WeatherMayMoveThemAndFarIsNothing) {
+TEST(Semantics, WeatheredSurfacesAreFoundAndDistantOnesAreNot) {
   const Semantics s(placed(front()));
   EXPECT_EQ(at(s, {-5.5, 4, 0.05}), "Bay");
   EXPECT_EQ(at(s, {0, 4, 0.37}), "wall");
@@ -58,14 +58,14 @@ TEST(Semantics, CornersBesideAnArchAreWall) {
       placed(facade_of("axiom A\n A -> inset(3m, 3m, 0m, 3m, doorway(head: round))")));
   EXPECT_EQ(at(s, {0, 3, -0.5}), "") << "in the air of the passage";
   EXPECT_EQ(at(s, {3, 2, -0.5}), "doorway") << "the jamb";
-  EXPECT_EQ(at(s, {2.95, 5.95, 0}), "A") << "beside the arch";
+  EXPECT_EQ(at(s, {2.95, 5.95, 0}), "A") << "next to the arch";
 }
 
 TEST(Semantics, FollowTheFrameAndCopies) {
   const Sample two =
       facade_of("axiom A\n A -> repeat(x, 6m, columns(1, wall, 2m, inset(50cm, door)))");
   const Semantics s(placed(two, {{5, 1, 2}, kPi / 2}));
-  // Turned to the left it looks along +x; its left end is at z = 8.
+  // Rotated to the left it faces +x; its left end is at z = 8.
   for (const double x : {5.0, 11.0}) {
     const Vec3d jamb(5 - 0.1, 1 + 4, 8 - (x - 0.5));
     EXPECT_EQ(at(s, jamb), "door") << x;
@@ -95,7 +95,8 @@ TEST(Semantics, MeshesCarryKindsAndNodes) {
   EXPECT_EQ(names, semantic_names({first, second}));
   const auto values = [&](const char* name) { return mesh::find_attribute(mesh, name)->values; };
   EXPECT_EQ(values("window"), (std::vector<float>{1, 0, 0, 0, 1, 0, 0, 0}));
-  EXPECT_EQ(values("wall"), (std::vector<float>{0, 1, 1, 0, 0, 1, 1, 0})) << "no element is wall";
+  EXPECT_EQ(values("wall"), (std::vector<float>{0, 1, 1, 0, 0, 1, 1, 0}))
+      << "surfaces without an element are wall";
   const std::vector<float> node = values("node");
   EXPECT_EQ(node[3], -1);
   const auto nodes = static_cast<float>(first->tree->nodes.size());
@@ -105,7 +106,7 @@ TEST(Semantics, MeshesCarryKindsAndNodes) {
   }
 }
 
-TEST(Semantics, WhatIsCarvedRemembersItsFacade) {
+TEST(Semantics, CarvedFieldsStoreTheirFacade) {
   const FacadeInstance here = placed(front(), {{1, 2, 3}, 0.5});
   const field::Field f = with_facade(here, field::empty());
   ASSERT_TRUE(find_facade(f));

@@ -3,7 +3,7 @@
 namespace vug::facade {
 namespace {
 
-TEST(Splits, RowsFromTheBottomWithLengthsSharesAndPercent) {
+TEST(Splits, RowsFromTheBottomWithLengthsProportionsAndPercentages) {
   const Sample s = facade_of("axiom A\n A -> rows(3m, shop, 1, window, 10%, wall, 2, door)");
   ASSERT_EQ(s.said, "");
   ASSERT_EQ(s.tree.nodes.size(), 5u);
@@ -24,14 +24,14 @@ TEST(Splits, RepeatStretchesToFill) {
   const Sample s = facade_of("axiom A\n A -> repeat(x, 2.5m, window)");
   ASSERT_EQ(s.rects("window").size(), 4u);
   expect_rect(s.rects("window")[3], 9, 0, 3, 9);
-  EXPECT_EQ(s.tree.nodes.size(), 2u) << "alike: modelled once";
+  EXPECT_EQ(s.tree.nodes.size(), 2u) << "identical: derived once";
   const Sample apart =
       facade_of("axiom A\n A -> repeat(y, window, count: 3, gap: 1.5m, alike: false)");
   ASSERT_EQ(apart.tree.nodes.size(), 4u);
   expect_rect(apart.rects("window")[2], 0, 7, 12, 2);
 }
 
-TEST(Splits, MirrorStampsTheSideOnce) {
+TEST(Splits, MirrorDerivesTheSideOnce) {
   const Sample s =
       facade_of("axiom A\n A -> mirror(Side, 2m, door)\n Side -> columns(1m, window, 1, wall)");
   ASSERT_EQ(s.said, "");
@@ -45,7 +45,7 @@ TEST(Splits, MirrorStampsTheSideOnce) {
 }
 
 TEST(Splits, MirrorsInRepeatsInMirrors) {
-  // A scope that does not begin at 0, mirrored within itself, repeated, and mirrored again.
+  // A scope that does not start at 0, mirrored within itself, repeated, and mirrored again.
   const Sample s = facade_of(
       "axiom A\n A -> mirror(Half)\n Half -> columns(2m, wall, 1, Rest)\n"
       "Rest -> repeat(x, Bay, count: 2)\n Bay -> mirror(Side)\n"
@@ -80,7 +80,7 @@ TEST(Splits, GridWithADoorDownToTheGround) {
 }
 
 TEST(Splits, TheFourGrids) {
-  // Regular: one distance from cell to cell. Identical: one window, modelled once.
+  // Regular: equal distances between cells. Identical: one window, derived once.
   for (const bool regular : {true, false})
     for (const bool identical : {true, false}) {
       const std::string words = std::string("regular: ") + (regular ? "true" : "false") +
@@ -107,7 +107,7 @@ TEST(Splits, InsetWithAFrame) {
   EXPECT_NEAR(area, 108, 1e-9);
 }
 
-TEST(Splits, WhatDoesNotFitIsTold) {
+TEST(Splits, SizesThatDoNotFitAreReported) {
   EXPECT_EQ(
       facade_of("axiom A\n A -> rows(5m, door, 6m, window)").said,
       "the parts do not fit: they need 11m of 9m ('door' 5m, 'window' 6m) (make one of them a "
@@ -131,7 +131,7 @@ TEST(Splits, WhatDoesNotFitIsTold) {
             std::string::npos);
 }
 
-TEST(Splits, ArgumentsThatMeanNothing) {
+TEST(Splits, InvalidArgumentsAreReported) {
   EXPECT_NE(facade_of("axiom A\n A -> rows(1m, 2m, door)").said.find("two consecutive sizes"),
             std::string::npos);
   EXPECT_NE(

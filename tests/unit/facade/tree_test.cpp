@@ -5,7 +5,7 @@
 namespace vug::facade {
 namespace {
 
-TEST(Tree, ThetaOfThePapersFigure2) {
+TEST(Tree, ThetaOfThePublishedFigure2) {
   const Sample s = facade_of(
       "axiom Facade\n"
       "Facade -> mirror(SymmetricFacadeSide, 4m, SymmetricFacadeMiddle)\n"
@@ -30,7 +30,7 @@ TEST(Tree, OccurrencesOfCopiesOfCopies) {
   EXPECT_EQ(element_instances(s.tree).size(), 24u);
 }
 
-TEST(Tree, TooManyElementsAreRefused) {
+TEST(Tree, TooManyElementsAreRejected) {
   const Sample s =
       facade_of("axiom A\n A -> repeat(x, B, count: 2000)\n B -> repeat(y, window, count: 2000)");
   EXPECT_EQ(occurrences(s.tree)[2], 4e6);
@@ -45,7 +45,7 @@ TEST(Tree, PlacementsCompose) {
   expect_rect(a.after(a)(r), 1, 2, 3, 4);
 }
 
-TEST(Tree, DrawingsNameWhatTheyShow) {
+TEST(Tree, DrawingsHaveTooltips) {
   const Sample s = facade_of("axiom A\n A -> columns(1, window, 1, door)");
   const std::string svg = elevation_svg(s.tree, {.picture = "a&b.png"});
   EXPECT_NE(svg.find("href=\"a&amp;b.png\""), std::string::npos);

@@ -26,7 +26,7 @@ TEST(Check, NamesUnknownSymbolsWithTheNearest) {
   EXPECT_EQ(diagnostics.all()[1].message, "the production 'Room -> x' is unreachable");
 }
 
-TEST(Check, WantsAnAxiom) {
+TEST(Check, RequiresAnAxiom) {
   Grammar g;
   g.name = "cave";
   Diagnostics diagnostics;

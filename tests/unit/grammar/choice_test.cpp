@@ -58,7 +58,7 @@ TEST(Choice, MoreRepetitionsLeaveTheEarlierOnes) {
   EXPECT_EQ(word(many).substr(0, word(few).size()), word(few));
 }
 
-/// The first line of the subtree at path, with all below it.
+/// The text of the subtree at the path.
 std::string below(const Tree& tree, const std::string& name) {
   std::string out;
   for (size_t i = 0; i < tree.nodes.size(); ++i)
@@ -75,7 +75,7 @@ TEST(Choice, OneBranchDoesNotChangeAnother) {
     g.productions.push_back(rule("Left", {branch}));
     g.productions.push_back(rule("Right", {branch}));
     const std::string right = below(derive(g, RandomKey(seed)), "Right");
-    // The left branch gets another production, and a third branch comes before both.
+    // The left branch gets another production, and a third branch precedes both.
     g.productions[2].successor = {branch, branch, terminal("moss")};
     g.axiom.insert(g.axiom.begin(), part("Middle"));
     g.productions.push_back(rule("Middle", {branch}));

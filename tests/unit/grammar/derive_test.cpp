@@ -25,7 +25,7 @@ TEST(Derive, RewritesDepthFirstFromTheLeft) {
 }
 
 TEST(Derive, ParametersReachChildrenAndGuards) {
-  // Euclid's algorithm as a grammar: a second way to the same number.
+  // Euclid's algorithm as a grammar, compared with a direct computation.
   Grammar g;
   SuccessorItem start = part("gcd");
   start.content = [](const RewriteSite&) { return Content{{Value(252), Value(105)}, {}, ""}; };
@@ -44,7 +44,7 @@ TEST(Derive, ParametersReachChildrenAndGuards) {
   EXPECT_EQ(word(derive(g, RandomKey(1))), "result(21)");
 }
 
-TEST(Derive, ArityTellsSymbolsOfOneNameApart) {
+TEST(Derive, ArityDistinguishesSymbolsOfOneName) {
   Grammar g;
   g.axiom = {part("A"), computed("A", [](const RewriteSite&) { return 7.0; })};
   g.productions = {rule("A", {terminal("none")}), rule("A", {terminal("one")})};
@@ -70,7 +70,7 @@ TEST(Derive, AnEmptyRightSideErases) {
   EXPECT_EQ(word(derive(g, RandomKey(1))), "b");
 }
 
-TEST(Derive, PayloadsTravelUntouched) {
+TEST(Derive, PayloadsAreUnchanged) {
   Grammar g;
   SuccessorItem p = terminal("box");
   p.content = [](const RewriteSite& s) {

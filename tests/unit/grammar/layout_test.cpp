@@ -21,7 +21,7 @@ TEST(Layout, KeepsNeighboursApartAndEqualSubtreesEqual) {
   for (uint64_t seed = 0; seed < 200; ++seed) {
     const Tree tree = derive(shrub(), RandomKey(seed));
     const std::vector<double> place = tidy_layout(tree);
-    std::map<int, double> last;  // by depth; depth-first order meets a level from low to high
+    std::map<int, double> last;  // by depth; depth-first order visits a level from low to high
     for (size_t i = 0; i < tree.nodes.size(); ++i) {
       ASSERT_GE(place[i], 0);
       const auto [it, fresh] = last.try_emplace(tree.nodes[i].depth, place[i]);
@@ -34,8 +34,8 @@ TEST(Layout, KeepsNeighboursApartAndEqualSubtreesEqual) {
 }
 
 TEST(Layout, SubtreesNestWhereTheirContoursLetThem) {
-  // A deep narrow child beside a shallow wide one: the wide one's leaves need not clear the deep
-  // one's lower levels, so the drawing is no wider than the widest level asks for.
+  // A deep narrow child next to a shallow wide one: the leaves of the wide one need not clear the
+  // lower levels of the deep one, so the drawing is only as wide as its widest level.
   Grammar g;
   g.axiom = {part("Deep"), part("Wide")};
   g.productions = {rule("Deep", {part("Deeper")}), rule("Deeper", {terminal("x", 3)}),
@@ -45,7 +45,7 @@ TEST(Layout, SubtreesNestWhereTheirContoursLetThem) {
   EXPECT_DOUBLE_EQ(*std::max_element(place.begin(), place.end()), 3);
 }
 
-TEST(Layout, TakesALongChain) {
+TEST(Layout, HandlesALongChain) {
   Grammar g;
   g.axiom = {computed("A", [](const RewriteSite&) { return 0.0; })};
   g.productions = {rule("A", {computed("A", [](const RewriteSite& s) { return number(s) + 1; })})};

@@ -46,7 +46,7 @@ TEST(Limits, SymbolsAreCounted) {
   EXPECT_EQ(e.code(), ErrorCode::too_large);
 }
 
-TEST(Limits, HugeCountsAreRefusedBeforeTheyAreMade) {
+TEST(Limits, HugeCountsAreRejectedBeforeExpansion) {
   Grammar g = bomb();
   g.productions[0].successor = {terminal("x", int64_t{1} << 60)};
   const Error e = thrown([&] { derive(g, RandomKey(1)); });

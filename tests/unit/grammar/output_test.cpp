@@ -35,7 +35,7 @@ TEST(TreeText, Golden) {
   EXPECT_EQ(tree_text(tiny(), bare).substr(0, 25), "cave\n├─ Room\n│  └");
 }
 
-TEST(TreeJson, TellsProvenance) {
+TEST(TreeJson, ContainsProvenance) {
   const std::string json = tree_json(tiny());
   for (const char* piece :
        {"\"applied\": 2", "\"path\": \"cave/Room[1]/hall[0]\"", "\"text\": \"hall(1.5)\"",
@@ -44,7 +44,7 @@ TEST(TreeJson, TellsProvenance) {
   EXPECT_EQ(json, tree_json(tiny()));
 }
 
-TEST(TreeJson, SurvivesTextThatIsNoUtf8) {
+TEST(TreeJson, AcceptsInvalidUtf8) {
   Grammar g;
   g.axiom = {terminal("bad\xff")};
   EXPECT_NE(tree_json(derive(g, RandomKey(1))).find("bad"), std::string::npos);

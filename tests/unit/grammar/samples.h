@@ -1,4 +1,4 @@
-// Small grammars that several tests derive.
+// Small grammars shared by several tests.
 #pragma once
 
 #include <vug/grammar/derive.h>
@@ -9,7 +9,7 @@ inline double number(const RewriteSite& site, size_t i = 0) {
   return site.symbol.content.params.at(i).get<Number>()->value;
 }
 
-/// Parts with fixed content.
+/// Items with constant content.
 inline SuccessorItem part(std::string symbol, int64_t count = 1) {
   SuccessorItem p;
   p.symbol = std::move(symbol);
@@ -21,7 +21,7 @@ inline SuccessorItem terminal(std::string symbol, int64_t count = 1) {
   p.terminal = true;
   return p;
 }
-/// A part whose one parameter is computed.
+/// An item with one computed parameter.
 inline SuccessorItem computed(std::string symbol, std::function<double(const RewriteSite&)> value) {
   SuccessorItem p = part(std::move(symbol));
   p.content = [value = std::move(value)](const RewriteSite& site) {
@@ -37,7 +37,7 @@ inline Production rule(std::string symbol, std::vector<SuccessorItem> parts, dou
   return p;
 }
 
-/// A branch splits in two to four with random sizes until they are small: stochastic in choice,
+/// A branch divides into two to four with random sizes until they are small: random in choice,
 /// parameters and counts.
 inline Grammar shrub() {
   const auto smaller = [](const RewriteSite& s) {
@@ -55,7 +55,7 @@ inline Grammar shrub() {
   return g;
 }
 
-/// The names of the derived word, one space between them.
+/// The names of the derived word, separated by spaces.
 inline std::string word(const Tree& tree) {
   std::string out;
   for (const int leaf : tree.leaves()) {

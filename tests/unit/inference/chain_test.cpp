@@ -1,4 +1,4 @@
-// A chain over lists of numbers of any length, where every probability is known.
+// A chain over lists of numbers of variable length with known probabilities.
 #include <vug/base/error.h>
 #include <vug/inference/tempering.h>
 
@@ -13,7 +13,7 @@ namespace {
 constexpr int kLongest = 3, kDigits = 4;
 using Digits = std::vector<int>;
 
-/// Bits; two hills that are far apart for single steps.
+/// Energy in bits with two modes that are far apart for single steps.
 double energy(const Digits& digits) {
   double bits = 1.5 * static_cast<double>(digits.size());
   for (const int digit : digits) bits += digit == 0 ? 0 : digit == 3 ? 0.5 : 3;
@@ -26,7 +26,7 @@ bool in_order(const Digits& digits) {
   return true;
 }
 
-/// Puts a digit in or takes one out. States are sorted, so places need not be chosen.
+/// Inserts or removes a digit. States are sorted, so positions need not be chosen.
 bool birth_or_death(Digits& digits, Choices& forward, Choices& back) {
   const bool birth = forward.flip();
   back.flip(!birth);
@@ -41,7 +41,7 @@ bool birth_or_death(Digits& digits, Choices& forward, Choices& back) {
   if (count == 0) return false;
   const int which = forward.below(count);
   const int digit = digits[static_cast<size_t>(which)];
-  // The way back puts it behind those that are like it.
+  // The reverse move inserts it after equal digits.
   if (static_cast<size_t>(which) + 1 < digits.size() &&
       digits[static_cast<size_t>(which) + 1] == digit)
     return false;
@@ -101,16 +101,16 @@ double after(int64_t steps, Chain<Digits>::Options options) {
   return total_variation(counts, static_cast<double>(steps));
 }
 
-TEST(Chain, StatesComeAsOftenAsTheyShould) {
+TEST(Chain, SamplesTheStationaryDistribution) {
   EXPECT_EQ(exact().size(), 35u);
   EXPECT_LT(after(1'000'000, {}), 0.006);
 }
 
-TEST(Chain, WithoutTheRatioOfProposalsTheyDoNot) {
+TEST(Chain, IsBiasedWithoutTheProposalRatio) {
   EXPECT_GT(after(1'000'000, {.use_proposal_ratio = false}), 0.05);
 }
 
-TEST(Chain, EveryMoveLeadsBackTheWayItTells) {
+TEST(Chain, EveryMoveIsReversible) {
   Chain<Digits> chain(moves(), energy, {}, RandomKey(11));
   RandomStream stream(RandomKey(3));
   Choices forward, back, again, returned;
@@ -134,7 +134,7 @@ TEST(Chain, EveryMoveLeadsBackTheWayItTells) {
   EXPECT_GT(done, 10000);
 }
 
-TEST(Tempering, TheColdestChainsStatesComeAsOftenAsTheyShould) {
+TEST(Tempering, TheColdestChainSamplesTheStationaryDistribution) {
   TemperingOptions options;
   options.chains = 4;
   options.hottest = 8;
@@ -150,7 +150,7 @@ TEST(Tempering, TheColdestChainsStatesComeAsOftenAsTheyShould) {
   EXPECT_EQ(chains.best_energy(), 0);
 }
 
-TEST(Tempering, AnyNumberOfThreadsGivesTheSame) {
+TEST(Tempering, IsDeterministicForAnyNumberOfThreads) {
   std::vector<Digits> seen[3];
   int run = 0;
   for (const int threads : {1, 2, 7}) {
@@ -164,8 +164,8 @@ TEST(Tempering, AnyNumberOfThreadsGivesTheSame) {
   EXPECT_EQ(seen[0], seen[2]);
 }
 
-/// A box of whole numbers with a parabola in each direction, whose energy is that of a gas.
-TEST(Tempering, TemperaturesMoveToWhereNeighboursExchangeOften) {
+/// A box of whole numbers with a parabola in each direction: the energy distribution of a gas.
+TEST(Tempering, TemperaturesAdaptToEqualAcceptance) {
   constexpr int kSide = 200;
   const auto bowl = [](const Digits& at) {
     double bits = 0;
@@ -197,7 +197,7 @@ TEST(Tempering, TemperaturesMoveToWhereNeighboursExchangeOften) {
   EXPECT_EQ(chains.chains()[0].temperature(), 1);
 }
 
-TEST(Tempering, TemperaturesMustRise) {
+TEST(Tempering, TemperaturesMustIncrease) {
   EXPECT_THROW(TemperatureLadder(0, 1, 2), Error);
   EXPECT_THROW(TemperatureLadder(2, 0, 2), Error);
   EXPECT_THROW(TemperatureLadder(2, 2, 2), Error);

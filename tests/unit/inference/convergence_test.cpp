@@ -1,4 +1,4 @@
-// Figures of merit of chains against processes whose values are known.
+// Convergence diagnostics compared with processes of known values.
 #include <vug/base/rng.h>
 #include <vug/inference/convergence.h>
 
@@ -21,7 +21,7 @@ Trace autoregression(double a, size_t steps, uint64_t seed, double middle = 0) {
   return out;
 }
 
-TEST(Diagnosis, AutocorrelationTimesOfAutoregressions) {
+TEST(Convergence, AutocorrelationTimesOfAutoregressions) {
   for (const double a : {0.0, 0.5, 0.9}) {
     const double time = (1 + a) / (1 - a);
     EXPECT_NEAR(autocorrelation_time(autoregression(a, 100000, 3)), time, 0.15 * time) << a;
@@ -31,7 +31,7 @@ TEST(Diagnosis, AutocorrelationTimesOfAutoregressions) {
   EXPECT_EQ(autocorrelation_time({}), 1);
 }
 
-TEST(Diagnosis, TracesOfOneDistributionAgree) {
+TEST(Convergence, TracesOfOneDistributionAgree) {
   const std::vector<Trace> same = {autoregression(0.5, 5000, 1), autoregression(0.5, 5000, 2)};
   EXPECT_NEAR(scale_reduction(same), 1, 0.01);
   const std::vector<Trace> apart = {same[0], autoregression(0.5, 5000, 2, 3)};
@@ -42,7 +42,7 @@ TEST(Diagnosis, TracesOfOneDistributionAgree) {
   EXPECT_EQ(scale_reduction({Trace(10, 1.0), Trace(10, 1.0)}), 1);
 }
 
-TEST(Diagnosis, WarmingUpIsSeen) {
+TEST(Convergence, BurnInIsDetected) {
   EXPECT_LT(std::abs(geweke(autoregression(0.5, 5000, 1))), 3);
   Trace late = autoregression(0.5, 5000, 1);
   for (size_t i = 0; i < 500; ++i) late[i] += 1;

@@ -1,4 +1,4 @@
-// Draws from a profile fall where it says, in every window.
+// Samples of a discrete distribution match its probabilities in every window.
 #include <vug/base/error.h>
 #include <vug/inference/choices.h>
 
@@ -11,7 +11,7 @@
 namespace vug::inference {
 namespace {
 
-TEST(DiscreteDistribution, DrawsInAWindowHaveTheProbabilitiesItTells) {
+TEST(DiscreteDistribution, SamplesInAWindowMatchTheProbabilities) {
   const DiscreteDistribution profile({1, 5, 2, 0.5, 4, 1});
   RandomStream stream(RandomKey(1));
   constexpr int kDraws = 200000, kLow = 1, kHigh = 5;
@@ -29,7 +29,7 @@ TEST(DiscreteDistribution, DrawsInAWindowHaveTheProbabilitiesItTells) {
   EXPECT_EQ(profile.ln_probability(kLow, kHigh, 5), -std::numeric_limits<double>::infinity());
 }
 
-TEST(DiscreteDistribution, EveryPlaceOfAMixtureCanBeDrawn) {
+TEST(DiscreteDistribution, EveryIndexOfAMixtureHasAPositiveProbability) {
   const DiscreteDistribution mixed = DiscreteDistribution::mixture({0, 0, 3, 1}, 0.8);
   EXPECT_NEAR(std::exp(mixed.ln_probability(0, 4, 0)), 0.05, 1e-12);
   EXPECT_NEAR(std::exp(mixed.ln_probability(0, 4, 2)), 0.65, 1e-12);
@@ -37,13 +37,13 @@ TEST(DiscreteDistribution, EveryPlaceOfAMixtureCanBeDrawn) {
   EXPECT_NEAR(std::exp(even.ln_probability(0, 2, 1)), 0.5, 1e-12);
 }
 
-TEST(DiscreteDistribution, WeightsThatCannotBeDrawnAreRefused) {
+TEST(DiscreteDistribution, InvalidWeightsAreRejected) {
   for (const double weight : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
                               std::numeric_limits<double>::infinity()})
     EXPECT_THROW(DiscreteDistribution({1, weight}), Error) << weight;
 }
 
-TEST(Choices, WhatIsToldHasTheProbabilityOfWhatIsDrawn) {
+TEST(Choices, ScoringGivesTheProbabilityOfDrawing) {
   const DiscreteDistribution profile({1, 2, 3, 4});
   RandomStream stream(RandomKey(5));
   Choices drawn, scored, again;
@@ -65,14 +65,14 @@ TEST(Choices, WhatIsToldHasTheProbabilityOfWhatIsDrawn) {
   }
 }
 
-TEST(Choices, WhatCannotBeDrawnIsImpossible) {
+TEST(Choices, ImpossibleChoicesHaveProbabilityZero) {
   Choices scored;
   for (const int value : {-1, 3}) {
     scored.score();
     scored.below(3, value);
     EXPECT_FALSE(scored.possible());
     scored.below(3, 1);
-    EXPECT_FALSE(scored.possible()) << "once impossible, always so";
+    EXPECT_FALSE(scored.possible()) << "remains impossible";
   }
   scored.score();
   scored.below(0, 0);

@@ -25,7 +25,7 @@ Word choices(const std::string& rules, int steps = 19) {
   return derive(*system, options).word;
 }
 
-TEST(Chance, WeightsAreShares) {
+TEST(Chance, WeightsAreRelative) {
   const SystemPtr system =
       system_of(many("A @1 -> X\n A @2 -> Y\n A @3 -> Z\n A @0.5 if 1 > 2 -> W"));
   DeriveOptions options;
@@ -44,7 +44,7 @@ TEST(Chance, WeightsAreShares) {
   EXPECT_LT(chi, 13.8);  // two degrees of freedom, 0.1 %
 }
 
-TEST(Chance, DrawsAreEven) {
+TEST(Chance, DrawsAreUniform) {
   const Word word = choices("A -> B(0..1, pick(1, 2, 3, 4))");
   ASSERT_EQ(word.size(), 100000u);
   std::array<double, 16> bins{};
@@ -67,8 +67,8 @@ TEST(Chance, DrawsAreEven) {
   EXPECT_NEAR(product / 1e5, 0, 4 / 12.0 / std::sqrt(1e5));  // neighbours are independent
 }
 
-TEST(Chance, GuardsDrawOnTheirOwn) {
-  // The second rule does not look at the number that the first one has refused.
+TEST(Chance, GuardsHaveTheirOwnRandomNumbers) {
+  // The second rule does not use the random number that the first one rejected.
   const Word word = choices(
       "A if (0..1) < 0.2 -> B(0, 0..1)\n A if (0..1) < 0.5 -> B(1, 0..1)\n"
       " A -> B(2, 0..1)");
@@ -128,18 +128,18 @@ TEST(Chance, NumbersAreThoseOfPhilox) {
 }
 
 TEST(Chance, EachStepDrawsAgain) {
-  // A module that waits for its luck has the same chance in every step.
+  // A waiting module has the same probability in every step.
   const Word word = choices("A if (0..1) < 0.5 -> B", 20);
   size_t waiting = 0;
   for (size_t i = 0; i < word.size(); ++i) waiting += word.symbol(i) != word.symbol(0) ? 1 : 0;
   const double share = static_cast<double>(waiting) / static_cast<double>(word.size());
-  // Two steps have passed for those that were ready first; nobody waits with certainty.
+  // Two steps have passed for the first ones; none waits with certainty.
   EXPECT_GT(share, 0.2);
   EXPECT_LT(share, 0.8);
 }
 
 TEST(Chance, ABranchKeepsItsNumbers) {
-  // What stands beside a branch does not change what it draws.
+  // The random numbers of a branch do not depend on its neighbours.
   const SystemPtr one = system_of("axiom [A]\n A -> F(0..1)[+A]A");
   const SystemPtr two = system_of("axiom [A][A]\n A -> F(0..1)[+A]A");
   ASSERT_TRUE(one && two);
@@ -155,13 +155,13 @@ TEST(Chance, SeedsDiffer) {
   EXPECT_NE(after(*first, 3), after(*second, 3));
 }
 
-TEST(Chance, WeightsOfZeroLeaveTheModule) {
+TEST(Chance, ZeroWeightsKeepTheModule) {
   const SystemPtr system = system_of("axiom A(0)A(1)\n A(x) @x -> B");
   ASSERT_TRUE(system);
   EXPECT_EQ(after(*system, 1), "A(0)B");
 }
 
-TEST(Chance, WeightsOfZeroLeaveTheRestItsTurn) {
+TEST(Chance, ZeroWeightsPassToOtherRules) {
   const SystemPtr constant = system_of("axiom A\n A @0 -> X\n A -> Y");
   const SystemPtr computed = system_of("axiom A(0)A(1)\n A(x) @x -> X\n A(x) -> Y");
   const SystemPtr between = system_of("axiom A\n A @0 -> X\n A -> Y\n A @1 -> Z");
@@ -204,7 +204,7 @@ TEST(Chance, BadWeights) {
       << constant.report;
 }
 
-TEST(Chance, ComparisonsAreWithNumbers) {
+TEST(Chance, ComparisonsRejectNonFiniteNumbers) {
   for (const char* rule :
        {"A(x) if 1 / x > 3 -> B", "A(x) if not (x / x < 3) -> B", "A(x) -> B(if(1 / x > 2, 1, 0))",
         "A(x) if x < 0 or log(x) < 1 -> B", "A(x) @if(1 / x == 1, 1, 2) -> B"}) {
@@ -218,7 +218,7 @@ TEST(Chance, ComparisonsAreWithNumbers) {
   EXPECT_EQ(after(*careful, 1), "A(0)B");
 }
 
-/// The rules, by their successors, that the reader is warned of.
+/// The rules with warnings, identified by their successors.
 std::string unreached(const std::string& rules, const std::string& axiom = "A") {
   const std::string text = "grammar g: lsystem {\n axiom " + axiom + "\n" + rules + "\n}\n";
   const Compiled compiled = compile_text(text);
@@ -234,10 +234,10 @@ std::string unreached(const std::string& rules, const std::string& axiom = "A") 
   return out;
 }
 
-TEST(Chance, RulesThatAreNeverTakenAreTold) {
+TEST(Chance, UnreachableRulesAreReported) {
   EXPECT_EQ(unreached("A -> B\nA -> C"), "C");
   EXPECT_EQ(unreached("A -> B\nA @1 -> C"), "C");
-  EXPECT_EQ(unreached("A @1 -> B\nA -> C\nA @1 -> D"), "C");  // D has its chance beside B
+  EXPECT_EQ(unreached("A @1 -> B\nA -> C\nA @1 -> D"), "C");  // D can be selected in addition to B
   EXPECT_EQ(unreached("A @0 -> B\nA -> C\nA @1 -> D"), "D");
   EXPECT_EQ(unreached("A @1 if pick(0, 1) > 0 -> B\nA -> C\nA @1 -> D"), "");
   EXPECT_EQ(unreached("A if 1 > 2 -> B\nA -> C"), "");

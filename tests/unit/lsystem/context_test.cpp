@@ -15,7 +15,7 @@ TEST(Context, SignalRunsThroughAWord) {
   EXPECT_EQ(after(*system, 8), "AAAAAAAA");
 }
 
-TEST(Context, BranchesOfTheBook) {
+TEST(Context, BranchesOfThePublication) {
   // prusinkiewicz1990, section 1.8: BC < S > G[H]M fits S in ABC[DE][SG[HI[JK]L]MNO].
   const SystemPtr system = system_of("axiom ABC[DE][SG[HI[JK]L]MNO]\n BC < S > G[H]M -> X");
   ASSERT_TRUE(system);
@@ -40,22 +40,22 @@ TEST_P(ContextCases, Fits) {
 INSTANTIATE_TEST_SUITE_P(
     Branches, ContextCases,
     ::testing::Values(
-        // The left context is the way back to the root, past side branches.
+        // The left context follows the path to the root and skips side branches.
         Case{"A < B -> X", "A[C]B", "A[C]X"}, Case{"A < B -> X", "A[C[D]][E]B", "A[C[D]][E]X"},
         Case{"A < B -> X", "A[B]C", "A[X]C"}, Case{"A < B -> X", "A[[B]]C", "A[[X]]C"},
         Case{"C < B -> X", "A[C]B", "A[C]B"}, Case{"AC < B -> X", "A[D]C[B]", "A[D]C[X]"},
         Case{"A < B -> X", "B", "B"}, Case{"A < B -> X", "[A]B", "[A]B"},
-        // The right context is the same branch, past side branches, unless it enters one.
+        // The right context follows the same branch and skips side branches unless it enters one.
         Case{"A > B -> X", "A[C]B", "X[C]B"}, Case{"A > B -> X", "A[B]C", "A[B]C"},
         Case{"A > B -> X", "[A]B", "[A]B"}, Case{"A > [B] -> X", "A[B]C", "X[B]C"},
         Case{"A > [B]C -> X", "A[D][BE]C", "X[D][BE]C"},
         Case{"A > [B][C] -> X", "A[B][C]", "X[B][C]"},
         Case{"A > [B][C] -> X", "A[C][B]", "A[C][B]"},
         Case{"A > [B[C]D] -> X", "A[B[E][CF]D]", "X[B[E][CF]D]"}, Case{"A > BC -> X", "AB", "AB"},
-        // Ignored modules are not there; those that are considered alone are.
+        // Ignored modules are skipped; with 'consider', all others are skipped.
         Case{"ignore + - F\n A < B > C -> X", "A+FB-[D]FC", "A+FX-[D]FC"},
         Case{"consider A B\n A < B -> X", "ACDB", "ACDX"},
-        // Rules that look around go before those that do not.
+        // Rules with a context precede those without.
         Case{"B -> Y\n A < B -> X", "ABB", "AXY"}));
 
 TEST(Context, ParametersOfNeighbours) {
@@ -66,9 +66,8 @@ TEST(Context, ParametersOfNeighbours) {
   EXPECT_EQ(after(*system, 1), "A(1)A(7421)[B(7)]A(4)");
 }
 
-TEST(Context, LooksPastManyModulesOfManyBranches) {
-  // Each of them looks past all that are not seen: without a way marked beforehand this takes
-  // minutes.
+TEST(Context, SkipsManyModulesOfManyBranches) {
+  // Each of them skips all ignored modules: without precomputed neighbours this takes minutes.
   constexpr int kMany = 150000;
   std::string far = "A", branches = "A";
   for (int i = 0; i < kMany; ++i) far += "F", branches += "[B]";

@@ -7,7 +7,7 @@
 namespace vug::lsystem {
 namespace {
 
-/// Words by replacing letters of a text: the oracle of systems without parameters.
+/// Derives words by string replacement: the oracle of systems without parameters.
 std::string replaced(std::string word, const std::map<char, std::string>& rules, int steps) {
   for (int step = 0; step < steps; ++step) {
     std::string next;
@@ -41,7 +41,7 @@ TEST(Derive, Hilbert) {
 }
 
 TEST(Derive, NamesThatBeginWithCapitals) {
-  // Gosper's curve as prusinkiewicz1990 writes it, figure 1.11.
+  // Gosper's curve, prusinkiewicz1990, figure 1.11.
   const SystemPtr gosper =
       system_of("axiom Fl\n Fl -> Fl+Fr++Fr-Fl--FlFl-Fr+\n Fr -> -Fl+FrFr++Fr+Fl--Fl-Fr");
   ASSERT_TRUE(gosper);
@@ -81,7 +81,7 @@ TEST(Derive, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(Derive, StopsWhatGrowsTooLarge) {
+TEST(Derive, StopsAtTheModuleLimit) {
   const SystemPtr bomb = system_of("axiom A\n limit 5000\n A -> B A A\n B -> B");
   ASSERT_TRUE(bomb);
   EXPECT_EQ(derive(*bomb, {.steps = 11}).word.size(), 4095u);
@@ -97,7 +97,7 @@ TEST(Derive, StopsWhatGrowsTooLarge) {
   }
 }
 
-TEST(Derive, StopsWhatMemoryCannotHold) {
+TEST(Derive, StopsAtTheMemoryLimit) {
   const SystemPtr bomb =
       system_of("axiom A(1)\n A(x) -> B A(x)A(x)\n B -> C(1, 2, 3, 4, 5, 6, 7, 8)");
   ASSERT_TRUE(bomb);
@@ -114,7 +114,7 @@ TEST(Derive, StopsWhatMemoryCannotHold) {
   }
 }
 
-TEST(Derive, RefusesWhatIsNoNumber) {
+TEST(Derive, RejectsNonFiniteNumbers) {
   const SystemPtr system = system_of("axiom A(1)\n A(x) -> B(2)A(x / (x - 1))");
   ASSERT_TRUE(system);
   try {

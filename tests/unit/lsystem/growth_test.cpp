@@ -25,7 +25,7 @@ TEST(Growth, TimedAnabaena) {
   EXPECT_EQ(at(*timed, 0.75), "Ar(0.75)");
   EXPECT_EQ(at(*timed, 1), "Al(0)Br(0)");
   EXPECT_EQ(at(*timed, 2.25), "Bl(0.25)Ar(0.25)Ar(0.25)");
-  // At whole times it is the system without ages, section 1.2.
+  // At whole times it equals the system without ages, section 1.2.
   const SystemPtr plain = system_of("axiom Ar\n Ar -> AlBr\n Al -> BlAr\n Br -> Ar\n Bl -> Al");
   for (int step = 0; step < 8; ++step) {
     std::string word = at(*timed, step), bare;
@@ -56,7 +56,7 @@ TEST(Growth, LengthsMoveContinuously) {
   }
 }
 
-TEST(Growth, InitialAgesAndEndsOfTheirOwn) {
+TEST(Growth, InitialAndIndividualTerminalAges) {
   const SystemPtr system = system_of(
       "axiom A(0.5, 2)\n ages L\n A(t, n) after n -> L(0)B(-1)A(0.25, n)\n B(t) after 0 -> L(0)");
   ASSERT_TRUE(system);
@@ -65,10 +65,10 @@ TEST(Growth, InitialAgesAndEndsOfTheirOwn) {
   EXPECT_EQ(at(*system, 3), "L(1.5)L(0.5)A(1.75,2)");
 }
 
-TEST(Growth, ChanceStaysAsTimeGoesOn) {
+TEST(Growth, RandomChoicesDoNotChangeOverTime) {
   const SystemPtr system = system_of("axiom A(0)\n A(t) after (0.5..1) -> F(0..1)[+A(0)]A(0)");
   ASSERT_TRUE(system);
-  // What was drawn by time 4 is still there at time 6, in the same order.
+  // The random choices made by time 4 are unchanged at time 6, in the same order.
   const auto drawn_by = [&](double time) {
     DeriveOptions options;
     options.time = time;
@@ -86,7 +86,7 @@ TEST(Growth, ChanceStaysAsTimeGoesOn) {
   EXPECT_EQ(found, early.size());
 }
 
-TEST(Growth, WithoutAnEnd) {
+TEST(Growth, NonterminatingGrowthIsStopped) {
   const SystemPtr system = system_of("axiom A(0)\n A(t) after 1 -> A(1)");
   ASSERT_TRUE(system);
   EXPECT_THROW(at(*system, 2), Error);

@@ -1,4 +1,4 @@
-// L-systems out of texts, for the tests.
+// Helpers that compile L-systems from texts.
 #pragma once
 
 #include <vug/lsystem/compile.h>
@@ -10,15 +10,15 @@
 
 namespace vug::lsystem {
 
-/// What a text with one grammar says, and what is wrong with it.
+/// The system compiled from a text, and the report of its errors.
 struct Compiled {
   SystemPtr system;
   Diagnostics diagnostics;
   std::string report;
 };
 
-/// `text` is a scene with one L-system or more; the last is compiled, and modules may stand for the
-/// others.
+/// `text` is a scene with at least one L-system; the last one is compiled, and modules may refer to
+/// the others.
 inline Compiled compile_text(const std::string& text,
                              const std::vector<scene::Override>& overrides = {}) {
   Compiled out;
@@ -36,14 +36,14 @@ inline Compiled compile_text(const std::string& text,
   return out;
 }
 
-/// The rules of a block named `g`, compiled; a failure of the test where they are at fault.
+/// Compiles the rules of a block named `g`; the test fails if they have errors.
 inline SystemPtr system_of(const std::string& rules) {
   const Compiled compiled = compile_text("grammar g: lsystem {\n" + rules + "\n}\n");
   EXPECT_TRUE(compiled.system) << compiled.report;
   return compiled.system;
 }
 
-/// The word after that many steps.
+/// The word after the given number of steps.
 inline std::string after(const System& system, int steps) {
   DeriveOptions options;
   options.steps = steps;

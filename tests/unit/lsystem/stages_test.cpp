@@ -5,15 +5,15 @@
 namespace vug::lsystem {
 namespace {
 
-TEST(Cut, TakesTheRestOfTheBranch) {
-  // The cut works when the word is rewritten next (prusinkiewicz1990, section 3.1).
+TEST(Cut, RemovesTheRestOfTheBranch) {
+  // The cut takes effect in the next rewriting step (prusinkiewicz1990, section 3.1).
   const SystemPtr system = system_of("axiom A[BC%D[E]F]G\n C -> X%Y\n G -> H%I");
   ASSERT_TRUE(system);
   EXPECT_EQ(after(*system, 1), "A[BX%Y]H%I");
   EXPECT_EQ(after(*system, 2), "A[BX]H");
 }
 
-TEST(Cut, BranchesThatFallOff) {
+TEST(Cut, BranchesAreShed) {
   // prusinkiewicz1990, section 3.1, with short-lived branches.
   const SystemPtr system = system_of(R"(axiom A
     A -> F(1)[-X(1)B][+X(1)B]A
@@ -49,13 +49,13 @@ TEST(Stages, InterpretationDoesNotFeedBack) {
   EXPECT_EQ(drawn(*system, 2), "[+FF][+FF]A");
 }
 
-TEST(Stages, DepthIsHowOften) {
+TEST(Stages, DepthLimitsTheRounds) {
   const SystemPtr system = system_of("axiom F\n interpret { depth 3\n F -> F+F }");
   ASSERT_TRUE(system);
   EXPECT_EQ(drawn(*system, 0), "F+F+F+F+F+F+F+F");
 }
 
-TEST(Stages, LeftRecursionIsRefused) {
+TEST(Stages, LeftRecursionIsRejected) {
   for (const char* rules :
        {"F -> F+F", "A -> B\n B -> +A", "A @1 -> A F\n A @2 -> A", "A(x) -> A(x-1)"}) {
     const Compiled compiled = compile_text(std::string("grammar g: lsystem {\n axiom F\n"
@@ -65,7 +65,7 @@ TEST(Stages, LeftRecursionIsRefused) {
     EXPECT_NE(compiled.report.find("never ends: "), std::string::npos) << compiled.report;
     EXPECT_NE(compiled.report.find("test.vug:4:"), std::string::npos) << compiled.report;
   }
-  // One that a guard ends is fine; one whose guard fails to do so is found on the way.
+  // A recursion ended by a guard is accepted; a failing guard is detected at run time.
   EXPECT_EQ(drawn(*system_of("axiom A(3)\n interpret { A(x) if x > 0 -> F A(x-1) }"), 0),
             "FFFA(0)");
   const SystemPtr endless =
@@ -74,7 +74,7 @@ TEST(Stages, LeftRecursionIsRefused) {
   EXPECT_THROW(drawn(*endless, 0), Error);
 }
 
-TEST(Tables, TakeTurns) {
+TEST(Tables, FollowTheSchedule) {
   const SystemPtr system = system_of(R"(axiom A B
     schedule spring*2 summer
     B -> B C
@@ -85,7 +85,7 @@ TEST(Tables, TakeTurns) {
   EXPECT_EQ(after(*system, 6), "XXYXXYABCCCCCC");
 }
 
-TEST(SubSystems, AModuleStandsForAWord) {
+TEST(SubSystems, AModuleIsReplacedByAWord) {
   const Compiled compiled = compile_text(R"(
     grammar Leaf: lsystem { axiom L
       steps 1
@@ -98,14 +98,14 @@ TEST(SubSystems, AModuleStandsForAWord) {
   EXPECT_EQ(drawn(*compiled.system, 1), "FF[+F[+L][-L]][-F[+L][-L]]F[+L][-L]");
 }
 
-TEST(SubSystems, TheTurtlesNamesStandForThemselves) {
+TEST(SubSystems, TurtleCommandsAreNotReplaced) {
   const Compiled compiled =
       compile_text("grammar F: lsystem { axiom A }\ngrammar plant: lsystem { axiom F F }");
   ASSERT_TRUE(compiled.system) << compiled.report;
   EXPECT_EQ(drawn(*compiled.system, 0), "FF");
 }
 
-TEST(SubSystems, EachDrawsOnItsOwn) {
+TEST(SubSystems, EachDrawsIndependently) {
   const Compiled compiled = compile_text(R"(
     grammar Leaf: lsystem { axiom F(0..1) }
     grammar plant: lsystem { axiom Leaf Leaf })");
@@ -115,7 +115,7 @@ TEST(SubSystems, EachDrawsOnItsOwn) {
   EXPECT_NE(word.parameters(0)[0], word.parameters(1)[0]);
 }
 
-/// Stands at the number of "F" that came before, above a floor at y = 1.
+/// Answers queries with the number of preceding "F", above a floor at y = 1.
 class Counting : public Environment {
  public:
   void answer(const System& system, Word& drawn) const override {

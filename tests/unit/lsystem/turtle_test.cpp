@@ -12,7 +12,7 @@
 namespace vug::lsystem {
 namespace {
 
-/// A word written as "F(1,0.1) + leaf(2)": blanks between modules, parameters in base units.
+/// Parses a word such as "F(1,0.1) + leaf(2)": blanks between modules, parameters in base units.
 struct Text {
   explicit Text(const std::string& text) {
     for (size_t at = 0; at < text.size();) {
@@ -55,7 +55,7 @@ TEST(Turtle, TurnsToTheLeftAroundASquare) {
   EXPECT_EQ(s[4].along, 4);
 }
 
-TEST(Turtle, TurnsInSpaceAsItsLeftAndUpSay) {
+TEST(Turtle, RotatesAboutItsLeftAndUp) {
   const double quarter = kPi / 2;
   const auto heading = [](const std::string& text) {
     const Drawing d = drawn(text + " F");
@@ -71,28 +71,28 @@ TEST(Turtle, TurnsInSpaceAsItsLeftAndUpSay) {
   near("&" + q, {0, 0, -1});
   near("^" + q, {0, 0, 1});
   near("|", {0, -1, 0});
-  near("/" + q + " +" + q, {0, 0, 1});    // the left wing has gone up to +z
-  near("\\" + q + " +" + q, {0, 0, -1});  // and down
+  near("/" + q + " +" + q, {0, 0, 1});    // its left points to +z
+  near("\\" + q + " +" + q, {0, 0, -1});  // and to -z
 }
 
 TEST(Turtle, BranchesKnowTheirParents) {
   const Drawing d = drawn("F(1) node [ +(1) F(1) [ -(1) F(1) ] ] F(2) [ [ F ] ]");
   ASSERT_EQ(d.axes.size(), 4u);
-  EXPECT_EQ(d.axes[0].stations.size(), 3u);  // it goes on after the branch
+  EXPECT_EQ(d.axes[0].stations.size(), 3u);  // it continues after the branch
   EXPECT_EQ(d.axes[0].length(), 3);
   EXPECT_EQ(d.axes[1].parent, 0u);
   EXPECT_EQ(d.axes[1].parent_along, 1);
   EXPECT_EQ(d.axes[1].order, 1);
   EXPECT_EQ(d.axes[2].parent, 1u);
   EXPECT_EQ(d.axes[2].order, 2);
-  EXPECT_EQ(d.axes[3].order, 1);  // empty brackets are no order
+  EXPECT_EQ(d.axes[3].order, 1);  // empty brackets do not increase the order
   ASSERT_EQ(d.axes[0].nodes.size(), 1u);
   EXPECT_EQ(d.axes[0].nodes[0].along, 1);
   ASSERT_EQ(d.axes[0].nodes[0].branches.size(), 1u);
   EXPECT_CLOSE(d.axes[0].nodes[0].branches[0], Vec3d(-std::sin(1), std::cos(1), 0));
 }
 
-TEST(Turtle, PenUpBeginsAnAxis) {
+TEST(Turtle, MovingWithoutDrawingStartsAnAxis) {
   const Drawing d = drawn("F f F");
   ASSERT_EQ(d.axes.size(), 2u);
   EXPECT_EQ(d.axes[1].parent, Axis::kNone);
@@ -105,13 +105,13 @@ TEST(Turtle, RadiiTaper) {
   EXPECT_EQ(d.axes[0].stations[1].radius, 0.5);
   EXPECT_EQ(d.axes[0].stations[2].radius, 0.2);
   EXPECT_EQ(d.axes[0].stations[3].radius, 0.2);
-  EXPECT_EQ(d.axes[1].stations[0].radius, 0.1);   // a branch is as thick as it says
+  EXPECT_EQ(d.axes[1].stations[0].radius, 0.1);   // a branch has its own radius
   EXPECT_EQ(d.axes[2].stations[0].radius, 0.15);  // ! is a diameter
   EXPECT_EQ(d.axes[2].stations[1].radius, 0.1);
   EXPECT_EQ(drawn("node F(1,0.5)").axes[0].stations[0].radius, 0.5);
 }
 
-TEST(Turtle, PolygonsHaveTheCornersItComesTo) {
+TEST(Turtle, PolygonsHaveTheVisitedCorners) {
   TurtleOptions options;
   options.angle = kPi / 3;
   const Drawing leaf = drawn("[ ' { - f + f + f - | - f + f + f } ] F", options);
@@ -132,7 +132,7 @@ TEST(Turtle, DollarLevelsItsLeft) {
   EXPECT_GT(f.binormal.y, 0);
 }
 
-TEST(Turtle, TropismTurnsByElasticityTimesTorque) {
+TEST(Turtle, TropismRotatesByElasticityTimesTorque) {
   TurtleOptions options;
   options.tropism = Vec3d(0, -1, 0);
   options.elasticity = 0.22;
@@ -161,7 +161,7 @@ TEST(Turtle, FollowsAGuideByArcLength) {
   EXPECT_GT(axis.stations.size(), 30u);  // fine enough for the bend
 }
 
-TEST(Turtle, BeyondAGuideItGoesStraightAndBranchesDoNotFollow) {
+TEST(Turtle, GoesStraightBeyondAGuideAndBranchesDoNotFollow) {
   TurtleOptions options;
   options.guides = {drooping(1, 0, 1, 0, 0.5)};
   const Drawing d = drawn("guide(0,2) F(3) [ F(1) ]", options);
@@ -170,7 +170,7 @@ TEST(Turtle, BeyondAGuideItGoesStraightAndBranchesDoNotFollow) {
   EXPECT_EQ(d.axes[1].stations.size(), 2u);
 }
 
-TEST(Turtle, InstancesStandInTheTurtlesFrame) {
+TEST(Turtle, InstancesHaveTheTurtlesFrame) {
   const Drawing d = drawn("F(2) leaf(0.5,7,8)", {.instances = {"flower", "leaf"}});
   ASSERT_EQ(d.instances.size(), 1u);
   const Instance& leaf = d.instances[0];
@@ -183,7 +183,7 @@ TEST(Turtle, InstancesStandInTheTurtlesFrame) {
   EXPECT_CLOSE(at({0, 0, 1}), Vec3d(0, 2, 0.5));
 }
 
-TEST(Turtle, TellsWhatIsWrongAndWhere) {
+TEST(Turtle, ReportsErrorsWithTheirLocation) {
   const auto message = [](const std::string& text) -> std::string {
     try {
       drawn(text);
@@ -204,7 +204,7 @@ TEST(Turtle, TellsWhatIsWrongAndWhere) {
   EXPECT_NE(message("!(-1)"), "");
   EXPECT_NE(message("guide(0)"), "");
   EXPECT_NE(message("age"), "");
-  EXPECT_EQ(message("Q(nan) F"), "");  // what it passes over may be anything
+  EXPECT_EQ(message("Q(nan) F"), "");  // ignored modules may have any parameters
   EXPECT_EQ(message("F(9e8) F(2e8)"),
             "the turtle is more than 1000000000 m from its start, at 'F(200000000)', module 2 of "
             "the word");
@@ -214,7 +214,7 @@ TEST(Turtle, TellsWhatIsWrongAndWhere) {
   EXPECT_NE(message("node(1e9)"), "");
 }
 
-TEST(Turtle, TurnsByAnyAngle) {
+TEST(Turtle, RotatesByAnyAngle) {
   for (const char* angle : {"1e5", "1e6", "-1e17", "1e300"}) {
     const Frame frame = drawn("+(" + std::string(angle) + ") F").axes.at(0).stations.at(1).frame;
     EXPECT_NEAR(frame.tangent.length(), 1, 1e-12) << angle;
@@ -222,7 +222,7 @@ TEST(Turtle, TurnsByAnyAngle) {
   }
 }
 
-TEST(Turtle, RefusesOptionsThatAreNoNumbers) {
+TEST(Turtle, RejectsNonFiniteOptions) {
   TurtleOptions options;
   options.width = -1;
   EXPECT_THROW(drawn("F", options), Error);
@@ -231,7 +231,7 @@ TEST(Turtle, RefusesOptionsThatAreNoNumbers) {
   EXPECT_THROW(drawn("F", options), Error);
 }
 
-TEST(Turtle, AStemOfNoLengthSetsItsRadius) {
+TEST(Turtle, AStemOfZeroLengthSetsTheRadius) {
   const Drawing drawing = drawn("F(0,0.2) F(1,0.1)");
   ASSERT_EQ(drawing.axes.size(), 1u);
   ASSERT_EQ(drawing.axes[0].stations.size(), 2u);
@@ -239,7 +239,7 @@ TEST(Turtle, AStemOfNoLengthSetsItsRadius) {
   EXPECT_EQ(drawing.axes[0].stations[1].radius, 0.1);
 }
 
-TEST(Turtle, VisitsTheModulesAskedFor) {
+TEST(Turtle, VisitsTheRequestedModules) {
   const Text t("F ?P(0,0,0) [ +(1) F ?P(0,0,0) ] F");
   std::map<size_t, Vec3d> seen;
   visit_poses(t.word, t.alphabet, {}, {*t.alphabet.find("?P", 3)},

@@ -8,7 +8,7 @@
 namespace vug::lsystem {
 namespace {
 
-TEST(Alphabet, TellsNamesApartByTheirParameters) {
+TEST(Alphabet, DistinguishesNamesByTheirParameters) {
   Alphabet alphabet;
   const SymbolId bare = alphabet.add("F", 0), with = alphabet.add("F", 1);
   EXPECT_EQ(bare, 0);
@@ -40,7 +40,7 @@ TEST(Word, KeepsEachModulesParameters) {
   EXPECT_EQ(word.values().size(), 3u);
 }
 
-TEST(Word, AppendsAnother) {
+TEST(Word, AppendsWords) {
   Alphabet alphabet;
   const SymbolId a = alphabet.add("A", 1), b = alphabet.add("B", 0);
   Word first, second;

@@ -1,6 +1,6 @@
 // Every text in tests/data/broken/syntax is reported exactly as its .expected file says.
 // A first line "# run: -D NAME=EXPR" gives an override. With VUG_UPDATE=1 in the environment the
-// expected files are written anew; read the difference before committing it.
+// expected files are rewritten; review the difference before committing it.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
 #include <vug/scene/check.h>

@@ -6,7 +6,7 @@
 namespace vug::scene {
 namespace {
 
-/// The value of `let x` in a text, as text; faults as "! message".
+/// The value of `let x` in a text, as text; errors as "! message".
 std::string value_of(const std::string& text, EvaluatorOptions options = {}) {
   Diagnostics diagnostics;
   const Document document = parse(text, "t.vug", diagnostics);
@@ -33,7 +33,7 @@ TEST(Evaluator, Arithmetic) {
   EXPECT_EQ(x("4 ^ -1"), "0.25");
 }
 
-TEST(Evaluator, TurnsForEachMetre) {
+TEST(Evaluator, AnglesPerMetre) {
   EXPECT_EQ(x("0.25rad/m"), "0.25");
   EXPECT_EQ(x("(0.5rad / 2m) * 4m"), "1");
   EXPECT_EQ(x("180deg/m == pi/m"), "true");
@@ -72,13 +72,13 @@ TEST(Evaluator, MethodsAreCallsWithTheReceiverFirst) {
   EXPECT_EQ(x("(1, 0, 0).dot((2, 0, 0)).clamp(0, 1)"), "1");
 }
 
-TEST(Evaluator, ObjectsGoToTheResolver) {
+TEST(Evaluator, ObjectsArePassedToTheResolver) {
   EXPECT_EQ(x("sphere(1m) - box(2m) + torus(1m)"), "<field>");
   EXPECT_EQ(x("sphere(1m) * 2"), "! cannot apply '*' to a field and a number");
   EXPECT_EQ(x("-sphere(1m)"), "! cannot apply '-' to a field");
 }
 
-TEST(Evaluator, FaultsOfTheResolverBecomeDiagnostics) {
+TEST(Evaluator, ResolverErrorsBecomeDiagnostics) {
   struct Thrower : Resolver {
     std::optional<Value> call(const std::string&, const Arguments&, const SourceLocation&,
                               RandomKey, Diagnostics&) override {
@@ -93,7 +93,7 @@ TEST(Evaluator, FaultsOfTheResolverBecomeDiagnostics) {
   EXPECT_EQ(diagnostics.all()[0].where, (SourceLocation{"t.vug", 1, 9}));
 }
 
-TEST(Evaluator, RefusedNamesGetTheNearestKnownNameAsHint) {
+TEST(Evaluator, RejectedNamesHaveTheNearestKnownNameAsHint) {
   struct Strict : Resolver {
     std::optional<Value> call(const std::string&, const Arguments& given, const SourceLocation&,
                               RandomKey, Diagnostics& diagnostics) override {
@@ -142,7 +142,7 @@ TEST(Evaluator, OverridesTakeTheDimensionOfTheDefault) {
   EXPECT_EQ(value_of(text, {{{"LB", "4"}}, {}}), "! param 'LB' is the name '+X', not a number");
 }
 
-TEST(Evaluator, AFaultyOverrideIsOneFault) {
+TEST(Evaluator, AnInvalidOverrideIsOneError) {
   const std::string text = "param R = 1m in 10cm..3m\nlet x = R\n";
   EXPECT_EQ(value_of(text, {{{"R", "1e999"}}, {}}), "1m! the number 1e999 is too large");
   EXPECT_EQ(value_of(text, {{{"R", "0 parsec"}}, {}}),
@@ -150,7 +150,7 @@ TEST(Evaluator, AFaultyOverrideIsOneFault) {
   EXPECT_EQ(value_of(text, {{{"R", "0parsec"}}, {}}), "1m! unknown unit 'parsec'");
 }
 
-TEST(Evaluator, ParamsReportForUserInterfaces) {
+TEST(Evaluator, ParamsDescribeThemselvesForUserInterfaces) {
   const Document document = parsed("param MP = 52% in 0..100% \"morph\"\nlet x = MP\n");
   Resolver resolver;
   Diagnostics diagnostics;
@@ -162,7 +162,7 @@ TEST(Evaluator, ParamsReportForUserInterfaces) {
   EXPECT_EQ(mp.high.get<Number>()->value, 1);
 }
 
-TEST(Evaluator, ParamsReadOnlyByFormalsOfTheSameNameAreUnread) {
+TEST(Evaluator, ParamsHiddenByFormalsAreUnused) {
   Diagnostics diagnostics;
   const Document document = parsed(
       "param n = 1\nparam k = 2\ngrammar g {\n  axiom A(k)\n  A(n) if n > 0 -> A(n - 1)\n}\n");
@@ -171,7 +171,7 @@ TEST(Evaluator, ParamsReadOnlyByFormalsOfTheSameNameAreUnread) {
   EXPECT_EQ(diagnostics.all()[0].message, "param 'n' is never used");
 }
 
-TEST(Evaluator, GrowingListsAreRefused) {
+TEST(Evaluator, GrowingListsAreRejected) {
   std::string text = "let a0 = [1, 1]\n";
   for (int i = 1; i < 60; ++i)
     text += "let a" + std::to_string(i) + " = [a" + std::to_string(i - 1) + ", a" +
@@ -179,7 +179,7 @@ TEST(Evaluator, GrowingListsAreRefused) {
   EXPECT_EQ(value_of(text + "let x = a59\n"), "! the list has more than 1000000 elements");
 }
 
-TEST(Evaluator, LongChainsOfLetsAreRefused) {
+TEST(Evaluator, LongChainsOfLetsAreRejected) {
   std::string text = "let a0 = 1\n";
   for (int i = 1; i < 5000; ++i)
     text += "let a" + std::to_string(i) + " = a" + std::to_string(i - 1) + "\n";
@@ -187,7 +187,7 @@ TEST(Evaluator, LongChainsOfLetsAreRefused) {
             "! more than 200 names depend on each other in a chain");
 }
 
-/// What is wrong with lets of which each is made of the one before, as `# + 1`.
+/// The errors of a chain of lets in which each one depends on the previous one, as `# + 1`.
 std::vector<Diagnostic> faults_of_chain(int lets, const std::string& first,
                                         const std::string& next) {
   std::string text = "let a0 = " + first + "\n";
@@ -203,8 +203,9 @@ std::vector<Diagnostic> faults_of_chain(int lets, const std::string& first,
   return diagnostics.all();
 }
 
-TEST(Evaluator, ValuesUponEachOtherHaveAHighest) {
-  EXPECT_TRUE(faults_of_chain(20000, "1", "# + 1").empty());  // a number keeps nothing
+TEST(Evaluator, NestedValuesHaveAMaximumDepth) {
+  EXPECT_TRUE(
+      faults_of_chain(20000, "1", "# + 1").empty());  // a number does not refer to its inputs
   EXPECT_TRUE(faults_of_chain(5000, "[1]", "[#]").empty());
   EXPECT_TRUE(faults_of_chain(2500, "[1]", "[[[#]]]").empty());
   for (const auto& [lets, next] : {std::pair(5001, "[#]"), {2502, "[[[#]]]"}, {9000, "[#]"}}) {

@@ -1,4 +1,4 @@
-// A resolver that knows a few shapes and nothing about them.
+// A resolver that knows the names of a few shapes only.
 #pragma once
 
 #include <vug/scene/evaluator.h>
@@ -24,7 +24,7 @@ class FakeResolver : public Resolver {
   std::vector<std::string> known_calls() const override { return {"sphere", "box", "torus"}; }
 };
 
-/// Evaluates every expression of a document that a reader could see, grammars aside.
+/// Evaluates all expressions of a document except those of grammars.
 inline void evaluate_all(Evaluator& evaluator, const Document& document) {
   evaluator.check_all();
   for (const Declaration& made : document.declarations) {

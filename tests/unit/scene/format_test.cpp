@@ -1,4 +1,4 @@
-// Formatting keeps the meaning and settles after one pass.
+// Formatting keeps the meaning and is idempotent.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
 #include <vug/scene/format.h>
@@ -31,7 +31,7 @@ std::vector<fs::path> scenes() {
   return all;
 }
 
-TEST(Format, EverySceneKeepsItsMeaningAndSettles) {
+TEST(Format, EverySceneKeepsItsMeaningAndIsIdempotent) {
   ASSERT_GT(scenes().size(), 40u);
   for (const fs::path& path : scenes()) {
     const std::string text = read_text(path);
@@ -53,7 +53,7 @@ TEST(Format, ScenesInDataAreFormatted) {
   }
 }
 
-TEST(Format, LinesUpColumns) {
+TEST(Format, AlignsColumns) {
   EXPECT_EQ(format("param A=1 in 0..2 \"doc\"\nparam LONG = 52%   in 0..1  \"more\"\n"),
             "param A    = 1    in 0..2  \"doc\"\nparam LONG = 52%  in 0..1  \"more\"\n");
   EXPECT_EQ(format("let a=1 # one\nlet bcd = (1,2)# two\n"),
@@ -65,8 +65,8 @@ TEST(Format, LinesUpColumns) {
             "  A    -> - g(1, 2)  label -Z\n}\n");
 }
 
-// `blend` and `label` are options above the rules and clauses of the items below them.
-TEST(Format, OptionsOfAGrammarDoNotGoOn) {
+// `blend` and `label` are options above the rules and clauses of items within them.
+TEST(Format, OptionsOfAGrammarAreNotContinued) {
   EXPECT_EQ(
       format("grammar g {\nlabel +X\n# why\nblend smooth(1)\naxiom + f(1)\nlabel -X\n}\n"),
       "grammar g {\n  label +X\n  # why\n  blend smooth(1)\n  axiom + f(1)\n      label -X\n}\n");
@@ -86,7 +86,7 @@ TEST(Format, SpacesOperatorsAsWritten) {
             "let a = 1..2\nlet b = a < b and not(c)\n");
 }
 
-TEST(Format, EntriesOnOneLineStandApart) {
+TEST(Format, EntriesOnOneLineAreSeparated) {
   EXPECT_EQ(format("render main {spp 16 size 4x3 run a,b}\n"),
             "render main { spp 16  size 4x3  run a, b }\n");
 }

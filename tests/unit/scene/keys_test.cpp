@@ -8,7 +8,7 @@ namespace vug::scene {
 namespace {
 
 struct Read {
-  std::string value;  ///< Of `let x`; faults as "! message".
+  std::string value;  ///< Value of `let x`; errors as "! message".
   bool moves = false;
 };
 
@@ -31,7 +31,7 @@ std::string x(const std::string& expression, double frame) {
   return read("let x = " + expression, frame).value;
 }
 
-TEST(Keys, AreMetAndJoinedByLines) {
+TEST(Keys, AreInterpolatedLinearly) {
   const std::string keys = "keys(1: 50cm, 11: 2.5m, 21: 2m)";
   for (const auto& [frame, value] :
        {std::pair(-4.0, "0.5m"), std::pair(1.0, "0.5m"), std::pair(6.0, "1.5m"),
@@ -42,13 +42,13 @@ TEST(Keys, AreMetAndJoinedByLines) {
   EXPECT_EQ(x("2 * keys(0: 1, 0.5: 3) + frame", 0.25), "4.25");
 }
 
-TEST(Keys, StepsKeepAnyValue) {
+TEST(Keys, StepsHoldAnyValue) {
   EXPECT_EQ(x("keys(step, 1: \"a\", 5: \"b\")", 4.9), "\"a\"");
   EXPECT_EQ(x("keys(step, 1: 1m, 5: 2m)", 5), "2m");
   EXPECT_EQ(x("keys(step, 1: true, 5: false)", 0), "true");
 }
 
-TEST(Keys, SmoothCurvesRestAtEndsAndNeverOvershoot) {
+TEST(Keys, SmoothCurvesAreFlatAtEndsAndNeverOvershoot) {
   const std::vector<double> frames = {0, 4, 5, 9, 20}, values = {0, 1, 8, 8, 3};
   const auto at = [&](double f) { return interpolate_keys(frames, values, Ease::smooth, f); };
   for (size_t i = 0; i < frames.size(); ++i) EXPECT_DOUBLE_EQ(at(frames[i]), values[i]);
@@ -60,31 +60,31 @@ TEST(Keys, SmoothCurvesRestAtEndsAndNeverOvershoot) {
       const double v = at(frames[i] + t * (frames[i + 1] - frames[i]));
       EXPECT_GE(v, low - 1e-12);
       EXPECT_LE(v, high + 1e-12);
-      EXPECT_GE((v - before) * (values[i + 1] - values[i]), -1e-12) << "it turns between keys";
+      EXPECT_GE((v - before) * (values[i + 1] - values[i]), -1e-12) << "not monotone between keys";
       before = v;
     }
   }
   constexpr double h = 1e-6;
-  EXPECT_NEAR((at(h) - at(0)) / h, 0, 1e-4) << "rests at the first key";
-  EXPECT_NEAR((at(20) - at(20 - h)) / h, 0, 1e-4) << "rests at the last";
+  EXPECT_NEAR((at(h) - at(0)) / h, 0, 1e-4) << "flat at the first key";
+  EXPECT_NEAR((at(20) - at(20 - h)) / h, 0, 1e-4) << "flat at the last key";
   EXPECT_NEAR((at(4 + h) - at(4)) / h, (at(4) - at(4 - h)) / h, 1e-3) << "no corner between";
   EXPECT_EQ(x("keys(smooth, 0: 0, 2: 1)", 0.5), "0.15625");  // 3 t^2 - 2 t^3 at a quarter
 }
 
-TEST(Keys, TellWhatDependsOnTheFrame) {
+TEST(Keys, TrackFrameDependence) {
   EXPECT_FALSE(read("let x = 1 + 2", 3).moves);
   EXPECT_TRUE(read("let x = frame", 3).moves);
   EXPECT_TRUE(read("let x = keys(1: 2)", 3).moves);
   EXPECT_TRUE(read("let y = frame\nlet x = 2 * y", 3).moves);
 }
 
-TEST(Keys, EachDrawsItsOwnNumber) {
+TEST(Keys, EachKeyDrawsItsOwnNumber) {
   const std::string keys = "keys(1: 0..1, 2: 0..1)";
   EXPECT_NE(x(keys, 1), x(keys, 2));
   EXPECT_EQ(x(keys, 1), x("keys(1: 0..1, 2: 0..1, 3: 5)", 1)) << "a further key changes nothing";
 }
 
-TEST(Keys, SayWhatIsWrong) {
+TEST(Keys, ReportErrors) {
   EXPECT_EQ(x("keys()", 1), "! 'keys' needs at least one key");
   EXPECT_EQ(x("keys(1, 2)", 1), "! 'keys' needs frames with their values");
   EXPECT_EQ(x("keys(a: 2)", 1), "! 'keys' needs frames with their values");

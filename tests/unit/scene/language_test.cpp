@@ -1,4 +1,4 @@
-// Every ```vug example of docs/reference/language.md is a scene without a fault.
+// Every ```vug example of docs/reference/language.md is a scene without errors.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
 #include <vug/scene/format.h>

@@ -46,7 +46,7 @@ Number number(const std::string& text) {
   return tokens[0].number;
 }
 
-TEST(Lexer, TellsRangesFromNumbers) {
+TEST(Lexer, DistinguishesRangesFromNumbers) {
   EXPECT_EQ(kinds("1..32"), "num:1 .. num:32");
   EXPECT_EQ(kinds("0.6..1.2"), "num:0.6 .. num:1.2");
   EXPECT_EQ(kinds(".5...75"), "num:.5 .. num:.75");
@@ -54,14 +54,14 @@ TEST(Lexer, TellsRangesFromNumbers) {
   EXPECT_EQ(kinds("0%..100%"), "num:0% .. num:100%");
 }
 
-TEST(Lexer, TellsSizesUnitsAndExponents) {
+TEST(Lexer, DistinguishesSizesUnitsAndExponents) {
   EXPECT_EQ(kinds("1920x1080"), "size:1920x1080");
   EXPECT_EQ(kinds("2xy"), "num:2xy !");
   EXPECT_EQ(kinds("1e-3 2e 3em"), "num:1e-3 num:2e num:3em !");
   EXPECT_EQ(kinds("10in 10 in"), "num:10in num:10 name:in");
 }
 
-TEST(Lexer, SignsAreAsLongAsTheyCanBe) {
+TEST(Lexer, SignsMatchGreedily) {
   EXPECT_EQ(kinds("a->b"), "name:a -> name:b");
   EXPECT_EQ(kinds("a<=b>=c==d!=e"), "name:a <= name:b >= name:c == name:d != name:e");
   EXPECT_EQ(kinds("a - > b"), "name:a - > name:b");
@@ -86,7 +86,7 @@ TEST(Lexer, UnitsAreExact) {
   EXPECT_EQ(number("30").dimension, Dimension::none);
 }
 
-TEST(Lexer, PlacesCountCharacters) {
+TEST(Lexer, ColumnsCountCharacters) {
   Diagnostics diagnostics;
   const std::string text = "\t\"h\xc3\xa4ng\" b\n  c";
   const auto tokens = lex(text, "t", diagnostics);
@@ -96,14 +96,14 @@ TEST(Lexer, PlacesCountCharacters) {
   EXPECT_EQ(tokens[3].column, 3);
 }
 
-TEST(Lexer, OneDiagnosticForARunOfJunk) {
+TEST(Lexer, OneDiagnosticPerRunOfInvalidCharacters) {
   Diagnostics diagnostics;
   const std::string text("a \x01\x02\x03 b \xff\xff", 10);
   lex(text, "t", diagnostics);
   EXPECT_EQ(diagnostics.all().size(), 2u);
 }
 
-TEST(Lexer, TextsKeepWhatTheyHold) {
+TEST(Lexer, TextsKeepTheirContent) {
   EXPECT_EQ(unquote(R"("a \"b\" \\ \n")"), "a \"b\" \\ \n");
   EXPECT_EQ(unquote("\"open"), "open");
 }

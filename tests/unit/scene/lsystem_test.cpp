@@ -1,4 +1,4 @@
-// The dialect of L-systems: what it reads, what it refuses and where, and how it is formatted.
+// The dialect of L-systems: parsing, errors with their locations, and formatting.
 #include <gtest/gtest.h>
 #include <vug/scene/format.h>
 #include <vug/scene/lsystem_parser.h>
@@ -48,7 +48,7 @@ TEST(LSystemText, SplitsNamesAtCapitals) {
   EXPECT_EQ(split("Leaff"), "Leaff ");
 }
 
-TEST(LSystemText, ReadsTheBooksWords) {
+TEST(LSystemText, ReadsWordsOfThePublication) {
   const Read plant = read(R"(grammar tree: lsystem {
   steps 7; angle 22.5deg
   axiom A   # prusinkiewicz1990, figure 1.25
@@ -129,7 +129,7 @@ TEST(LSystemText, KnowsRulesByTheirArrows) {
   EXPECT_EQ(names(system.productions[2].word), "F1");
 }
 
-TEST(LSystemText, WarnsOfSmallLettersInARow) {
+TEST(LSystemText, WarnsOfConsecutiveLowerCaseLetters) {
   const Read algae = read("grammar g: lsystem {\n  axiom b\n  a -> ab\n  b -> a\n}\n");
   EXPECT_EQ(algae.report,
             "t.vug:3:8: warning: 'ab' is a single module without a rule\n  a -> ab\n"
@@ -141,17 +141,17 @@ TEST(LSystemText, WarnsOfSmallLettersInARow) {
 
 struct Fault {
   const char* rules;
-  const char* expected;  ///< Part of the report.
+  const char* expected;  ///< A part of the report.
 };
 
 class LSystemFaults : public ::testing::TestWithParam<Fault> {};
 
-TEST_P(LSystemFaults, AreTold) {
+TEST_P(LSystemFaults, AreReported) {
   const Read made =
       read(std::string("grammar g: lsystem {\n") + GetParam().rules + "\n}\nlet a = 1\n");
   EXPECT_NE(made.report.find(GetParam().expected), std::string::npos) << made.report;
   EXPECT_TRUE(made.document.grammars.at(0).broken);
-  EXPECT_EQ(made.document.lets.size(), 1u) << "what follows is read";
+  EXPECT_EQ(made.document.lets.size(), 1u) << "the following text is parsed";
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -187,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"axiom F\nF -> G(x: 1)", "modules take their arguments by position"},
         Fault{"axiom F\ntable t { steps 3 }\nschedule t", "expected a rule, found 'steps'"}));
 
-TEST(LSystemText, SignsAreJunkElsewhere) {
+TEST(LSystemText, SignsAreInvalidElsewhere) {
   const Read made = read("let a = 1 ! 2\ngrammar g { axiom + box()\n  A -> + box() ' }\n");
   EXPECT_NE(made.report.find("t.vug:1:11: error: unexpected character '!'"), std::string::npos);
   EXPECT_NE(made.report.find("unexpected character '''"), std::string::npos) << made.report;
@@ -203,7 +203,7 @@ TEST(LSystemText, ABlockThatIsNeverClosed) {
   EXPECT_EQ(made.document.lets.size(), 1u);
 }
 
-TEST(LSystemText, ALineLikeAStatementIsNotReadForEver) {
+TEST(LSystemText, ALineLikeAStatementTerminates) {
   const Read made =
       read("grammar g: lsystem {\n  axiom F\ntable t {\n F interpret {\n  F - {\n }\n}\n");
   EXPECT_TRUE(made.diagnostics.has_errors());

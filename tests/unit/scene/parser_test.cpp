@@ -17,13 +17,13 @@ TEST(Expressions, BindAsDocumented) {
   EXPECT_EQ(shape_of("[1, 2,]"), "[1, 2]");
 }
 
-TEST(Expressions, GoOnOverLineBreaksWhereNothingElseCanBe) {
+TEST(Expressions, ContinueAcrossUnambiguousLineBreaks) {
   const Document document = parsed("let a = 1 +\n  2\n  * 3\nlet b = f(\n 1,\n\n 2)\n  .g(3)\n");
   EXPECT_EQ(dump(*document.lets[0].value), shape_of("1 + 2 * 3"));
   EXPECT_EQ(dump(*document.lets[1].value), shape_of("f(1, 2).g(3)"));
 }
 
-TEST(Expressions, ALongSumIsFineAndATallOneIsNot) {
+TEST(Expressions, LongSumsAreAcceptedAndDeepOnesRejected) {
   std::string sum = "let a = 1";
   for (int i = 0; i < 900; ++i) sum += " + 1";
   EXPECT_EQ(faults(sum), "");
@@ -31,7 +31,7 @@ TEST(Expressions, ALongSumIsFineAndATallOneIsNot) {
   EXPECT_EQ(faults(sum), "1: an expression with more than 1000 levels\n");
 }
 
-TEST(Expressions, NestingBombsAreRefused) {
+TEST(Expressions, ExcessiveNestingIsRejected) {
   for (const char* bomb : {"(", "[", "-", "f(", "not ", "2^", "a.f("}) {
     std::string text = "let a = ";
     for (int i = 0; i < 100000; ++i) text += bomb;
@@ -103,7 +103,7 @@ TEST(Grammars, MorphAmounts) {
   EXPECT_EQ(amount("~ f(1) label random").substr(0, 3), "- f");
 }
 
-TEST(Includes, LoadEachFileOnceAndNameCircles) {
+TEST(Includes, LoadEachFileOnceAndReportCycles) {
   std::map<std::string, std::string> files = {{"lib/a.vug", "include \"b.vug\"\nlet a = 1"},
                                               {"lib/b.vug", "let b = 2"},
                                               {"data/c.vug", "include \"d.vug\""},
@@ -126,7 +126,7 @@ TEST(Includes, LoadEachFileOnceAndNameCircles) {
   EXPECT_EQ(diagnostics.all()[0].hint, "data/c.vug -> data/d.vug -> data/c.vug");
 }
 
-TEST(Includes, HugeFilesAreRefused) {
+TEST(Includes, HugeFilesAreRejected) {
   ParseOptions options;
   options.max_bytes = 100;
   EXPECT_EQ(faults(std::string(101, ' '), options), "1: 't.vug' is larger than 100 bytes\n");

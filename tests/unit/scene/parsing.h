@@ -1,4 +1,4 @@
-// Short hands for tests of the language.
+// Helpers for tests of the language.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 namespace vug::scene {
 
-/// A document that must parse.
+/// Parses a document; the test fails if there are errors.
 inline Document parsed(const std::string& text) {
   Diagnostics diagnostics;
   Document document = parse(text, "t.vug", diagnostics);
@@ -16,7 +16,7 @@ inline Document parsed(const std::string& text) {
   return document;
 }
 
-/// Messages of all faults, one a line.
+/// The messages of all errors, one per line.
 inline std::string faults(const std::string& text, const ParseOptions& options = {}) {
   Diagnostics diagnostics;
   parse(text, "t.vug", diagnostics, options);

@@ -1,4 +1,4 @@
-// Seeded choice: what a draw depends on and what it does not.
+// Seeded random choices and their dependence on seed and path.
 #include <cmath>
 #include <map>
 
@@ -8,7 +8,7 @@
 namespace vug::scene {
 namespace {
 
-/// The value of a let under a seed.
+/// The value of a let for a seed.
 Value drawn(const std::string& text, const std::string& let, uint64_t seed = 1) {
   const Document document = parsed(text);
   FakeResolver resolver;
@@ -25,7 +25,7 @@ double number(const std::string& text, const std::string& let = "a", uint64_t se
   return drawn(text, let, seed).get<Number>()->value;
 }
 
-TEST(Random, DependsOnSeedAndPlaceOnly) {
+TEST(Random, DependsOnSeedAndPathOnly) {
   const double first = number("let a = 0..1");
   EXPECT_EQ(first, number("let a = 0..1"));
   EXPECT_EQ(first, number("let b = 0..1\n\n# more\nlet a = 0 .. 1\nlet c = 0..1"));
@@ -33,7 +33,7 @@ TEST(Random, DependsOnSeedAndPlaceOnly) {
   EXPECT_NE(first, number("let b = 0..1", "b"));
 }
 
-/// Identities of the ranges of an expression, by the way of names that leads to them.
+/// Identities of the ranges of an expression, by the path of names that leads to them.
 void paths(const Expr& expr, const std::string& way, std::map<std::string, uint64_t>& out) {
   if (expr.kind == ExprKind::range) out[way] = expr.path;
   const bool call = expr.kind == ExprKind::call;
@@ -55,9 +55,9 @@ TEST(Random, SiblingsOfOtherNamesChangeNothing) {
   EXPECT_EQ(alone, identity("box(size: 1..2) + sphere(radius: 1..2)", way));
   EXPECT_EQ(alone, identity("sphere(center: (0, 0..1, 0), radius: 1..2) - torus(tube: 1..2)", way));
   EXPECT_EQ(alone, identity("[4..5, sphere(radius: 1..2)]", way));
-  // The last of two of one name wins in `paths`: they differ.
+  // Of two with the same name, `paths` keeps the last one: they differ.
   EXPECT_NE(alone, identity("sphere(radius: 1..2) + sphere(radius: 1..2)", way));
-  // A method added behind leaves its receiver alone.
+  // An appended method does not change its receiver.
   Diagnostics diagnostics;
   const ExprPtr moved = parse_expression("sphere(radius: 1..2).move(0..1)", "t", diagnostics);
   EXPECT_EQ(moved->operands[0].value->operands[0].value->path, alone);
@@ -116,7 +116,7 @@ TEST(Random, PickIsFairAndLazy) {
   }
 }
 
-TEST(Random, VectorsDrawEachPart) {
+TEST(Random, VectorsDrawEachComponent) {
   const Value value = drawn("let a = (0, 1m, 2)..(1, 2, 3)", "a");
   const auto* v = value.get<Value::Vector>();
   ASSERT_TRUE(v);

@@ -1,4 +1,4 @@
-// One fault hides no other, and makes no other.
+// An error neither hides other errors nor causes further ones.
 #include "parsing.h"
 
 namespace vug::scene {
@@ -31,17 +31,17 @@ TEST(Recovery, ALostBraceEndsAtTheNextStatement) {
             "1: the '{' of camera 'a' is never closed\n4: duplicate let 'b'\n");
 }
 
-TEST(Recovery, WhatIsNoTextIsOneFault) {
+TEST(Recovery, ABinaryFileIsOneError) {
   EXPECT_EQ(faults(std::string(" BDV\0\0\x01 let\n\xff\xfe", 13)),
             "0: the file is not a text file\n");
   ParseOptions options;
   options.read = [](const std::filesystem::path&) { return std::string("l\0e\0t\0", 6); };
   EXPECT_EQ(faults("let a = 1\ninclude \"b.vug\"\n", options), "2: 'b.vug' is not a text file\n");
   EXPECT_EQ(faults(std::string("let a = 1  # caf\xe9\nlet b = \0 2\n", 29)), "2: invalid byte\n")
-      << "a stray byte has a place of its own";
+      << "a stray byte has its own location";
 }
 
-TEST(Recovery, ReportsShowNoBytesOfAnotherKind) {
+TEST(Recovery, ReportsShowOnlyPrintableText) {
   Diagnostics diagnostics;
   diagnostics.error({"a\xff.vug", 0, 0}, "no channel '\xd6\x01'", "see '\x1b[2J'");
   EXPECT_EQ(report(diagnostics, {}),

@@ -1,4 +1,4 @@
-// Which dimensions may meet, and what comes of it.
+// Valid combinations of dimensions and their results.
 #include <vug/scene/arithmetic.h>
 #include <vug/scene/units.h>
 
@@ -7,7 +7,7 @@
 namespace vug::scene {
 namespace {
 
-/// Number of 2 [a] op 4 [b] with its dimension, or "fault".
+/// The type of 2 [a] op 4 [b], or "fault".
 std::string meet(char op, Dimension a, Dimension b) {
   Diagnostics diagnostics;
   const SourceLocation where;
@@ -20,7 +20,7 @@ constexpr Dimension kNone = Dimension::none, kLength = Dimension::length, kAngle
                     kRatio = Dimension::ratio, kPerLength = Dimension::per_length,
                     kTime = Dimension::time;
 
-TEST(Units, SumsNeedOneDimension) {
+TEST(Units, SumsNeedEqualDimensions) {
   for (const Dimension a : {kNone, kLength, kAngle, kRatio, kPerLength, kTime})
     for (const Dimension b : {kNone, kLength, kAngle, kRatio, kPerLength, kTime}) {
       const bool bare_angle = (a == kAngle && b == kNone) || (a == kNone && b == kAngle);
@@ -57,7 +57,7 @@ TEST(Units, NamesOfUnitsAreValues) {
   EXPECT_DOUBLE_EQ(b.get<Number>()->value, 0.03 + 0.3048);
 }
 
-TEST(Units, EveryUnitIsOneOfItself) {
+TEST(Units, EveryUnitIsOneOfItsOwn) {
   for (const std::string& name : unit_names()) {
     EXPECT_TRUE(is_unit(name));
     const auto one = with_unit(1, name);
