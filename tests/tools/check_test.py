@@ -1,4 +1,4 @@
-"""Each check of tools/dev/check finds what it is for: a small good tree passes, bad ones do not."""
+"""The checks of tools/dev/check: a small correct tree passes, and faulty trees are reported."""
 import pathlib
 import subprocess
 import sys
@@ -27,12 +27,13 @@ GOOD = {
     "lib/vug/mesh/zero.cpp": "int zero() { return 0; }\n",
     "docs/theory.md": "# Theory\n\n## Two words\n\nSee [@lorensen1987].\n",
     "data/cave.vug": "seed 1\n",
+    "tools/dev/phrases.txt": (ROOT / "tools/dev/phrases.txt").read_text(),
 }
 BODY = "int zero() { return 0; }\n"
 
 
 def run(changes, *names):
-    """Exit code and output of the check on GOOD with some files added, changed or dropped."""
+    """Exit code and output of the check on GOOD with some files added, changed or removed."""
     with tempfile.TemporaryDirectory() as folder:
         for name, text in {**GOOD, **changes}.items():
             if text is None:
@@ -59,12 +60,13 @@ class CheckTest(unittest.TestCase):
     def test_a_good_tree_passes_every_check(self):
         code, output = run({})
         self.assertEqual(code, 0, output)
-        self.assertEqual(output.count(" ok "), 10, output)
+        checks = [path for path in (ROOT / "tools/dev/checks").glob("*.py") if path.stem != "tree"]
+        self.assertEqual(output.count(" ok "), len(checks), output)
 
     def test_unknown_check(self):
         code, output = run({}, "layer")
         self.assertEqual(code, 2)
-        self.assertIn("no such check: layer", output)
+        self.assertIn("unknown check: layer", output)
 
     def test_upward_and_sideways_includes(self):
         self.finds("layers", {"lib/vug/base/a.cpp": "#include <vug/mesh/mesh.h>\n"},
@@ -80,11 +82,11 @@ class CheckTest(unittest.TestCase):
 
     def test_include_style_and_unknown_modules(self):
         self.finds("layers", {"lib/vug/mesh/a.cpp": '#include "mesh.h"\n'}, "write #include <vug/")
-        self.finds("layers", {"lib/vug/mesh/a.cpp": "#include <vug/rocks/a.h>\n"}, "no such module")
+        self.finds("layers", {"lib/vug/mesh/a.cpp": "#include <vug/rocks/a.h>\n"}, "unknown module")
         self.finds("layers", {"lib/vug/rocks/a.cpp": BODY}, "not in the list")
 
     def test_doors_to_libraries(self):
-        for library, owner in (("openvdb/openvdb.h", "volume"), ("embree3/rtcore.h", "render"),
+        for library, owner in (("openvdb/openvdb.h", "volume"), ("embree3/rtcore.h", "raytree and render"),
                                ("OpenImageIO/imageio.h", "image"), ("OpenEXR/ImfArray.h", "image")):
             self.finds("layers", {"lib/vug/field/a.cpp": f"#include <{library}>\n"},
                        f"only {owner} may include {library}")
@@ -163,15 +165,15 @@ class CheckTest(unittest.TestCase):
 
     def test_links(self):
         self.finds("links", {"docs/a.md": "\n[x](nowhere.md)\n"}, "docs/a.md:2")
-        self.finds("links", {"docs/a.md": "[x](theory.md#three-words)\n"}, "no such heading")
+        self.finds("links", {"docs/a.md": "[x](theory.md#three-words)\n"}, "unknown heading")
         self.finds("links", {"docs/a.md": "![x](picture.png)\n"}, "picture.png")
         self.passes("links", {"docs/a.md": "```\n[x](nowhere.md)\n```\n[y](https://a.b/c)\n"})
 
     def test_paths(self):
-        for text, what in (("see `mesh/nowhere.cpp`", "docs/a.md:2: there is no mesh/nowhere.cpp"),
-                           ("`lib/nowhere/`", "there is no lib/nowhere/"),
-                           ("`one` in\n`mesh/zero.cpp`", "mesh/zero.cpp has no one"),
-                           ("| `mesh/zero.cpp`, `Zero::one` |", "mesh/zero.cpp has no Zero")):
+        for text, what in (("see `mesh/nowhere.cpp`", "docs/a.md:2: missing file: mesh/nowhere.cpp"),
+                           ("`lib/nowhere/`", "missing file: lib/nowhere/"),
+                           ("`one` in\n`mesh/zero.cpp`", "mesh/zero.cpp does not contain one"),
+                           ("| `mesh/zero.cpp`, `Zero::one` |", "mesh/zero.cpp does not contain Zero")):
             self.finds("paths", {"docs/a.md": "\n" + text + "\n"}, what)
         self.passes("paths", {"docs/a.md": "`a / b`, `out/a.vdb`, `lib/vug/mesh/`, `field/primitives/box.cpp`"
                                            "\n```\n`mesh/nowhere.cpp`\n```\n"})

@@ -1,4 +1,4 @@
-"""tools/dev/new on a copy of the tree: what it writes is listed, in order, and compiles.
+"""tools/dev/new on a copy of the tree: the files it writes are listed, in order, and compile.
 
     new_test.py BUILD    the build folder whose compile_commands.json says how to compile
 """
@@ -44,15 +44,15 @@ class NewTest(unittest.TestCase):
                               capture_output=True, text=True)
 
     def syntax_errors(self, file, like):
-        """What the compiler says of `file`, called as it is for the file `like` of the build."""
+        """Compiler errors of `file`, compiled with the command of the build's file `like`."""
         for entry in json.loads((BUILD / "compile_commands.json").read_text()):
             if pathlib.Path(entry["file"]).parent == like:
                 break
         else:
-            self.skipTest(f"nothing of {like} is built")
+            self.skipTest(f"no file of {like} is built")
         words = [word for word in shlex.split(entry["command"]) if "ccache" not in word]
         end = words.index("-o")
-        # The lists that CMake writes are made here, with the new name in them.
+        # These lists stand in for those written by CMake and contain the new name.
         includes = [f"-I{self.tree}/build/include", f"-I{self.tree}/lib"]
         done = subprocess.run([words[0], *includes, *words[1:end], "-fsyntax-only", "-c", file],
                               cwd=entry["directory"], capture_output=True, text=True)
@@ -142,9 +142,9 @@ class NewTest(unittest.TestCase):
         self.assertEqual(errors, "")
 
     def test_refusals(self):
-        cases = {("primitive", "Egg"): "no name", ("primitive", "9lives"): "no name",
-                 ("primitive", "../egg"): "no name", ("primitive", "sphere"): "already",
-                 ("deformer", "sphere"): "already", ("primitives", "egg"): "no template"}
+        cases = {("primitive", "Egg"): "invalid name", ("primitive", "9lives"): "invalid name",
+                 ("primitive", "../egg"): "invalid name", ("primitive", "sphere"): "already",
+                 ("deformer", "sphere"): "already", ("primitives", "egg"): "unknown template"}
         for words, reason in cases.items():
             done = self.new(*words)
             self.assertEqual((done.returncode, done.stdout), (2, ""), words)

@@ -1,4 +1,4 @@
-"""tools/dev/packages is well formed, and the installer has nothing to do where all is installed."""
+"""tools/dev/packages is well formed, and the installer does nothing if all packages are installed."""
 import pathlib
 import re
 import subprocess
@@ -18,7 +18,7 @@ class PackagesTest(unittest.TestCase):
                 section = line
                 self.assertIn(section, ("[build]", "[test]", "[docs]"))
                 continue
-            self.assertIsNotNone(section, f"{line} stands before the first section")
+            self.assertIsNotNone(section, f"{line} precedes the first section")
             self.assertRegex(line, r"^[a-z0-9][a-z0-9.+-]+( *# .+)?$")
             name = re.match(r"[^ ]+", line).group(0)
             self.assertNotIn(name, seen, f"{name} is listed twice")

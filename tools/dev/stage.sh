@@ -1,9 +1,9 @@
-# Sourced by tools/demo and tools/test: runs a stage of the work quietly, one line each.
+# Sourced by tools/demo and tools/test: runs stages of work with one line of output each.
 # shellcheck shell=bash
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$root" || exit 3
 
-# stage TITLE COMMAND...: one line with the seconds it took; its output only when it fails.
+# stage TITLE COMMAND...: prints one line with the elapsed seconds; the output only on failure.
 stage() {
   local title=$1 log start=$SECONDS
   shift
@@ -17,12 +17,12 @@ stage() {
     printf 'FAILED after %d s\n' $((SECONDS - start))
     tail -n 60 "$log" >&2
     echo "Stage '$title' failed: $*" >&2
-    echo "All it said is in $log" >&2
+    echo "The complete output is in $log" >&2
     exit "$status"
   fi
 }
 
-# show TITLE COMMAND...: the same for a stage whose output is the point.
+# show TITLE COMMAND...: runs a stage whose output is shown.
 show() {
   local title=$1 start=$SECONDS
   shift

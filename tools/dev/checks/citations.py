@@ -1,4 +1,4 @@
-"""Every source that is cited stands in docs/references.bib, and every entry is cited once at least.
+"""Every cited source is in docs/references.bib, and every entry is cited at least once.
 
 A kind cites with .cite("key"), comments and documents with [@key].
 """
@@ -16,7 +16,7 @@ def check(tree):
             match = re.match(r"\s*@(\w+)\s*\{\s*([^,\s]+)", line)
             if match and match.group(1).lower() not in ("comment", "string", "preamble"):
                 if match.group(2) in entries:
-                    yield Finding(BIB, number, f"{match.group(2)} stands here twice")
+                    yield Finding(BIB, number, f"duplicate entry {match.group(2)}, listed twice")
                 entries[match.group(2)] = number
     everything = ""
     for name in tree.select(".h", ".cpp", ".md", ".vug"):

@@ -1,4 +1,4 @@
-"""Nothing stands in the sources that the project has agreed to leave out."""
+"""The sources contain none of the constructs that the project forbids."""
 import re
 
 from .tree import Finding, module_of
@@ -11,28 +11,28 @@ IN_LIBRARY = [
     (rf"\bstd::{TRANSCENDENTAL}f?\b|(?<![\w:.>]){TRANSCENDENTAL}f\s*\(",
      {"field", "volume", "sgm", "grammar", "mesh", "meshing", "metrics", "scene",
       "cells"},
-     "its last bits differ between machines: use <vug/base/maths.h>"),
+     "results differ between machines in the last bits: use <vug/base/maths.h>"),
     (r"\bstd::(?:cout|cerr|clog)\b|\b(?:std::)?(?:printf|fprintf|puts|fputs|putchar)\s*\(", None,
      "the library never prints: return a value or throw vug::Error"),
     (r"(?<![\w.>:])(?:std::)?(?:exit|abort|_Exit|quick_exit|terminate)\s*\(", None,
      "the library never ends the process: throw vug::Error"),
-    (r"\bthrow\s+std::", None, "there is one exception type: vug::Error"),
+    (r"\bthrow\s+std::", None, "the only exception type is vug::Error"),
     (r"\bstd::(?:random_device|mt19937\w*|default_random_engine|\w+_distribution)\b"
      r"|(?<![\w.>:])(?:std::)?s?rand\s*\(", None, "randomness comes from <vug/base/rng.h> only"),
     (r"\bsystem_clock\b|(?<![\w.>:])(?:std::)?(?:localtime|gmtime|strftime)\w*\s*\(", None,
      "products carry no time stamps: steady_clock measures durations"),
 ]
-IN_HEADERS = [(r"^\s*using\s+namespace\s+(?!v\d)", "a header opens no namespace for its includers")]
-# In every text, comments and strings too. ([D] and the like keep this file from finding itself.)
+IN_HEADERS = [(r"^\s*using\s+namespace\s+(?!v\d)", "headers must not contain using-directives")]
+# In all texts, including comments and strings. ([D] and the like keep this file from matching itself.)
 IN_ALL = [
-    (r"\b(?:TO[D]O|FIX[M]E|XX[X])\b", "finish it, or write it down as an open point in docs/"),
-    (r"\bST[U]B:", "left to write by tools/dev/new"),
+    (r"\b(?:TO[D]O|FIX[M]E|XX[X])\b", "finish it, or record it as an open point in docs/"),
+    (r"\bST[U]B:", "tools/dev/new left this text to be written"),
     (r"(?<![\w.~}$])/(?:work|root|home)/\w", "an absolute path of one machine"),
     (r"\b(?:deb|snapshot|security)\.debian\.org|\bpypi\.org|\bregistry\.npmjs\.org"
-     r"|\bproxy\.golang\.org", "the name of a package server: leave it to the machine's settings"),
+     r"|\bproxy\.golang\.org", "name of a package server: use the settings of the machine"),
 ]
 
-# Inputs of tests, and what tools/dev/new copies.
+# Inputs of tests, and the templates of tools/dev/new.
 UNCHECKED = ("tests/data/", "tests/fuzz/corpus/", "tools/dev/templates/")
 
 
@@ -52,7 +52,7 @@ def check(tree):
         if "#pragma once" not in tree.text(name):
             yield Finding(name, 1, "a header starts with #pragma once")
         if name.startswith("lib/") and not tree.text(name).startswith("// "):
-            yield Finding(name, 1, "a header starts with a comment: what it is for, what it promises")
+            yield Finding(name, 1, "a header starts with a comment that states its purpose and its guarantees")
         for pattern, advice in IN_HEADERS if name.startswith("lib/") else ():
             for match in re.finditer(pattern, tree.code(name), re.M):
                 yield Finding(name, number_of(tree.code(name), match.start()), advice)

@@ -1,4 +1,4 @@
-"""clang-format 14 agrees with every C++ source."""
+"""All C++ sources are formatted by clang-format 14."""
 import concurrent.futures
 import os
 import re

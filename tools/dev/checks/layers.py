@@ -1,4 +1,4 @@
-"""Includes point down only: layers, doors to big libraries, no cycles, no heavy public headers.
+"""Includes point downwards only: layers, wrappers of large libraries, no cycles, no heavy public headers.
 
 The layers are the lines of the module list in lib/CMakeLists.txt, lowest first: a file may include
 its own module and the modules of earlier lines, and only those its module's DEPENDS reaches.
@@ -11,7 +11,7 @@ from .tree import Finding, module_of
 DOORS = {"openvdb/": ("volume",), "embree3/": ("raytree", "render"), "OpenImageIO/": ("image",),
          "OpenEXR/": ("image",), "OpenColorIO/": ("image",), "tiny_gltf.h": ("exchange",),
          "meshoptimizer.h": ("exchange",)}
-# Costly to parse: never reachable through a header that another module includes.
+# Expensive to parse: must not be reachable through a header that another module includes.
 HEAVY = (*DOORS, "nlohmann/json.hpp", "CLI/", "Eigen/")
 
 
@@ -52,7 +52,7 @@ def check_direction(tree, layers, depends):
             if not angle:
                 yield Finding(name, line, f'write #include <vug/module/...>, not "{path}"')
             elif other and other not in layers:
-                yield Finding(name, line, f"no such module: {other}")
+                yield Finding(name, line, f"unknown module: {other}")
             elif other and other != module and layers[other] >= layers[module]:
                 way = "up" if layers[other] > layers[module] else "sideways"
                 yield Finding(name, line, f"{module} includes {way}: {path}")
@@ -64,7 +64,7 @@ def check_direction(tree, layers, depends):
 
 
 def header_graph(tree):
-    """Header or source -> [(line, the header of ours it includes)]."""
+    """Header or source -> [(line, included header of this project)]."""
     known = set(tree.files)
     return {name: [(line, "lib/" + path) for line, path, _ in tree.includes(name)
                    if "lib/" + path in known] for name in tree.sources()}

@@ -1,4 +1,4 @@
-"""Files lie where the design puts them, and every kind is listed once, in order."""
+"""Files are in their designated folders, and every kind is listed once, in alphabetical order."""
 import re
 
 from .tree import Finding

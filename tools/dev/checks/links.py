@@ -1,4 +1,4 @@
-"""Links between Markdown files lead to files and headings that exist."""
+"""Links between Markdown files refer to existing files and headings."""
 import posixpath
 import re
 
@@ -28,6 +28,6 @@ def check(tree):
                 path, _, anchor = target.partition("#")
                 full = posixpath.normpath(posixpath.join(posixpath.dirname(name), path)) if path else name
                 if full not in known:
-                    yield Finding(name, number, f"the link leads nowhere: {target}")
+                    yield Finding(name, number, f"broken link: {target}")
                 elif anchor and full.endswith(".md") and anchor not in anchors(tree.text(full)):
-                    yield Finding(name, number, f"no such heading: {target}")
+                    yield Finding(name, number, f"unknown heading: {target}")

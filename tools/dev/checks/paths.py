@@ -1,8 +1,8 @@
-"""Files, folders and names in backquotes that documents point to exist.
+"""Files, folders and names that documents mention in backquotes exist.
 
-`loading/load.cpp` may be written from the top, from lib/vug, from tests/unit or from the document's
-folder. A name beside its file, as in `unite` in `field/boolean.cpp` or `field/boolean.cpp`, `unite`,
-has to stand in that file or in its header.
+Paths such as `loading/load.cpp` may be relative to the top level, to lib/vug, to tests/unit or to the
+document's folder. A name next to its file, as in `unite` in `field/boolean.cpp` or `field/boolean.cpp`,
+`unite`, must occur in that file or in its header.
 """
 import posixpath
 import re
@@ -13,7 +13,7 @@ BASES = ("", "lib/vug/", "lib/", "tests/unit/")
 PATH = r"`((?:[\w.-]+/)+(?:[\w.-]+\.(?:h|cpp|py|md|txt|json|bib|vug|cmake))?)`"
 NAME = r"`([A-Za-z_]\w*(?:::\w+)*)`"
 PAIRS = (rf"(?P<name>{NAME})\s+in\s+(?P<path>{PATH})", rf"(?P<path>{PATH}),\s+(?P<name>{NAME})")
-MADE = ("build/", "out/")  # by a build; not in the sources
+GENERATED = ("build/", "out/")  # by a build; not in the sources
 
 
 def resolve(known, document, path):
@@ -33,10 +33,10 @@ def check(tree):
                       tree.text(document), flags=re.M | re.S)
         for match in re.finditer(PATH, text):
             path = match.group(1)
-            if "NAME" in path or path.startswith(MADE):
+            if "NAME" in path or path.startswith(GENERATED):
                 continue
             if not resolve(known, document, path):
-                yield Finding(document, text.count("\n", 0, match.start()) + 1, f"there is no {path}")
+                yield Finding(document, text.count("\n", 0, match.start()) + 1, f"missing file: {path}")
         for match in (match for pattern in PAIRS for match in re.finditer(pattern, text)):
             path = match.group("path").strip("`")
             file = resolve(known, document, path)
@@ -47,4 +47,4 @@ def check(tree):
             for part in match.group("name").strip("`").split("::"):
                 if not re.search(rf"\b{part}\b", code):
                     yield Finding(document, text.count("\n", 0, match.start()) + 1,
-                                  f"{path} has no {part}")
+                                  f"{path} does not contain {part}")

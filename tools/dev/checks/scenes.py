@@ -1,4 +1,4 @@
-"""docs/reference/scenes.md lists every scene with what its first comment says."""
+"""docs/reference/scenes.md lists every scene with the first sentence of its comment."""
 import posixpath
 import re
 
@@ -33,11 +33,11 @@ def check(tree):
                 listed[target] = (number, entry.group(1), entry.group(3))
     for name, says in scenes.items():
         if not says:
-            yield Finding(name, 1, "a scene opens with a comment that says what it shows")
+            yield Finding(name, 1, "a scene starts with a comment that says what it shows")
         title = posixpath.basename(name)[:-len(".vug")]
         line = f"- [{title}]({posixpath.relpath(name, posixpath.dirname(LIST))}): {says}"
         number, *entry = listed.get(name, (0,))
         if entry != [title, says]:
             yield Finding(LIST, number, f"this line is missing or differs: {line}")
     for name in sorted(set(listed) - set(scenes)):
-        yield Finding(LIST, listed[name][0], f"there is no scene {name}")
+        yield Finding(LIST, listed[name][0], f"missing scene: {name}")

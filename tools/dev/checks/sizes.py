@@ -1,4 +1,4 @@
-"""Files stay small: a note above 400 lines (150 for headers), a finding above 600."""
+"""Files are small: a note above 400 lines (150 for headers), a finding above 600."""
 import statistics
 
 from .tree import Finding, module_of
@@ -18,9 +18,9 @@ def check(tree):
         if name.endswith(EXEMPT):
             continue
         if lines > FAIL:
-            yield Finding(name, 0, f"{lines} lines, at most {FAIL} are allowed: make it two files")
+            yield Finding(name, 0, f"{lines} lines, at most {FAIL} are allowed: split the file")
         elif lines > limit:
-            yield Finding(name, 0, f"{lines} lines, {limit} is the aim", note=True)
+            yield Finding(name, 0, f"{lines} lines, more than the recommended {limit}", note=True)
     everything = [size for sizes in modules.values() for size in sizes]
     if not everything:
         return

@@ -1,4 +1,4 @@
-"""codespell finds no misspelt word; exceptions are in tools/dev/spelling.txt."""
+"""codespell finds no misspelt words; exceptions are in tools/dev/spelling.txt."""
 import shutil
 import subprocess
 
@@ -14,7 +14,7 @@ def check(tree):
     names = [name for name in tree.files if name.endswith(TEXT) or "." not in name.split("/")[-1]]
     names = [name for name in names if not name.startswith(("tests/data/", "tests/fuzz/corpus/"))
              and name != "tools/dev/spelling.txt"
-             and not name.endswith("package-lock.json")]  # hashes hold any letters
+             and not name.endswith("package-lock.json")]  # hashes contain arbitrary letters
     command = ["codespell", "--quiet-level=7"]
     exceptions = tree.root / "tools/dev/spelling.txt"
     if exceptions.exists():

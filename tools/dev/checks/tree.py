@@ -1,4 +1,4 @@
-"""The tree under check: its files and their text, and what a finding is."""
+"""The checked tree with its files and their texts, and the type of findings."""
 import dataclasses
 import functools
 import pathlib
@@ -11,7 +11,7 @@ class Finding:
     path: str
     line: int
     message: str
-    note: bool = False  # worth knowing, but not wrong
+    note: bool = False  # information, not an error
 
     def __str__(self):
         place = f"{self.path}:{self.line}: " if self.line else f"{self.path}: " if self.path else ""
@@ -19,7 +19,7 @@ class Finding:
 
 
 class Tree:
-    """Files are those git tracks or would add; outside of git, all but build/ and out/."""
+    """The files that git tracks or would add; outside of git, all files but build/ and out/."""
 
     def __init__(self, root):
         self.root = pathlib.Path(root).resolve()
@@ -50,14 +50,14 @@ class Tree:
 
     @functools.lru_cache(maxsize=None)
     def code(self, name):
-        """C++ text with comments and literals blanked, line numbers kept."""
+        """C++ text with comments and literals replaced by blanks; line numbers are preserved."""
         def blank(match):
             return re.sub(r"[^\n]", " ", match.group(0))
         return re.sub(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"'
                       r"|'(?:\\.|[^'\\\n])+'", blank, self.text(name), flags=re.S)
 
     def includes(self, name):
-        """(line, included path, written in angle brackets) of every include."""
+        """(line, included path, whether in angle brackets) of every include."""
         for number, line in self.lines(name):
             match = re.match(r'\s*#\s*include\s*([<"])([^>"]+)[>"]', line)
             if match:
@@ -65,6 +65,6 @@ class Tree:
 
 
 def module_of(name):
-    """The module a path of lib/vug or of an include <vug/...> belongs to, or None."""
+    """The module of a path in lib/vug or of an include <vug/...>, or None."""
     match = re.match(r"(?:lib/)?vug/(\w+)/", name)
     return match.group(1) if match else None

@@ -1,5 +1,5 @@
 //@ lib/vug/field/deformers, name unique in the module
-// STUB: the map from a point outside to the child's space, and its Lipschitz constant.
+// STUB: the map from a point to the child's space, and its Lipschitz constant.
 #include <vug/field/deformer.h>
 
 namespace vug::field {
@@ -10,19 +10,19 @@ struct NewKind {
   Vec3d by{0, 0, 0};
 
   static void describe(Schema<NewKind>& s) {
-    s.doc("STUB: what it does to a solid, in one sentence.")
-        .param("field", &NewKind::field, {.doc = "STUB: what is moved", .required = true})
-        .param("by", &NewKind::by, any_length("STUB: how far"));
+    s.doc("STUB: its effect on a solid, in one sentence.")
+        .param("field", &NewKind::field, {.doc = "STUB: child field", .required = true})
+        .param("by", &NewKind::by, any_length("STUB: distance"));
   }
 
-  /// From outside to the child's space: the inverse of what happens to the solid.
+  /// Maps a point to the child's space: the inverse of the deformation of the solid.
   template <class T>
   Point<T> map(const Point<T>& p) const {
     return p - constant<T>(by);
   }
-  /// A ball that holds the image of a ball.
+  /// A ball that contains the image of a ball.
   Ball map(const Ball& ball) const { return {ball.centre - by, ball.radius}; }
-  /// Factor on the child's value.
+  /// Factor for the child's value.
   double scale() const { return 1; }
   Traits traits(const Traits& child) const {
     Traits out = child;

@@ -1,5 +1,5 @@
 //@ lib/vug/mesh/formats
-// STUB: the format, and what it leaves out of a mesh.
+// STUB: the format, and the data of a mesh that it cannot store.
 #include <vug/mesh/byte_writer.h>
 #include <vug/mesh/format_kind.h>
 #include <vug/mesh/text_scanner.h>
@@ -9,7 +9,7 @@
 namespace vug::mesh {
 namespace {
 
-/// "v x y z" for each vertex, "t a b c" for each triangle, counted from 0.
+/// Reads "v x y z" for each vertex and "t a b c" for each triangle, with indices from 0.
 Mesh read_new_kind(std::string_view bytes, const std::string& file) {
   Mesh mesh;
   TextScanner scan(bytes, file);
@@ -23,7 +23,7 @@ Mesh read_new_kind(std::string_view bytes, const std::string& file) {
       for (uint32_t& corner : triangle) {
         const int64_t index = scan.integer(scan.word());
         if (index < 0 || static_cast<size_t>(index) >= mesh.positions.size())
-          scan.fail(fmt::format("there is no vertex {}", index));
+          scan.fail(fmt::format("invalid vertex index {}", index));
         corner = static_cast<uint32_t>(index);
       }
       mesh.triangles.push_back(triangle);
@@ -47,6 +47,6 @@ void write_new_kind(const Mesh& mesh, const Comments&, const ByteSink& sink) {
 }  // namespace vug::mesh
 
 VUG_MESH_FORMAT(new_kind) {
-  return mesh_format("new_kind", "STUB: what the format holds of a mesh, and what it leaves out",
-                     "", read_new_kind, write_new_kind);
+  return mesh_format("new_kind", "STUB: the data of a mesh that the format stores and omits", "",
+                     read_new_kind, write_new_kind);
 }

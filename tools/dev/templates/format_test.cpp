@@ -1,5 +1,5 @@
 //@ tests/unit/mesh
-// What is known of new_kind alone; the tests of every format loop over the registry by themselves.
+// Tests of new_kind alone; the tests of all formats loop over the registry by themselves.
 #include <vug/mesh/format.h>
 
 #include <gtest/gtest.h>

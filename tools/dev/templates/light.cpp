@@ -1,5 +1,5 @@
 //@ lib/vug/render/lights
-// STUB: the shape of the light, how directions towards it are chosen, and the source.
+// STUB: the shape of the light, the sampling of directions towards it, and the source.
 #include <vug/render/kind.h>
 #include <vug/render/sampling.h>
 
@@ -10,14 +10,13 @@ struct NewKind {
   Vec3d radiance{1, 1, 1};
 
   static void describe(Schema<NewKind>& s) {
-    s.doc("STUB: what shines, in one sentence.")
+    s.doc("STUB: the light, in one sentence.")
         .param("radiance", &NewKind::radiance,
                {.doc = "Radiance of red, green, blue in W/sr/m^2.", .min = 0});
   }
 };
 
-/// As it stands: a sky that samples all directions alike. See Light for what each function
-/// promises.
+/// A sky that samples all directions uniformly. See Light for the contract of each function.
 class NewKindLight final : public Light {
  public:
   explicit NewKindLight(const NewKind& p) : radiance_(p.radiance) {}

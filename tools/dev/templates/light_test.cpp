@@ -1,6 +1,6 @@
 //@ tests/unit/render
-// What is known of new_kind in closed form; the tests of every kind loop over the registry by
-// themselves (chi-square of its samples, furnace).
+// Closed-form tests of new_kind; the tests of all kinds loop over the registry by themselves
+// (chi-square of the samples, furnace).
 #include <vug/render/kinds.h>
 
 #include <gtest/gtest.h>

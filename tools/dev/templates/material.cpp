@@ -10,13 +10,13 @@ struct NewKind {
   Vec3d albedo{0.5, 0.5, 0.5};
 
   static void describe(Schema<NewKind>& s) {
-    s.doc("STUB: what it looks like, in one sentence.")
+    s.doc("STUB: its appearance, in one sentence.")
         .param("albedo", &NewKind::albedo,
-               {.doc = "STUB: share of the light that is reflected", .min = 0, .max = 1});
+               {.doc = "STUB: fraction of the light that is reflected", .min = 0, .max = 1});
   }
 };
 
-/// Directions are local (z is the shading normal); see Bsdf for what each function promises.
+/// Directions are local (z is the shading normal); see Bsdf for the contract of each function.
 class NewKindBsdf final : public Bsdf {
  public:
   explicit NewKindBsdf(const Rgb& albedo) : albedo_(albedo) {}

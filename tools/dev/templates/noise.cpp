@@ -7,11 +7,11 @@ namespace {
 
 struct NewKind : OctaveParams {
   static void describe(Schema<NewKind>& s) {
-    describe_octaves(s.doc("STUB: what it looks like, in one sentence."));
+    describe_octaves(s.doc("STUB: its appearance, in one sentence."));
   }
 };
 
-/// What is made of each layer's gradient noise n in -1..1; the slope is that of `of`.
+/// Maps the gradient noise n in -1..1 of each octave; kSlope is the maximum slope of `of`.
 struct NewKindShape {
   static constexpr double kSlope = 1;
   template <class T>

@@ -1,5 +1,5 @@
 //@ lib/vug/field/operators, name unique in the module
-// STUB: the formula, and what it leaves of the distance.
+// STUB: the formula, and how exact the resulting distance is.
 #include <vug/field/modifier.h>
 
 namespace vug::field {
@@ -10,17 +10,17 @@ struct NewKind {
   double by = 0.1;
 
   static void describe(Schema<NewKind>& s) {
-    s.doc("STUB: what it does to a solid, in one sentence.")
-        .param("field", &NewKind::field, {.doc = "STUB: what is changed", .required = true})
-        .param("by", &NewKind::by, any_length("STUB: how far"));
+    s.doc("STUB: its effect on a solid, in one sentence.")
+        .param("field", &NewKind::field, {.doc = "STUB: child field", .required = true})
+        .param("by", &NewKind::by, any_length("STUB: distance"));
   }
 
-  /// The new value where the child's is `value`; T is any of the number types.
+  /// The new value for the child's `value`; T is any of the number types.
   template <class T>
   T apply(const T& value, const Point<T>&) const {
     return value - T(by);
   }
-  /// What is promised of the new values, given what was promised of the child's.
+  /// The guarantees for the new values, derived from those of the child.
   Traits traits(const Traits& child) const {
     Traits out = child;
     out.bounds = child.bounds_below(by);

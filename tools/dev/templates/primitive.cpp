@@ -9,10 +9,11 @@ struct NewKind {
   double radius = 1;
 
   static void describe(Schema<NewKind>& s) {
-    s.doc("STUB: what it is, in one sentence.")
-        .param("radius", &NewKind::radius, positive_length("STUB: what is measured"));
+    s.doc("STUB: the solid, in one sentence.")
+        .param("radius", &NewKind::radius, positive_length("STUB: the measured radius"));
   }
-  /// Metres, negative inside; T is any of the number types, so use their functions only.
+  /// Signed distance in metres, negative inside. T is any of the number types: use their functions
+  /// only.
   template <class T>
   T distance(const Point<T>& p) const {
     return length(p) - T(radius);

@@ -1,5 +1,5 @@
 //@ tools/vug/verbs
-// STUB: vug new_kind: what it does, in one sentence.
+// vug new_kind. STUB: its purpose, in one sentence.
 #include "verb.h"
 
 #include <fmt/format.h>
@@ -22,10 +22,10 @@ int run(const Options& options) {
 }  // namespace
 
 Verb new_kind_verb() {
-  return {"new_kind", "STUB: what it does, in one sentence.", [](CLI::App& app) {
+  return {"new_kind", "STUB: its purpose, in one sentence.", [](CLI::App& app) {
             auto options = std::make_shared<Options>();
-            app.add_option("scene", options->scene, "STUB: what it reads")->required();
-            app.add_flag("--quiet,-q", options->quiet, "say nothing when all is well");
+            app.add_option("scene", options->scene, "STUB: its input")->required();
+            app.add_flag("--quiet,-q", options->quiet, "No output if there is nothing to report");
             return [options] { return run(*options); };
           }};
 }
