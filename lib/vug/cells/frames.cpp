@@ -74,9 +74,9 @@ void orient(Network& n) {
   }
 }
 
-std::optional<uint32_t> neighbour_toward(const Network& n, uint32_t cell, const Vec3f& way) {
-  const Vec3f flat = tangent(way, n.normal[cell]);
-  if (flat.length2() < 1e-6f * way.length2()) return std::nullopt;
+std::optional<uint32_t> neighbour_toward(const Network& n, uint32_t cell, const Vec3f& direction) {
+  const Vec3f flat = tangent(direction, n.normal[cell]);
+  if (flat.length2() < 1e-6f * direction.length2()) return std::nullopt;
   const Vec3f wanted = flat.normalized();
   std::optional<uint32_t> best;
   float most = 0.5f;

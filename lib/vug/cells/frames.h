@@ -23,10 +23,11 @@ inline Vec3f parallel_transport(const Vec3f& v, const Vec3f& from, const Vec3f& 
   return sum > 1e-6f ? v - (from + to) * (v.dot(to) / sum) : v;
 }
 
-/// The neighbour whose direction, projected onto the tangent plane, is nearest to `way` (any
-/// length). Nothing if none lies within 60 degrees, or if `way` is perpendicular to the plane. (0,
-/// 1, 0) selects the uphill neighbour, -wind the upwind one.
-std::optional<uint32_t> neighbour_toward(const Network& network, uint32_t cell, const Vec3f& way);
+/// The neighbour whose direction, projected onto the tangent plane, is nearest to `direction` (any
+/// length). Nothing if none lies within 60 degrees, or if `direction` is perpendicular to the
+/// plane. (0, 1, 0) selects the uphill neighbour, -wind the upwind one.
+std::optional<uint32_t> neighbour_toward(const Network& network, uint32_t cell,
+                                         const Vec3f& direction);
 
 enum class Side { right, up, left, down };
 /// The same for the sides of the cell's frame; up is `ahead`.

@@ -44,8 +44,8 @@ class Nearest {
 };
 
 /// For each cell, the `full` cells that it selects.
-std::vector<uint32_t> holds(const mesh::PointGrid& grid, const std::vector<Vec3f>& normal,
-                            double reach, uint32_t full) {
+std::vector<uint32_t> select_nearest(const mesh::PointGrid& grid, const std::vector<Vec3f>& normal,
+                                     double reach, uint32_t full) {
   const std::vector<Vec3f>& position = grid.points();
   const auto reach2 = static_cast<float>(reach * reach);
   std::vector<uint32_t> held(grid.size() * full);
@@ -108,7 +108,7 @@ Network link(const std::vector<SurfacePoint>& places, const Surface& surface, do
         n.object[i] = surface.triangles()[place.triangle].object;
       },
       kGrain);
-  const std::vector<uint32_t> held = holds(grid, n.normal, reach, full);
+  const std::vector<uint32_t> held = select_nearest(grid, n.normal, reach, full);
   progress.advance();
   progress.check();
   n.links = make_links(places.size(), [&](uint32_t i, const auto& add) {

@@ -8,7 +8,7 @@
 namespace vug::cells {
 namespace {
 
-struct Law {
+struct ForceLaw {
   Force force;
   float reach, spacing;
 
@@ -20,12 +20,12 @@ struct Law {
 
 /// The effect of the surrounding cells on one cell.
 struct Push {
-  Vec3f way{0, 0, 0};  ///< In spacings times the maximum push.
+  Vec3f displacement{0, 0, 0};  ///< In spacings times the maximum push.
   float nearest2;  ///< Squared distance to the nearest cell; that of the reach if there is none.
 };
 
 Push push_on(uint32_t i, const std::vector<SurfacePoint>& places,
-             const mesh::PointGrid::Runs& around, const Law& law) {
+             const mesh::PointGrid::Runs& around, const ForceLaw& law) {
   const SurfacePoint& own = places[i];
   const float reach2 = law.reach * law.reach;
   Push push;
@@ -40,7 +40,7 @@ Push push_on(uint32_t i, const std::vector<SurfacePoint>& places,
       push.nearest2 = std::min(push.nearest2, d2);
       const Vec3f flat = d - own.normal * own.normal.dot(d);
       const float length = flat.length();
-      if (length > 0) push.way += flat * (law(std::sqrt(d2)) / length);
+      if (length > 0) push.displacement += flat * (law(std::sqrt(d2)) / length);
     }
   return push;
 }
@@ -51,7 +51,7 @@ std::vector<RelaxStep> relax(std::vector<SurfacePoint>& places, const Surface& s
                              double spacing, double reach, const RelaxOptions& options,
                              Progress& progress) {
   const SurfaceSearch search(surface);
-  const Law law{options.force, static_cast<float>(reach), static_cast<float>(spacing)};
+  const ForceLaw law{options.force, static_cast<float>(reach), static_cast<float>(spacing)};
   const auto strength = static_cast<float>(options.strength * spacing);
   const auto most = static_cast<float>(0.3 * spacing);
   progress.begin("relaxing cells", static_cast<uint64_t>(std::max(0, options.steps)));
@@ -65,28 +65,29 @@ std::vector<RelaxStep> relax(std::vector<SurfacePoint>& places, const Surface& s
     grid.for_each_cube([&](mesh::PointGrid::Run cube, const mesh::PointGrid::Runs& around) {
       for (uint32_t i = cube.begin; i < cube.end; ++i) {
         const Push push = push_on(i, sorted, around, law);
-        Vec3f way = push.way * strength;
-        const float length = way.length();
-        if (length > most) way *= most / length;
+        Vec3f displacement = push.displacement * strength;
+        const float length = displacement.length();
+        if (length > most) displacement *= most / length;
         nearest[i] = std::sqrt(push.nearest2);
         moved[i] = std::min(length, most);
-        places[i] = moved[i] > 0 ? search.nearest(sorted[i].position + way, sorted[i], moved[i])
-                                 : sorted[i];
+        places[i] = moved[i] > 0
+                        ? search.nearest(sorted[i].position + displacement, sorted[i], moved[i])
+                        : sorted[i];
       }
     });
     const auto count = static_cast<double>(places.size());
     const auto mean = [&](const auto& term) {
       return ordered_sum(places.size(), 0.0, term) / count;
     };
-    RelaxStep told;
-    told.nearest = mean([&](size_t i) { return static_cast<double>(nearest[i]); });
-    told.displacement = mean([&](size_t i) { return static_cast<double>(moved[i]); });
+    RelaxStep statistics;
+    statistics.nearest = mean([&](size_t i) { return static_cast<double>(nearest[i]); });
+    statistics.displacement = mean([&](size_t i) { return static_cast<double>(moved[i]); });
     const double squares = mean([&](size_t i) {
-      const double off = static_cast<double>(nearest[i]) - told.nearest;
+      const double off = static_cast<double>(nearest[i]) - statistics.nearest;
       return off * off;
     });
-    told.variation = told.nearest > 0 ? std::sqrt(squares) / told.nearest : 0;
-    steps.push_back(told);
+    statistics.variation = statistics.nearest > 0 ? std::sqrt(squares) / statistics.nearest : 0;
+    steps.push_back(statistics);
     progress.advance();
   }
   progress.end();

@@ -51,25 +51,25 @@ uint64_t Simulation::bytes() const {
 namespace {
 
 /// A cell's attributes, for the evaluation of masks.
-struct OfCell : paint::Attributes {
+struct CellAttributes : paint::Attributes {
   const Simulation* simulation;
   uint32_t cell;
 
-  OfCell(const Simulation& s, uint32_t i) : simulation(&s), cell(i) {}
+  CellAttributes(const Simulation& s, uint32_t i) : simulation(&s), cell(i) {}
   std::optional<Vec3d> read(std::string_view name) const override {
     if (const Attribute* known = simulation->attributes().find(name))
       return std::visit([this](const auto& column) { return Vec3d(column.now[cell]); },
                         known->column);
     // Attributes that do not exist are 0.
-    const bool gone = simulation->states()[cell] == CellState::transparent;
-    return Vec3d(name == kTransparent && gone ? 1 : 0);
+    const bool is_transparent = simulation->states()[cell] == CellState::transparent;
+    return Vec3d(name == kTransparent && is_transparent ? 1 : 0);
   }
 };
 
 }  // namespace
 
 double Simulation::evaluate(const paint::Mask& mask, uint32_t cell) const {
-  const OfCell attributes(*this, cell);
+  const CellAttributes attributes(*this, cell);
   const uint32_t object = network_->object[cell];
   const field::SampledGrid* solid = object < solids_.size() ? solids_[object].get() : nullptr;
   paint::EvalPoint point{Vec3d(network_->position[cell]), Vec3d(network_->normal[cell]), solid};

@@ -21,7 +21,7 @@ Vec3d doubled_area(const std::array<Vec3f, 3>& c) {
 
 auto as_tuple(const Vec3f& v) { return std::tuple(v.x, v.y, v.z); }
 
-void require_sound(const mesh::Mesh& mesh, const std::string& what) {
+void require_consistent(const mesh::Mesh& mesh, const std::string& what) {
   mesh::validate(mesh, what);
   const mesh::Mesh whole = mesh::welded(mesh);
   const mesh::Topology topology = mesh::inspect(whole);
@@ -68,7 +68,7 @@ Surface::Surface(const std::vector<mesh::MeshPtr>& objects) {
     const mesh::Mesh& mesh = *objects[object];
     const std::string what =
         objects.size() > 1 ? fmt::format("object {}", object + 1) : std::string("the object");
-    require_sound(mesh, what);
+    require_consistent(mesh, what);
     std::vector<Triangle> own = triangles_of(mesh, object);
     if (own.empty())
       throw Error(ErrorCode::bad_input, fmt::format("{} has no surface for cells", what));
@@ -120,7 +120,7 @@ SurfacePoint SurfaceSearch::surface_point(uint32_t triangle, const Vec3d& point)
 }
 
 SurfacePoint SurfaceSearch::nearest(const Vec3f& p, const SurfacePoint& from, float limit) const {
-  const Vec3d target(p), way(from.normal);
+  const Vec3d target(p), normal(from.normal);
   const auto& home = surface_->triangles()[from.triangle].corners;
   const mesh::NearestOnTriangle own =
       mesh::nearest_on_triangle(target, {Vec3d(home[0]), Vec3d(home[1]), Vec3d(home[2])});
@@ -131,7 +131,7 @@ SurfacePoint SurfaceSearch::nearest(const Vec3f& p, const SurfacePoint& from, fl
   double facing = 0;
   tree_.visit_nearest(target, best, [&](uint32_t i) {
     const auto& c = surface_->triangles()[i].corners;
-    const double agrees = surface_->face_normal(i).dot(way);
+    const double agrees = surface_->face_normal(i).dot(normal);
     if (agrees < -0.2) return best;
     const Vec3d q =
         mesh::nearest_on_triangle(target, {Vec3d(c[0]), Vec3d(c[1]), Vec3d(c[2])}).point;

@@ -33,7 +33,7 @@ std::vector<float> radii(const Network& network) {
 }
 
 /// 16 bits keep full precision (11 bits) only down to 6e-5.
-bool fine_as_half(const std::vector<float>& lengths) {
+bool half_suffices(const std::vector<float>& lengths) {
   return std::all_of(lengths.begin(), lengths.end(), [](float x) { return x > 1e-4f; });
 }
 
@@ -43,7 +43,7 @@ void add_of_network(const Simulation& simulation, Points& out) {
   out.attributes.push_back({"N", normals ? *normals : network.normal, true});
   if (!simulation.attributes().find("pscale")) {
     std::vector<float> pscale = radii(network);
-    const bool half = fine_as_half(pscale);
+    const bool half = half_suffices(pscale);
     out.attributes.push_back({"pscale", std::move(pscale), half});
   }
   const auto several = [](uint32_t object) { return object > 0; };

@@ -10,13 +10,13 @@
 namespace vug::cells {
 namespace {
 
-struct Share {
+struct WeightedCell {
   uint32_t cell;
   double weight;
 };
 
 /// An attribute in transfer: read from cells, written to vertices.
-struct Way {
+struct AttributeTransfer {
   std::variant<const std::vector<float>*, const std::vector<Vec3f>*, const std::vector<int32_t>*,
                const std::vector<CellState>*>
       from;
@@ -31,39 +31,40 @@ double component(CellState value, int) { return value == CellState::transparent 
 
 /// The mean as the first value plus the mean difference of the others: exact if all are equal.
 template <class T, class Value>
-double mean(const std::vector<Share>& shares, const Value& value) {
+double mean(const std::vector<WeightedCell>& shares, const Value& value) {
   const double first = value(shares[0].cell);
   double sum = 0, weights = 0;
-  for (const Share& share : shares) {
+  for (const WeightedCell& share : shares) {
     sum += share.weight * (value(share.cell) - first);
     weights += share.weight;
   }
   return first + sum / weights;
 }
 
-void write(Way& way, const std::vector<Share>& shares, size_t vertex) {
-  const auto arity = static_cast<size_t>(way.to.arity);
-  float* out = way.to.values.data() + vertex * arity;
+void write(AttributeTransfer& transfer, const std::vector<WeightedCell>& shares, size_t vertex) {
+  const auto arity = static_cast<size_t>(transfer.to.arity);
+  float* out = transfer.to.values.data() + vertex * arity;
   std::visit(
       [&](const auto* from) {
         using T = typename std::decay_t<decltype(*from)>::value_type;
-        for (int c = 0; c < way.to.arity; ++c) {
+        for (int c = 0; c < transfer.to.arity; ++c) {
           const auto under = static_cast<double>(out[c]);
           out[c] = static_cast<float>(mean<T>(shares, [&](uint32_t cell) {
             const T& value = (*from)[cell];
             if constexpr (std::is_same_v<T, Vec3f>)
-              if (way.is_colour && value == Vec3f(0)) return under;
+              if (transfer.is_colour && value == Vec3f(0)) return under;
             return component(value, c);
           }));
         }
       },
-      way.from);
+      transfer.from);
 }
 
-class Carrier {
+class MeshTransfer {
  public:
-  Carrier(const Network& network, const mesh::Mesh& mesh, std::vector<Way>& ways)
-      : network_(network), mesh_(mesh), ways_(ways) {}
+  MeshTransfer(const Network& network, const mesh::Mesh& mesh,
+               std::vector<AttributeTransfer>& transfers)
+      : network_(network), mesh_(mesh), transfers_(transfers) {}
 
   /// Fills these vertices from cells within the radius; returns those without any.
   std::vector<uint32_t> carry(const std::vector<uint32_t>& vertices, double radius,
@@ -75,7 +76,7 @@ class Carrier {
     const mesh::PointGrid grid(points, radius);
     grid.for_each_cube([&](const mesh::PointGrid::Run& own, const mesh::PointGrid::Runs& around) {
       std::vector<uint32_t> near;
-      std::vector<Share> shares;
+      std::vector<WeightedCell> shares;
       bool looked = false;
       for (uint32_t place = own.begin; place < own.end; ++place) {
         if (grid.order()[place] < cells) continue;
@@ -87,7 +88,7 @@ class Carrier {
         const uint32_t at = grid.order()[place] - cells;
         weigh(vertices[at], near, radius, any_side, shares);
         if (shares.empty()) continue;
-        for (Way& way : ways_) write(way, shares, vertices[at]);
+        for (AttributeTransfer& transfer : transfers_) write(transfer, shares, vertices[at]);
         found[at] = 1;
       }
     });
@@ -99,7 +100,7 @@ class Carrier {
 
  private:
   void weigh(uint32_t vertex, const std::vector<uint32_t>& near, double radius, bool any_side,
-             std::vector<Share>& shares) const {
+             std::vector<WeightedCell>& shares) const {
     shares.clear();
     size_t heaviest = 0;
     for (const uint32_t cell : near) {
@@ -118,11 +119,11 @@ class Carrier {
 
   const Network& network_;
   const mesh::Mesh& mesh_;
-  std::vector<Way>& ways_;
+  std::vector<AttributeTransfer>& transfers_;
 };
 
 /// Takes the attribute of this name from the mesh; a new one is 0, colours are white.
-mesh::Attribute taken(mesh::Mesh& mesh, const std::string& name, int arity) {
+mesh::Attribute take_attribute(mesh::Mesh& mesh, const std::string& name, int arity) {
   mesh::Attribute out{name, arity, {}};
   auto& all = mesh.attributes;
   const auto known = std::find_if(all.begin(), all.end(),
@@ -134,42 +135,44 @@ mesh::Attribute taken(mesh::Mesh& mesh, const std::string& name, int arity) {
   return out;
 }
 
-std::vector<Way> ways_of(const Simulation& simulation, mesh::Mesh& mesh) {
-  std::vector<Way> ways;
+std::vector<AttributeTransfer> transfers_of(const Simulation& simulation, mesh::Mesh& mesh) {
+  std::vector<AttributeTransfer> transfers;
   for (const Attribute& attribute : simulation.attributes().all()) {
     if (attribute.name == "P" || attribute.name == "N") continue;
     std::visit(
         [&](const auto& column) {
           const bool vector = std::is_same_v<std::decay_t<decltype(column)>, Column<Vec3f>>;
-          ways.push_back({&column.now, taken(mesh, attribute.name, vector ? 3 : 1),
-                          vector && attribute.name == mesh::kColour});
+          transfers.push_back({&column.now, take_attribute(mesh, attribute.name, vector ? 3 : 1),
+                               vector && attribute.name == mesh::kColour});
         },
         attribute.column);
   }
   if (!simulation.attributes().find(kTransparent))
-    ways.push_back({&simulation.states(), taken(mesh, std::string(kTransparent), 1), false});
-  return ways;
+    transfers.push_back(
+        {&simulation.states(), take_attribute(mesh, std::string(kTransparent), 1), false});
+  return transfers;
 }
 
 /// Displacement of each cell; empty if no rule moves cells.
-std::vector<Vec3f> ways_gone(const Simulation& simulation) {
+std::vector<Vec3f> displacements(const Simulation& simulation) {
   const Attribute* place = simulation.attributes().find(kPlace);
   const auto* column = place ? std::get_if<Column<Vec3f>>(&place->column) : nullptr;
   if (!column) return {};
-  std::vector<Vec3f> ways(column->now.size());
-  for (size_t i = 0; i < ways.size(); ++i)
-    ways[i] = column->now[i] - simulation.network().position[i];
-  return ways;
+  std::vector<Vec3f> displacement(column->now.size());
+  for (size_t i = 0; i < displacement.size(); ++i)
+    displacement[i] = column->now[i] - simulation.network().position[i];
+  return displacement;
 }
 
-/// Moves the vertices by `ways` (three numbers each) and by `height` along their normals; either
-/// may be null.
-void move_vertices(mesh::Mesh& mesh, const std::vector<float>* ways,
+/// Moves the vertices by `displacements` (three numbers each) and by `height` along their normals;
+/// either may be null.
+void move_vertices(mesh::Mesh& mesh, const std::vector<float>* displacements,
                    const std::vector<float>* height) {
   const std::vector<Vec3f> before = mesh::vertex_normals(mesh);
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     Vec3f& p = mesh.positions[v];
-    if (ways) p += Vec3f((*ways)[3 * v], (*ways)[3 * v + 1], (*ways)[3 * v + 2]);
+    if (displacements)
+      p += Vec3f((*displacements)[3 * v], (*displacements)[3 * v + 1], (*displacements)[3 * v + 2]);
     if (height) p += mesh.normals[v] * (*height)[v];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       throw Error(ErrorCode::bad_input, "cells move the surface to positions that are not finite");
@@ -201,9 +204,10 @@ double mean_edge(const mesh::Mesh& mesh) {
 void transfer_to_mesh(const Simulation& simulation, mesh::Mesh& mesh,
                       const TransferOptions& options, Progress& progress) {
   const Network& network = simulation.network();
-  std::vector<Way> ways = ways_of(simulation, mesh);
-  const std::vector<Vec3f> gone = options.move ? ways_gone(simulation) : std::vector<Vec3f>();
-  if (!gone.empty()) ways.push_back({&gone, taken(mesh, "", 3), false});
+  std::vector<AttributeTransfer> transfers = transfers_of(simulation, mesh);
+  const std::vector<Vec3f> displaced =
+      options.move ? displacements(simulation) : std::vector<Vec3f>();
+  if (!displaced.empty()) transfers.push_back({&displaced, take_attribute(mesh, "", 3), false});
   const bool bare = mesh.normals.empty();
   if (bare) add_normals(mesh);
   const Box3d box = mesh::bounds(mesh);
@@ -211,28 +215,29 @@ void transfer_to_mesh(const Simulation& simulation, mesh::Mesh& mesh,
   if (network.size() > 0 && !box.isEmpty()) {
     Box3d all = box;
     for (const Vec3f& p : network.position) all.extendBy(Vec3d(p));
-    const Carrier carrier(network, mesh, ways);
+    const MeshTransfer mesh_transfer(network, mesh, transfers);
     double radius = std::max(network.reach, mean_edge(mesh));
     std::vector<uint32_t> left(mesh.positions.size());
     for (size_t i = 0; i < left.size(); ++i) left[i] = static_cast<uint32_t>(i);
     for (bool any_side = false; !left.empty(); radius *= 2) {
       progress.check();
-      left = carrier.carry(left, radius, any_side);
+      left = mesh_transfer.carry(left, radius, any_side);
       any_side = radius > all.size().length();
     }
   }
   progress.advance();
   progress.end();
-  const auto height = std::find_if(ways.begin(), ways.end(), [](const Way& way) {
-    return way.to.name == kHeight && way.to.arity == 1;
-  });
-  const bool rises = options.move && height != ways.end();
-  if (rises || !gone.empty())
-    move_vertices(mesh, gone.empty() ? nullptr : &ways.back().to.values,
+  const auto height =
+      std::find_if(transfers.begin(), transfers.end(), [](const AttributeTransfer& transfer) {
+        return transfer.to.name == kHeight && transfer.to.arity == 1;
+      });
+  const bool rises = options.move && height != transfers.end();
+  if (rises || !displaced.empty())
+    move_vertices(mesh, displaced.empty() ? nullptr : &transfers.back().to.values,
                   rises ? &height->to.values : nullptr);
-  if (!gone.empty()) ways.pop_back();
+  if (!displaced.empty()) transfers.pop_back();
   if (bare) mesh.normals.clear();
-  for (Way& way : ways) mesh.attributes.push_back(std::move(way.to));
+  for (AttributeTransfer& transfer : transfers) mesh.attributes.push_back(std::move(transfer.to));
 }
 
 }  // namespace vug::cells

@@ -75,13 +75,13 @@ WriteReport write_flat_mesh(const Assembly& assembly, const std::filesystem::pat
   progress.check();
   mesh::write_mesh(flat_mesh(assembly), file, comments_of(assembly.provenance, assembly.space));
   WriteReport written{{file}, {}};
-  const auto leave_out = [&](const auto& things, const char* what) {
+  const auto report_unsupported = [&](const auto& things, const char* what) {
     for (const auto& each : things)
       written.unsupported.push_back(
           fmt::format("the {} '{}': the file contains only a mesh", what, each.name));
   };
-  leave_out(assembly.cameras, "camera");
-  leave_out(assembly.lights, "light");
+  report_unsupported(assembly.cameras, "camera");
+  report_unsupported(assembly.lights, "light");
   return written;
 }
 

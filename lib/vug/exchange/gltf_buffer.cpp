@@ -113,7 +113,7 @@ int GltfBuffer::colors(const std::vector<float>& rgb, const std::vector<float>* 
 
 namespace {
 
-std::vector<float> even_color(const Prototype& prototype) {
+std::vector<float> constant_color(const Prototype& prototype) {
   std::vector<float> out;
   for (size_t i = 0; i < prototype.mesh->positions.size(); ++i)
     for (int c = 0; c < 3; ++c) out.push_back(static_cast<float>(prototype.look.base_color[c]));
@@ -141,8 +141,8 @@ tinygltf::Mesh gltf_mesh(const Prototype& prototype, int material, GltfBuffer& b
   const mesh::Attribute* color = mesh::find_attribute(mesh, mesh::kColour, 3);
   const mesh::Attribute* opacity = mesh::find_attribute(mesh, "opacity", 1);
   if (color || opacity)
-    primitive.attributes["COLOR_0"] = buffer.colors(color ? color->values : even_color(prototype),
-                                                    opacity ? &opacity->values : nullptr);
+    primitive.attributes["COLOR_0"] = buffer.colors(
+        color ? color->values : constant_color(prototype), opacity ? &opacity->values : nullptr);
   UniqueNames names;
   for (const mesh::Attribute& each : mesh.attributes) {
     if (&each == color)

@@ -25,15 +25,17 @@ tinygltf::Material gltf_material(const Prototype& prototype, double emission_sca
   out.name = prototype.material;
   out.doubleSided = look.thin;
   // Varying opacity is the alpha of COLOR_0.
-  const bool veiled = mesh::find_attribute(*prototype.mesh, "opacity", 1) != nullptr;
-  const bool colored = veiled || mesh::find_attribute(*prototype.mesh, mesh::kColour, 3) != nullptr;
+  const bool opacity_varies = mesh::find_attribute(*prototype.mesh, "opacity", 1) != nullptr;
+  const bool colored =
+      opacity_varies || mesh::find_attribute(*prototype.mesh, mesh::kColour, 3) != nullptr;
   out.pbrMetallicRoughness.baseColorFactor = {1, 1, 1, 1};
   if (!colored)
     for (int c = 0; c < 3; ++c)
       out.pbrMetallicRoughness.baseColorFactor[static_cast<size_t>(c)] =
           std::clamp(look.base_color[c], 0.0, 1.0);
-  if (!veiled) out.pbrMetallicRoughness.baseColorFactor[3] = std::clamp(look.opacity, 0.0, 1.0);
-  if (veiled || look.opacity < 1) out.alphaMode = "BLEND";
+  if (!opacity_varies)
+    out.pbrMetallicRoughness.baseColorFactor[3] = std::clamp(look.opacity, 0.0, 1.0);
+  if (opacity_varies || look.opacity < 1) out.alphaMode = "BLEND";
   out.pbrMetallicRoughness.metallicFactor = look.metallic;
   out.pbrMetallicRoughness.roughnessFactor = look.roughness;
   if (look.specular != 1)

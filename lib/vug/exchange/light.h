@@ -20,13 +20,13 @@ struct Light {
   Shape shape = Shape::sphere;
   Transform place;          ///< From light space, by a transform that preserves lengths.
   Vec3d radiance{1, 1, 1};  ///< W/sr/m^2 of its front, linear Rec.709; multiplied by a dome's map.
-  double radius = 0.1;      ///< Of spheres and disks, and of the sphere of a spot.
-  double width = 1;         ///< Of rectangles, along x.
-  double height = 1;        ///< Of rectangles, along y.
+  double radius = 0.1;      ///< Radius of spheres, disks and the sphere of a spot.
+  double width = 1;         ///< Width of rectangles, along x.
+  double height = 1;        ///< Height of rectangles, along y.
   double angle = 0;         ///< Full cone angle of a spot, or angular diameter of a sun. Radians.
   double edge =
       0;  ///< Fraction of the spot's cone, measured from its edge, over which light fades.
-  std::filesystem::path profile;  ///< Of a measured light (IES); otherwise empty.
+  std::filesystem::path profile;  ///< IES file of a measured light; otherwise empty.
   std::shared_ptr<const image::Image>
       picture;          ///< Environment map of a dome, R, G, B; null: constant.
   bool visible = true;  ///< Whether cameras see the light itself.

@@ -21,9 +21,9 @@ const std::vector<const Program*>& programs();
 const Program& program(const std::string& name);
 
 inline Program make_program(std::string name, std::string doc) {
-  Program made;
-  made.info = {std::move(name), "program", std::move(doc), "", {}};
-  return made;
+  Program program;
+  program.info = {std::move(name), "program", std::move(doc), "", {}};
+  return program;
 }
 
 }  // namespace vug::exchange

@@ -14,9 +14,9 @@ std::optional<std::filesystem::path> sky_file(const Light& light, const std::fil
 std::optional<std::filesystem::path> write_sky(const Light& light,
                                                const std::filesystem::path& file,
                                                const std::string& name) {
-  const auto beside = sky_file(light, file, name);
-  if (beside) image::write_exr(*beside, *light.picture);
-  return beside;
+  const auto path = sky_file(light, file, name);
+  if (path) image::write_exr(*path, *light.picture);
+  return path;
 }
 
 }  // namespace vug::exchange

@@ -53,7 +53,7 @@ void write_shape(UsdText& out, const mesh::Mesh& mesh) {
 
 /// The index of refraction whose reflectance on the whole surface equals that of `ior` on the
 /// fraction `share`.
-double weakened(double ior, double share) {
+double equivalent_ior(double ior, double share) {
   const double f = std::sqrt(share) * std::fabs((ior - 1) / (ior + 1));
   return (1 + f) / (1 - f);
 }
@@ -123,7 +123,8 @@ void write_usd_material(UsdText& out, const Prototype& prototype, const std::str
   out.line("token outputs:surface.connect = <{}/surface.outputs:surface>", path);
   out.def("Shader", "surface");
   out.line("uniform token info:id = \"UsdPreviewSurface\"");
-  bool veiled = false;  // Whether opacity varies; it is then not combined with transmission.
+  bool opacity_varies =
+      false;  // Whether opacity varies; it is then not combined with transmission.
   for (const Channel& channel : channels()) {
     if (channel.color == &Look::base_color)
       write_input(out, prototype, path, channel, "diffuseColor");
@@ -134,12 +135,13 @@ void write_usd_material(UsdText& out, const Prototype& prototype, const std::str
     if (channel.number == &Look::wetness) write_input(out, prototype, path, channel, "clearcoat");
     if (channel.number == &Look::opacity && varies(prototype, channel)) {
       write_input(out, prototype, path, channel, "opacity");
-      veiled = true;
+      opacity_varies = true;
     }
   }
   out.line("float inputs:clearcoatRoughness = {}", look.coat_roughness);
-  out.line("float inputs:ior = {}", weakened(look.ior, look.specular));
-  if (!veiled) out.line("float inputs:opacity = {}", (1 - look.transmission) * look.opacity);
+  out.line("float inputs:ior = {}", equivalent_ior(look.ior, look.specular));
+  if (!opacity_varies)
+    out.line("float inputs:opacity = {}", (1 - look.transmission) * look.opacity);
   out.line("int inputs:useSpecularWorkflow = 0");
   out.line("token outputs:surface");
   out.end();

@@ -58,7 +58,7 @@ struct Translation {
   }
 };
 
-bool only_moves(const Transform& map) {
+bool is_translation(const Transform& map) {
   return map.column(0) == Vec3d(1, 0, 0) && map.column(1) == Vec3d(0, 1, 0) &&
          map.column(2) == Vec3d(0, 0, 1);
 }
@@ -66,7 +66,7 @@ bool only_moves(const Transform& map) {
 }  // namespace
 
 Field transformed(const Field& field, const Transform& map) {
-  if (only_moves(map))
+  if (is_translation(map))
     return Field(std::make_shared<DeformerNode<Translation>>("translate", Translation{map.origin()},
                                                              field.node()));
   const Transform inverse = map.inverse();

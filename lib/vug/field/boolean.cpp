@@ -128,19 +128,19 @@ Interval signed_range(Interval range, double sign) { return sign > 0 ? range : -
 /// A union of hundreds of operands is restricted once per block, so this neither allocates for
 /// dropped operands nor recomputes bounds: the node's own bounds still hold for fewer operands.
 Restriction FoldNode::restrict_to(const Ball& ball) const {
-  struct Kept {
+  struct KeptOperand {
     Interval range;
     const Operand* operand;
     NodePtr smaller;
   };
-  thread_local std::vector<std::vector<Kept>> pool;  // One list per recursion depth.
+  thread_local std::vector<std::vector<KeptOperand>> pool;  // One list per recursion depth.
   thread_local size_t depth = 0;
   struct Depth {
     Depth() { ++depth; }
     ~Depth() { --depth; }
   } guard;
   if (pool.size() < depth) pool.resize(depth);
-  std::vector<Kept> kept = std::move(pool[depth - 1]);
+  std::vector<KeptOperand> kept = std::move(pool[depth - 1]);
   kept.clear();
 
   // Each drop below preserves the fold's value: smin(a, b) = a where b >= a + reach.
@@ -186,20 +186,20 @@ Restriction FoldNode::restrict_to(const Ball& ball) const {
   if (sharp)  // A plain minimum does not depend on the order: drop earlier operands above a lower
               // one.
     kept.erase(std::remove_if(kept.begin(), kept.end(),
-                              [&](const Kept& k) { return k.range.lo > folded.hi; }),
+                              [&](const KeptOperand& k) { return k.range.lo > folded.hi; }),
                kept.end());
 
   Restriction out;
   out.range = signed_range(folded, sign_);
-  const bool changed =
-      kept.size() < operands_.size() ||
-      std::any_of(kept.begin(), kept.end(), [](const Kept& k) { return k.smaller != nullptr; });
+  const bool changed = kept.size() < operands_.size() ||
+                       std::any_of(kept.begin(), kept.end(),
+                                   [](const KeptOperand& k) { return k.smaller != nullptr; });
   if (kept.size() == 1 && kept[0].operand->sign == sign_) {
     out.node = kept[0].smaller ? kept[0].smaller : kept[0].operand->node;
   } else if (changed) {
     std::vector<Operand> operands;
     operands.reserve(kept.size());
-    for (Kept& k : kept)
+    for (KeptOperand& k : kept)
       if (k.smaller)
         operands.emplace_back(std::move(k.smaller), *k.operand);
       else

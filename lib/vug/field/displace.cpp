@@ -10,28 +10,28 @@ double greatest(Interval range) { return std::max(std::fabs(range.lo), std::fabs
 
 class DisplaceNode final : public EvaluationModes<DisplaceNode> {
  public:
-  DisplaceNode(Traits traits, NodePtr child, Noise noise, Displacement how)
+  DisplaceNode(Traits traits, NodePtr child, Noise noise, Displacement options)
       : EvaluationModes(std::move(traits)),
         child_(std::move(child)),
         noise_(std::move(noise)),
-        how_(std::move(how)) {}
+        options_(std::move(options)) {}
 
-  static bool feels_slope(const Displacement& how) {
-    return how.floor != how.wall || how.ceiling != how.wall;
+  static bool depends_on_slope(const Displacement& options) {
+    return options.floor != options.wall || options.ceiling != options.wall;
   }
-  static Traits traits_of(const Traits& child, const Noise& noise, const Displacement& how);
+  static Traits traits_of(const Traits& child, const Noise& noise, const Displacement& options);
 
   template <class T>
   T at(const Point<T>& p) const {
-    T push = noise_.field.node()->eval(p) * T(how_.amount);
-    if (feels_slope(how_)) {
-      const T h(how_.feel);
+    T push = noise_.field.node()->eval(p) * T(options_.amount);
+    if (depends_on_slope(options_)) {
+      const T h(options_.feel);
       push = push * facing(child_->eval(Point<T>{p.x, p.y + h, p.z}),
                            child_->eval(Point<T>{p.x, p.y - h, p.z}));
     } else {
-      push = push * T(how_.wall);
+      push = push * T(options_.wall);
     }
-    if (how_.by) push = push * share(how_.by->field.node()->eval(p));
+    if (options_.by) push = push * share(options_.by->field.node()->eval(p));
     return child_->eval(p) - push;
   }
 
@@ -42,21 +42,21 @@ class DisplaceNode final : public EvaluationModes<DisplaceNode> {
     T* push = frame.template take<T>(size);
     noise_.field.node()->eval(points, count, push, scratch);
     T* other = frame.template take<T>(size);
-    if (feels_slope(how_)) {
+    if (depends_on_slope(options_)) {
       auto* moved = frame.template take<Point<Pack>>(size);
       T* above = frame.template take<T>(size);
-      const Pack h(how_.feel);
+      const Pack h(options_.feel);
       for (int i = 0; i < count; ++i) moved[i] = {points[i].x, points[i].y + h, points[i].z};
       child_->eval(moved, count, above, scratch);
       for (int i = 0; i < count; ++i) moved[i].y = points[i].y - h;
       child_->eval(moved, count, other, scratch);
       for (int i = 0; i < count; ++i)
-        push[i] = push[i] * T(how_.amount) * facing(above[i], other[i]);
+        push[i] = push[i] * T(options_.amount) * facing(above[i], other[i]);
     } else {
-      for (int i = 0; i < count; ++i) push[i] = push[i] * T(how_.amount) * T(how_.wall);
+      for (int i = 0; i < count; ++i) push[i] = push[i] * T(options_.amount) * T(options_.wall);
     }
-    if (how_.by) {
-      how_.by->field.node()->eval(points, count, other, scratch);
+    if (options_.by) {
+      options_.by->field.node()->eval(points, count, other, scratch);
       for (int i = 0; i < count; ++i) push[i] = push[i] * share(other[i]);
     }
     child_->eval(points, count, out, scratch);
@@ -64,24 +64,24 @@ class DisplaceNode final : public EvaluationModes<DisplaceNode> {
   }
 
   Restriction restrict_to(const Ball& ball) const override {
-    const bool slope = feels_slope(how_);
+    const bool slope = depends_on_slope(options_);
     const Restriction near = child_->restrict_to(ball);
-    Interval push = noise_.field.node()->restrict_to(ball).range * Interval(how_.amount);
-    const double low = std::min({how_.floor, how_.wall, how_.ceiling}),
-                 high = std::max({how_.floor, how_.wall, how_.ceiling});
+    Interval push = noise_.field.node()->restrict_to(ball).range * Interval(options_.amount);
+    const double low = std::min({options_.floor, options_.wall, options_.ceiling}),
+                 high = std::max({options_.floor, options_.wall, options_.ceiling});
     push *= Interval(low, high);
-    if (how_.by) push *= share(how_.by->field.node()->restrict_to(ball).range);
+    if (options_.by) push *= share(options_.by->field.node()->restrict_to(ball).range);
     Restriction out;
     out.range = near.range - push;
     NodePtr inner = near.node;
-    if (slope) inner = child_->restrict_to({ball.centre, ball.radius + how_.feel}).node;
-    if (inner) out.node = std::make_shared<DisplaceNode>(this->traits(), inner, noise_, how_);
+    if (slope) inner = child_->restrict_to({ball.centre, ball.radius + options_.feel}).node;
+    if (inner) out.node = std::make_shared<DisplaceNode>(this->traits(), inner, noise_, options_);
     return out;
   }
   std::string name() const override { return "displace"; }
   std::vector<NodePtr> children() const override {
     std::vector<NodePtr> out = {child_, noise_.field.node()};
-    if (how_.by) out.push_back(how_.by->field.node());
+    if (options_.by) out.push_back(options_.by->field.node());
     return out;
   }
 
@@ -89,9 +89,9 @@ class DisplaceNode final : public EvaluationModes<DisplaceNode> {
   /// The factor for a surface whose outward slope along y is (above - below) / 2h.
   template <class T>
   T facing(const T& above, const T& below) const {
-    const T up = clamp((above - below) * T(0.5 / how_.feel), T(-1.0), T(1.0));
-    return T(how_.wall) + T(how_.floor - how_.wall) * square(max(up, T(0.0))) +
-           T(how_.ceiling - how_.wall) * square(min(up, T(0.0)));
+    const T up = clamp((above - below) * T(0.5 / options_.feel), T(-1.0), T(1.0));
+    return T(options_.wall) + T(options_.floor - options_.wall) * square(max(up, T(0.0))) +
+           T(options_.ceiling - options_.wall) * square(min(up, T(0.0)));
   }
   template <class T>
   static T share(const T& noise) {
@@ -100,21 +100,23 @@ class DisplaceNode final : public EvaluationModes<DisplaceNode> {
 
   NodePtr child_;
   Noise noise_;
-  Displacement how_;
+  Displacement options_;
 };
 
-Traits DisplaceNode::traits_of(const Traits& child, const Noise& noise, const Displacement& how) {
+Traits DisplaceNode::traits_of(const Traits& child, const Noise& noise,
+                               const Displacement& options) {
   const double factor =
-      std::max({std::fabs(how.floor), std::fabs(how.wall), std::fabs(how.ceiling)});
-  const double size = std::fabs(how.amount) * greatest(noise.range);
+      std::max({std::fabs(options.floor), std::fabs(options.wall), std::fabs(options.ceiling)});
+  const double size = std::fabs(options.amount) * greatest(noise.range);
   Traits out = child;
-  out.lipschitz += std::fabs(how.amount) * factor * noise.field.lipschitz();
-  if (feels_slope(
-          how))  // The slope of the factor in `up` is at most 2 * difference, that of `up` L / h.
+  out.lipschitz += std::fabs(options.amount) * factor * noise.field.lipschitz();
+  if (depends_on_slope(options))  // The slope of the factor in `up` is at most 2 * difference, that
+                                  // of `up` L / h.
     out.lipschitz += size * 2 *
-                     std::max(std::fabs(how.floor - how.wall), std::fabs(how.ceiling - how.wall)) *
-                     child.lipschitz / how.feel;
-  if (how.by) out.lipschitz += size * factor * 0.5 * how.by->field.lipschitz();
+                     std::max(std::fabs(options.floor - options.wall),
+                              std::fabs(options.ceiling - options.wall)) *
+                     child.lipschitz / options.feel;
+  if (options.by) out.lipschitz += size * factor * 0.5 * options.by->field.lipschitz();
   out.exactness = Exactness::sign;
   out.bounds = child.bounds_below(size * factor);
   out.growth = child.growth_rate();
@@ -123,10 +125,11 @@ Traits DisplaceNode::traits_of(const Traits& child, const Noise& noise, const Di
 
 }  // namespace
 
-Field displaced(const Field& field, const Noise& noise, const Displacement& how) {
-  if (how.amount == 0) return field;
+Field displaced(const Field& field, const Noise& noise, const Displacement& options) {
+  if (options.amount == 0) return field;
   return Field(std::make_shared<DisplaceNode>(
-      DisplaceNode::traits_of(field.node()->traits(), noise, how), field.node(), noise, how));
+      DisplaceNode::traits_of(field.node()->traits(), noise, options), field.node(), noise,
+      options));
 }
 
 }  // namespace vug::field

@@ -20,6 +20,6 @@ struct Displacement {
 
 /// The zero set moves by at most amount * |noise|. Values remain Lipschitz with the stated constant
 /// but no longer bound the distance.
-Field displaced(const Field& field, const Noise& noise, const Displacement& how);
+Field displaced(const Field& field, const Noise& noise, const Displacement& options);
 
 }  // namespace vug::field

@@ -16,15 +16,16 @@ constexpr double kFacing = 0.45;
 /// Lower gaps, in multiples of the tip radius, have no dripstone.
 constexpr double kLowest = 6;
 /// Maximum foot of a stalagmite relative to the gap, and minimum height relative to the foot.
-constexpr double kWidestFoot = 0.2, kSquattest = 1.5;
+constexpr double kMaxFoot = 0.2, kMinAspect = 1.5;
 /// Minimum radius of stalagmites (curl1973: 3 cm in diameter and more).
 constexpr double kThinnestStalagmite = 0.015;
 
 /// Intersections of the vertical line through `at` with the surface of the rock, from top to
 /// bottom.
-class Plumb {
+class VerticalLine {
  public:
-  Plumb(const Field& rock, const Vec3d& at, double step) : rock_(rock), at_(at), step_(step) {}
+  VerticalLine(const Field& rock, const Vec3d& at, double step)
+      : rock_(rock), at_(at), step_(step) {}
 
   /// The height of the first change of sign below `high`; nothing if there is none above `low`.
   std::optional<double> crossing(double high, double low) const {
@@ -76,13 +77,13 @@ Drip grown_drip(const Vec3d& roof, const Vec3d& floor, double vigour, const Drip
 std::vector<Drip> drips_at(const Field& rock, const Vec3d& at, double vigour, const DripOptions& o,
                            RandomStream& random) {
   std::vector<Drip> drips;
-  const Plumb plumb(rock, at, std::min(0.25 * o.spacing, 0.1));
+  const VerticalLine line(rock, at, std::min(0.25 * o.spacing, 0.1));
   std::optional<double> y = o.to.y;
-  if (!plumb.solid(*y)) y = plumb.crossing(*y, o.from.y);
+  if (!line.solid(*y)) y = line.crossing(*y, o.from.y);
   while (y) {
-    const auto roof_y = plumb.crossing(*y, o.from.y);
+    const auto roof_y = line.crossing(*y, o.from.y);
     if (!roof_y) break;
-    const auto floor_y = plumb.crossing(*roof_y - 1e-6, o.from.y);
+    const auto floor_y = line.crossing(*roof_y - 1e-6, o.from.y);
     if (!floor_y) break;
     const Vec3d roof(at.x, *roof_y, at.z), floor(at.x, *floor_y, at.z);
     if (roof.y - floor.y > kLowest * o.tip && facing(rock, roof) < -kFacing) {
@@ -157,9 +158,8 @@ Field dripstone(const std::vector<Drip>& drips, const DripOptions& o) {
   for (const Drip& d : drips) {
     const double gap = d.roof.y - d.floor.y;
     const double thick = std::max(o.girth * d.stalactite, 1.2 * o.tip);
-    const double foot =
-        std::min(std::max({1.5 * o.girth * d.stalagmite, 1.5 * o.tip, kThinnestStalagmite}),
-                 kWidestFoot * gap);
+    const double foot = std::min(
+        std::max({1.5 * o.girth * d.stalagmite, 1.5 * o.tip, kThinnestStalagmite}), kMaxFoot * gap);
     // Roots start inside the rock, so that none is detached on a sloping roof.
     const Vec3d root = d.roof + Vec3d(0, thick, 0), base = d.floor - Vec3d(0, 0.5 * foot, 0);
     if (d.column) {
@@ -170,7 +170,7 @@ Field dripstone(const std::vector<Drip>& drips, const DripOptions& o) {
       continue;
     }
     add_stalactite(root, d.stalactite + thick, thick, o.tip, parts);
-    if (d.stalagmite > kSquattest * foot)
+    if (d.stalagmite > kMinAspect * foot)
       add_stalagmite(base, foot, d.floor.y + d.stalagmite, o.tip, parts);
   }
   return unite(std::move(parts));

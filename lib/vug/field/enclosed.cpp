@@ -33,8 +33,8 @@ struct HullSide {
   template <class T>
   T distance(const Point<T>& p) const {
     const double height = hull.to - hull.from, widening = hull.high - hull.low;
-    const T way = clamp((p.y - T(hull.from)) * T(1 / height), T(0.0), T(1.0));
-    return (length(p.x, p.z) - (T(hull.low) + way * T(widening))) * T(scale);
+    const T t = clamp((p.y - T(hull.from)) * T(1 / height), T(0.0), T(1.0));
+    return (length(p.x, p.z) - (T(hull.low) + t * T(widening))) * T(scale);
   }
   Box3d bounds() const { return infinite_box(); }
   Exactness exactness() const { return Exactness::bound; }

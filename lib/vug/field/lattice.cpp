@@ -135,16 +135,17 @@ Sites<S> sites(const Point<S>& p, uint32_t seed) {
       h = L::bit_xor(h, L::multiply(L::add(cz, static_cast<uint32_t>(l)), kAxis[2]));
       const Int<S> hx = finish<S>(h), hy = finish<S>(L::add(hx, 0x9e3779b9)),
                    hz = finish<S>(L::add(hy, 0x9e3779b9));
-      auto way = [](const S& x, int step, const Int<S>& hash) {
+      auto offset = [](const S& x, int step, const Int<S>& hash) {
         return x - (S(static_cast<double>(step)) + L::to_unit(hash));
       };
       Site<S> site;
-      site.way = {way(local.x, i, hx), way(local.y, j, hy), way(local.z, l, hz)};
-      site.squared = dot(site.way, site.way);
+      site.offset = {offset(local.x, i, hx), offset(local.y, j, hy), offset(local.z, l, hz)};
+      site.squared = dot(site.offset, site.offset);
       auto keep = [](auto closer, const Site<S>& a, const Site<S>& b) {
-        return Site<S>{{select(closer, a.way.x, b.way.x), select(closer, a.way.y, b.way.y),
-                        select(closer, a.way.z, b.way.z)},
-                       select(closer, a.squared, b.squared)};
+        return Site<S>{
+            {select(closer, a.offset.x, b.offset.x), select(closer, a.offset.y, b.offset.y),
+             select(closer, a.offset.z, b.offset.z)},
+            select(closer, a.squared, b.squared)};
       };
       const auto wins = site.squared < best.first.squared;
       const Site<S> loser = keep(wins, best.first, site);

@@ -44,7 +44,7 @@ Dual<S> lattice_random(const Dual<S>& cell, uint32_t seed) {
 /// vector.
 template <class S>
 struct Site {
-  Point<S> way;
+  Point<S> offset;
   S squared;
 };
 
@@ -62,9 +62,9 @@ Sites<Dual<S>> nearest_sites(const Point<Dual<S>>& p, uint32_t seed) {
   const Sites<S> plain = nearest_sites(Point<S>{p.x.v, p.y.v, p.z.v}, seed);
   auto lifted = [&](const Site<S>& site) {
     auto moving = [](const S& v, const Dual<S>& c) { return Dual<S>(v, c.dx, c.dy, c.dz); };
-    const Point<Dual<S>> way{moving(site.way.x, p.x), moving(site.way.y, p.y),
-                             moving(site.way.z, p.z)};
-    return Site<Dual<S>>{way, dot(way, way)};
+    const Point<Dual<S>> offset{moving(site.offset.x, p.x), moving(site.offset.y, p.y),
+                                moving(site.offset.z, p.z)};
+    return Site<Dual<S>>{offset, dot(offset, offset)};
   };
   return {lifted(plain.first), lifted(plain.second)};
 }

@@ -11,8 +11,9 @@ namespace {
 
 constexpr int kStrip = 32;  // Lines per task.
 constexpr float kLeastAlbedo = 0.02f;
-constexpr float kDot = 2;  ///< A pixel this many times as bright as its neighbours is an outlier.
-constexpr float kDotErrors = 3;  ///< Larger differences in standard errors are not noise.
+constexpr float kOutlierRatio =
+    2;  ///< A pixel this many times as bright as its neighbours is an outlier.
+constexpr float kOutlierErrors = 3;  ///< Larger differences in standard errors are not noise.
 
 /// One value per pixel.
 using Plane = std::vector<float>;
@@ -63,7 +64,7 @@ Plane smoothed(const Plane& in, int width, int height) {
 /// noise of its own variance, gets the value of the second brightest. The variance of an outlier is
 /// about its square, so nothing distinguishes it from its surroundings, and it would become a
 /// bright patch.
-void dim_dots(Planes& all) {
+void clamp_outliers(Planes& all) {
   const auto luminance = [](const Plane* of, size_t p) {
     return 0.2126f * of[0][p] + 0.7152f * of[1][p] + 0.0722f * of[2][p];
   };
@@ -83,8 +84,8 @@ void dim_dots(Planes& all) {
           first = std::max(first, near);
         }
       const float excess = light[p] - second;
-      if (light[p] <= kDot * second ||
-          excess * excess > kDotErrors * kDotErrors * luminance(all.variance, p))
+      if (light[p] <= kOutlierRatio * second ||
+          excess * excess > kOutlierErrors * kOutlierErrors * luminance(all.variance, p))
         continue;
       const float share = second / light[p];
       for (size_t c = 0; c < 3; ++c) {
@@ -120,7 +121,7 @@ Planes planes_of(const Image& picture) {
     add_feature(plane(picture, "albedo." + name), 1 / 0.1f);
     add_feature(plane(picture, std::string("N.") + "XYZ"[c]), 1 / 0.25f);
   }
-  dim_dots(all);
+  clamp_outliers(all);
   for (Plane& variance : all.variance) variance = smoothed(variance, all.width, all.height);
   // Relative differences of depth: the reciprocal slope of its logarithm is the depth itself.
   Plane depth = plane(picture, "Z");

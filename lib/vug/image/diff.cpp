@@ -35,7 +35,7 @@ std::vector<Layer> without_bookkeeping(std::vector<Layer> layers) {
 }
 
 /// A layer, and whether all measures and the unnamed limits apply to it.
-struct Chosen {
+struct SelectedLayer {
   Layer layer;
   bool main = false;
 };
@@ -51,10 +51,10 @@ void require_channels(const Layer& layer, const ImageUnderTest& has, const Image
               {}, "choose the layers to compare, for instance --layer beauty");
 }
 
-std::vector<Chosen> choose_layers(const ImageUnderTest& a, const ImageUnderTest& b,
-                                  const DiffOptions& options) {
+std::vector<SelectedLayer> choose_layers(const ImageUnderTest& a, const ImageUnderTest& b,
+                                         const DiffOptions& options) {
   const std::vector<Layer> of_a = layers_of(a.image.channels), of_b = layers_of(b.image.channels);
-  std::vector<Chosen> out;
+  std::vector<SelectedLayer> out;
   if (!options.layers.empty()) {
     for (const std::string& name : options.layers) {
       const Layer *in_a = find_layer(of_a, name), *in_b = find_layer(of_b, name);
@@ -80,7 +80,7 @@ std::vector<Chosen> choose_layers(const ImageUnderTest& a, const ImageUnderTest&
   return out;
 }
 
-std::vector<const Measure*> measures_for(const Chosen& chosen, const DiffOptions& options,
+std::vector<const Measure*> measures_for(const SelectedLayer& chosen, const DiffOptions& options,
                                          const std::vector<Limit>& limits) {
   std::vector<const Measure*> out;
   for (const Measure* each : measures()) {
@@ -89,10 +89,10 @@ std::vector<const Measure*> measures_for(const Chosen& chosen, const DiffOptions
       return limit.measure == name &&
              (limit.layer.empty() ? chosen.main : limit.layer == chosen.layer.name);
     });
-    const bool asked =
+    const bool requested =
         std::find(options.measures.begin(), options.measures.end(), name) != options.measures.end();
     const bool usual =
-        options.measures.empty() ? chosen.main || !each->needs_colour : asked && chosen.main;
+        options.measures.empty() ? chosen.main || !each->needs_colour : requested && chosen.main;
     if (each->needs_colour && !chosen.layer.colour()) {
       if (limited && chosen.layer.name == kBeauty)
         throw Error(
@@ -105,7 +105,7 @@ std::vector<const Measure*> measures_for(const Chosen& chosen, const DiffOptions
   return out;
 }
 
-const Limit* limit_for(const Chosen& chosen, const std::string& measure,
+const Limit* limit_for(const SelectedLayer& chosen, const std::string& measure,
                        const std::vector<Limit>& limits) {
   const Limit* general = nullptr;
   for (const Limit& limit : limits) {
@@ -116,9 +116,9 @@ const Limit* limit_for(const Chosen& chosen, const std::string& measure,
   return general;
 }
 
-void require_known(const std::vector<Chosen>& chosen, const DiffOptions& options) {
+void require_known(const std::vector<SelectedLayer>& chosen, const DiffOptions& options) {
   std::vector<std::string> names;
-  for (const Chosen& each : chosen) names.push_back(each.layer.name);
+  for (const SelectedLayer& each : chosen) names.push_back(each.layer.name);
   for (const std::string& name : options.measures) measure_of(name);
   for (const Limit& limit : options.limits) {
     measure_of(limit.measure);
@@ -179,10 +179,10 @@ NoisyPicture noisy(const ImageUnderTest& subject) {
   return out;
 }
 
-std::optional<Significance> significance_of(const std::vector<Chosen>& chosen,
+std::optional<Significance> significance_of(const std::vector<SelectedLayer>& chosen,
                                             const ImageUnderTest& a, const ImageUnderTest& b,
                                             const DiffOptions& options, double alarm) {
-  const bool beauty = std::any_of(chosen.begin(), chosen.end(), [](const Chosen& each) {
+  const bool beauty = std::any_of(chosen.begin(), chosen.end(), [](const SelectedLayer& each) {
     return each.layer.name == kBeauty && each.layer.colour();
   });
   std::string why = beauty ? "" : "only the beauty (R, G, B) can be tested for significance";
@@ -200,11 +200,12 @@ std::optional<Significance> significance_of(const std::vector<Chosen>& chosen,
 }
 
 /// The given limits or, without any basis for a verdict, the rounding limit for every layer.
-std::vector<Limit> limits_for(const std::vector<Chosen>& chosen, const DiffOptions& options,
+std::vector<Limit> limits_for(const std::vector<SelectedLayer>& chosen, const DiffOptions& options,
                               bool tested) {
   std::vector<Limit> out = options.limits;
   if (out.empty() && !tested)
-    for (const Chosen& each : chosen) out.push_back({each.layer.name, "relative_max", kRounding});
+    for (const SelectedLayer& each : chosen)
+      out.push_back({each.layer.name, "relative_max", kRounding});
   return out;
 }
 
@@ -236,7 +237,7 @@ void judge(Diff& out, const DiffOptions& options) {
 }
 
 /// Collects layers that differ but are not judged.
-void find_unjudged(Diff& out, const std::vector<Chosen>& chosen,
+void find_unjudged(Diff& out, const std::vector<SelectedLayer>& chosen,
                    const std::vector<double>& largest) {
   for (size_t i = 0; i < chosen.size(); ++i) {
     const std::string& name = chosen[i].layer.name;
@@ -293,10 +294,10 @@ Diff diff_view(const ImageUnderTest& reference, const ImageUnderTest& test,
                 fmt::format("'{}' is in the colour space {} and '{}' in {}", reference.name,
                             info(reference.space).name, test.name, info(test.space).name),
                 {}, "render both in one working_space");
-  const std::vector<Chosen> chosen = choose_layers(reference, test, options);
+  const std::vector<SelectedLayer> chosen = choose_layers(reference, test, options);
   require_known(chosen, options);
-  const auto main =
-      std::find_if(chosen.begin(), chosen.end(), [](const Chosen& each) { return each.main; });
+  const auto main = std::find_if(chosen.begin(), chosen.end(),
+                                 [](const SelectedLayer& each) { return each.main; });
   Diff out;
   out.shown_layer = main->layer.name;
   const bool screen = reference.screen && test.screen;
@@ -305,7 +306,7 @@ Diff diff_view(const ImageUnderTest& reference, const ImageUnderTest& test,
         exposure_of(comparison_of(main->layer, reference, test, options, 0)));
   out.significance = significance_of(chosen, reference, test, options, alarm);
   const std::vector<Limit> limits = limits_for(chosen, options, out.significance.has_value());
-  const auto of_beauty = [&](const Chosen& each) {
+  const auto of_beauty = [&](const SelectedLayer& each) {
     return each.layer.name == kBeauty &&
            std::any_of(limits.begin(), limits.end(), [&](const Limit& limit) {
              return limit.layer == kBeauty || (limit.layer.empty() && each.main);
@@ -314,7 +315,7 @@ Diff diff_view(const ImageUnderTest& reference, const ImageUnderTest& test,
   out.tested = out.significance &&
                (options.false_alarm_rate || std::none_of(chosen.begin(), chosen.end(), of_beauty));
   std::vector<double> largest;  // Per layer, the largest difference.
-  for (const Chosen& each : chosen) {
+  for (const SelectedLayer& each : chosen) {
     const Comparison pair = comparison_of(each.layer, reference, test, options, out.exposure);
     const Differences d = differences(pair);
     out.not_finite += d.not_finite;

@@ -143,7 +143,7 @@ Kernel balanced(Kernel kernel) {
 }
 
 /// The inputs of both halves of the metric for one image.
-struct Seen {
+struct PerceptualFeatures {
   std::vector<Colour> colours;
   std::vector<float> edges, points;  ///< Lengths of first and second derivatives.
 };
@@ -155,7 +155,7 @@ std::vector<float> lengths(const Plane& a, const Plane& b) {
   return out;
 }
 
-void find_features(const Plane& luminance, double pixels_per_degree, Seen& seen) {
+void find_features(const Plane& luminance, double pixels_per_degree, PerceptualFeatures& seen) {
   const double sigma = 0.5 * kEdgeWidth * pixels_per_degree;
   const int radius = static_cast<int>(std::ceil(3 * sigma));
   const Kernel smooth = gaussian(sigma, radius);
@@ -170,7 +170,7 @@ void find_features(const Plane& luminance, double pixels_per_degree, Seen& seen)
   seen.points = lengths(filtered(luminance, point, smooth), filtered(luminance, smooth, point));
 }
 
-Seen look(const Image& picture, const FlipOptions& options) {
+PerceptualFeatures look(const Image& picture, const FlipOptions& options) {
   const size_t count = picture.pixel_count();
   std::array<Plane, 3> planes;
   planes.fill(Plane{picture.width, picture.height, std::vector<float>(count)});
@@ -189,7 +189,7 @@ Seen look(const Image& picture, const FlipOptions& options) {
         for (size_t i = 0; i < 3; ++i) planes[i].values[p] = static_cast<float>(c[i]);
       },
       4096);
-  Seen seen;
+  PerceptualFeatures seen;
   Plane luminance = planes[0];
   for (float& v : luminance.values) v = (v + 16) / 116;
   find_features(luminance, options.pixels_per_degree, seen);
@@ -212,7 +212,7 @@ Seen look(const Image& picture, const FlipOptions& options) {
 }  // namespace
 
 Plane flip(const Image& reference, const Image& test, const FlipOptions& options) {
-  const Seen a = look(reference, options), b = look(test, options);
+  const PerceptualFeatures a = look(reference, options), b = look(test, options);
   Plane out{reference.width, reference.height, std::vector<float>(reference.pixel_count())};
   parallel_for(
       out.values.size(),

@@ -86,7 +86,7 @@ struct FileInfo {
   std::vector<std::string> channels;
   std::vector<std::string> formats;  ///< "half", "float", "uint8", one per channel.
   Metadata metadata;
-  std::optional<Chromaticities> chromaticities;  ///< Of an EXR with the attribute.
+  std::optional<Chromaticities> chromaticities;  ///< Set for an EXR with the attribute.
 };
 FileInfo read_info(const std::filesystem::path& path);
 

@@ -23,7 +23,7 @@ const std::vector<const Measure*>& measures() {
 }
 
 const Measure& measure_of(const std::string& name) {
-  return require_kind(measures(), name, fmt::format("there is no measure '{}'", name));
+  return require_kind(measures(), name, fmt::format("unknown measure '{}'", name));
 }
 
 void require_comparable(const Image& reference, const Image& test) {

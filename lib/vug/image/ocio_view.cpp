@@ -44,9 +44,9 @@ colorspaces:
 /// ACES2065-1: AP0 of SMPTE ST 2065-1.
 constexpr Chromaticities kAp0 = {0.7347, 0.2653, 0.0, 1.0, 0.0001, -0.0770, 0.32168, 0.33767};
 
-class Processed final : public OcioView {
+class ProcessorView final : public OcioView {
  public:
-  Processed(const ColourMatrix& to_source, ocio::ConstCPUProcessorRcPtr processor, bool srgb)
+  ProcessorView(const ColourMatrix& to_source, ocio::ConstCPUProcessorRcPtr processor, bool srgb)
       : to_source_(to_source), processor_(std::move(processor)), srgb_(srgb) {}
 
   void apply(float* rgb, size_t pixels) const override {
@@ -116,7 +116,7 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 }
 
 /// The colour space of the configuration in which colours enter, and the matrix to it.
-std::pair<std::string, ColourMatrix> entrance(const Config& config, WorkingSpace space) {
+std::pair<std::string, ColourMatrix> input_space(const Config& config, WorkingSpace space) {
   for (const std::string& name : info(space).aliases)
     if (const auto found = config.ocio->getColorSpace(name.c_str())) return {found->getName(), {}};
   if (config.ocio->hasRole("aces_interchange"))
@@ -174,14 +174,14 @@ ViewOptions view_options(const ViewSelection& choice, WorkingSpace space) {
       if (!holds(names, name)) names.emplace_back(name);
     throw refuse("view", view, names);
   }
-  const auto [source, to_source] = entrance(config, space);
+  const auto [source, to_source] = input_space(config, space);
   try {
     const auto transform = ocio::DisplayViewTransform::Create();
     transform->setSrc(source.c_str());
     transform->setDisplay(display.c_str());
     transform->setView(view.c_str());
     const bool srgb = display.find("sRGB") != std::string::npos;
-    options.ocio = std::make_shared<const Processed>(
+    options.ocio = std::make_shared<const ProcessorView>(
         to_source, config.ocio->getProcessor(transform)->getDefaultCPUProcessor(), srgb);
   } catch (const ocio::Exception& error) {
     throw Error(ErrorCode::bad_input, fmt::format("the view '{}' {} cannot be used: {}", view,

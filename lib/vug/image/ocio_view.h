@@ -26,7 +26,7 @@ struct ViewSelection {
   /// implemented in OpenColorIO (cite aces2016rrt). Empty: the configuration's default, or
   /// "filmic".
   std::string view;
-  std::string display;           ///< Of the configuration; empty: its default.
+  std::string display;           ///< Display of the configuration; empty: its default.
   std::filesystem::path config;  ///< An .ocio file; empty: no configuration.
 };
 

@@ -43,9 +43,9 @@ class Chunks {
       if (length > kLongest || first != (name == "IHDR")) return "its content is damaged";
       if (!skip(length)) return kCut;
       const uint32_t wanted = ~crc_;
-      uint32_t told = 0;
-      if (!number(told)) return kCut;
-      if (told != wanted) return "its content is damaged";
+      uint32_t stored = 0;
+      if (!number(stored)) return kCut;
+      if (stored != wanted) return "its content is damaged";
       pixels = pixels || name == "IDAT";
       if (name == "IEND") return pixels ? "" : "it contains no pixels";
     }

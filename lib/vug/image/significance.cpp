@@ -27,13 +27,13 @@ Finding finding_of(const char* name) {
 }
 
 /// Probability that at least one of `count` independent events of probability p occurs.
-double any_of_chance(double p, double count) {
+double probability_of_any(double p, double count) {
   if (p >= 1) return 1;
   return p < 1e-9 ? std::min(1.0, p * count) : 1 - maths::exp(count * maths::log(1 - p));
 }
 
 /// The probability of each of `count` events that gives `any` for at least one of them.
-double share_of_chance(double any, double count) {
+double probability_of_each(double any, double count) {
   return 1 - maths::exp(maths::log(1 - any) / count);
 }
 
@@ -177,9 +177,9 @@ std::vector<Scores> scores_of(const Blocks& blocks, bool exchangeable) {
 }
 
 /// The least likely of the scores by `statistic`, a z-score, and its p-value.
-template <class Statistic, class Chance>
-Finding most_unlikely(const char* name, const std::vector<Scores>& all, Statistic statistic,
-                      Chance chance) {
+template <class Statistic, class PValue>
+Finding least_likely(const char* name, const std::vector<Scores>& all, Statistic statistic,
+                     PValue chance) {
   Finding out = finding_of(name);
   bool first = true;
   for (const Scores& scores : all) {
@@ -188,7 +188,7 @@ Finding most_unlikely(const char* name, const std::vector<Scores>& all, Statisti
     out.value = z, out.p_value = p, out.channel = channel_name(scores.channel);
     first = false;
   }
-  out.p_value = any_of_chance(out.p_value, static_cast<double>(all.size()));
+  out.p_value = probability_of_any(out.p_value, static_cast<double>(all.size()));
   return out;
 }
 
@@ -204,7 +204,7 @@ Finding find_bias(const std::vector<Scores>& all) {
     }
     return squares > 0 ? sum / std::sqrt(squares) : 0.0;
   };
-  return most_unlikely("bias", all, lean, two_sided_p_value);
+  return least_likely("bias", all, lean, two_sided_p_value);
 }
 
 Finding find_spread(const std::vector<Scores>& all) {
@@ -216,8 +216,8 @@ Finding find_spread(const std::vector<Scores>& all) {
     const double k = 2 / (9 * n);
     return ((squares > 0 ? maths::pow(squares / n, 1.0 / 3) : 0) - (1 - k)) / std::sqrt(k);
   };
-  return most_unlikely("spread", all, spread,
-                       [](double z) { return z > 0 ? 0.5 * two_sided_p_value(z) : 1.0; });
+  return least_likely("spread", all, spread,
+                      [](double z) { return z > 0 ? 0.5 * two_sided_p_value(z) : 1.0; });
 }
 
 Finding find_block(const std::vector<Scores>& all) {
@@ -228,14 +228,14 @@ Finding find_block(const std::vector<Scores>& all) {
     return most;
   };
   const auto count = static_cast<double>(all.front().z.size());
-  return most_unlikely("block", all, furthest,
-                       [&](double z) { return any_of_chance(two_sided_p_value(z), count); });
+  return least_likely("block", all, furthest,
+                      [&](double z) { return probability_of_any(two_sided_p_value(z), count); });
 }
 
 Finding find_pixels(const std::vector<Entry>& entries, double level) {
   double count = 0;
   for (const Entry& e : entries) count += e.counts ? 1 : 0;
-  const double single = share_of_chance(level, std::max(count, 1.0));
+  const double single = probability_of_each(level, std::max(count, 1.0));
   std::array<double, kChannels> failed{};
   for (size_t i = 0; i < entries.size(); ++i) {
     const Entry& e = entries[i];
@@ -321,7 +321,7 @@ Significance test_significance(const NoisyPicture& reference, const NoisyPicture
   out.block = block_size(image, options.block);
   const Grid grid{std::max(1, image.width / out.block), std::max(1, image.height / out.block)};
   const Blocks blocks = blocks_of(all, image, grid);
-  const double level = share_of_chance(options.false_alarm_rate, kFamilies);
+  const double level = probability_of_each(options.false_alarm_rate, kFamilies);
   const bool exchangeable = same_samples(reference, test);
   const std::vector<Scores> scores = scores_of(blocks, exchangeable);
   out.findings = {find_bias(scores), find_spread(scores), find_block(scores),
@@ -329,7 +329,7 @@ Significance test_significance(const NoisyPicture& reference, const NoisyPicture
   for (Finding& finding : out.findings) {
     finding.different = finding.different || finding.p_value < level;
     out.different = out.different || finding.different;
-    out.p_value = std::min(out.p_value, any_of_chance(finding.p_value, kFamilies));
+    out.p_value = std::min(out.p_value, probability_of_any(finding.p_value, kFamilies));
   }
   double difference = 0, size = 0;
   for (size_t i = 0; i < all.size(); ++i)

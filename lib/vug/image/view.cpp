@@ -64,7 +64,7 @@ Vec3d colour_at(const Image& image, size_t pixel, const Channels& from) {
 /// Calls `take` with the luminance of each pixel if there are R, G and B.
 template <class Take>
 void each_luminance(const Image& linear, WorkingSpace space, const Take& take) {
-  constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};  // Of Rec.709.
+  constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};  // Luminance weights of Rec.709.
   const std::optional<Channels> channels = colour_channels(linear);
   if (!channels) return;
   const ColourMatrix to_rec709(space, WorkingSpace::rec709);

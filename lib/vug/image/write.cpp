@@ -20,7 +20,7 @@ void require_whole(const Image& image) {
 }
 
 /// `count` channels, starting at `from`, of one part of a file.
-struct PartOf {
+struct PartChannels {
   std::string name;
   size_t from, count;
 };
@@ -35,8 +35,8 @@ std::string part_name(const std::string& channel) {
   return channel.substr(0, end);
 }
 
-std::vector<PartOf> parts_of(const std::vector<std::string>& channels, bool split) {
-  std::vector<PartOf> parts;
+std::vector<PartChannels> parts_of(const std::vector<std::string>& channels, bool split) {
+  std::vector<PartChannels> parts;
   for (size_t c = 0; c < channels.size(); ++c) {
     const std::string name = split ? part_name(channels[c]) : "";
     // Blender 3.4 cannot read a part with one channel and no layer, except for depth.
@@ -133,7 +133,8 @@ bool is_full(const std::string& channel, const ExrOptions& options) {
 }
 
 /// The channels of a part; those stored as half are clamped to its range.
-std::vector<float> pixels_of(const Image& image, const PartOf& part, const ExrOptions& options) {
+std::vector<float> pixels_of(const Image& image, const PartChannels& part,
+                             const ExrOptions& options) {
   std::vector<float> out(image.pixel_count() * part.count);
   for (size_t c = 0; c < part.count; ++c) {
     const bool full = is_full(image.channels[part.from + c], options);
@@ -152,7 +153,7 @@ namespace {
 /// The content of one part of a file.
 struct FilePart {
   const ExrView* view;
-  PartOf channels;
+  PartChannels channels;
   OIIO::ImageSpec spec;
 };
 
@@ -162,7 +163,7 @@ void add_parts(const ExrView& view, std::vector<FilePart>& all) {
   const Image& image = view.image;
   const ExrOptions& options = view.options;
   require_whole(image);
-  for (const PartOf& part : parts_of(image.channels, options.parts)) {
+  for (const PartChannels& part : parts_of(image.channels, options.parts)) {
     OIIO::ImageSpec spec = exr_spec(image.width, image.height, options);
     spec.nchannels = static_cast<int>(part.count);
     spec.channelnames.assign(

@@ -16,55 +16,55 @@ namespace vug::mesh {
 template <class Close>
 std::vector<uint8_t> eliminate_samples(const PointGrid& grid, const std::vector<uint64_t>& rank,
                                        const Close& close) {
-  constexpr uint8_t kGoes = 0, kStays = 1, kOpen = 2;
-  std::vector<uint8_t> fate(grid.size());
-  for (size_t i = 0; i < fate.size(); ++i) fate[i] = rank[i] == 0 ? kStays : kOpen;
+  constexpr uint8_t kRemoved = 0, kKept = 1, kUndecided = 2;
+  std::vector<uint8_t> status(grid.size());
+  for (size_t i = 0; i < status.size(); ++i) status[i] = rank[i] == 0 ? kKept : kUndecided;
   const auto before = [&](uint32_t i, uint32_t j) {
     return rank[i] != rank[j] ? rank[i] < rank[j] : i < j;
   };
   // A decision depends only on final decisions, so the order in which threads see them is
   // irrelevant.
-  const auto fate_of = [&](uint32_t i) {
-    return std::atomic_ref(fate[i]).load(std::memory_order_relaxed);
+  const auto status_of = [&](uint32_t i) {
+    return std::atomic_ref(status[i]).load(std::memory_order_relaxed);
   };
   const auto decide = [&](uint32_t i, uint8_t as) {
-    std::atomic_ref(fate[i]).store(as, std::memory_order_relaxed);
+    std::atomic_ref(status[i]).store(as, std::memory_order_relaxed);
   };
   std::vector<std::vector<uint32_t>> rivals(grid.size());  // the points that can eliminate a point
   grid.for_each_cube([&](PointGrid::Run cube, const PointGrid::Runs& around) {
     for (uint32_t i = cube.begin; i < cube.end; ++i) {
       if (rank[i] == 0) continue;
-      bool goes = false;
+      bool removed = false;
       for (const PointGrid::Run& run : around)
-        for (uint32_t j = run.begin; j < run.end && !goes; ++j) {
+        for (uint32_t j = run.begin; j < run.end && !removed; ++j) {
           if (j == i || !before(j, i) || !close(i, j)) continue;
-          goes = rank[j] == 0;
-          if (!goes) rivals[i].push_back(j);
+          removed = rank[j] == 0;
+          if (!removed) rivals[i].push_back(j);
         }
-      if (goes || rivals[i].empty()) decide(i, goes ? kGoes : kStays);
+      if (removed || rivals[i].empty()) decide(i, removed ? kRemoved : kKept);
     }
   });
-  std::vector<uint32_t> open;
-  for (uint32_t i = 0; i < fate.size(); ++i)
-    if (fate[i] == kOpen) open.push_back(i);
-  while (!open.empty()) {
+  std::vector<uint32_t> pending;
+  for (uint32_t i = 0; i < status.size(); ++i)
+    if (status[i] == kUndecided) pending.push_back(i);
+  while (!pending.empty()) {
     parallel_for(
-        open.size(),
+        pending.size(),
         [&](size_t k) {
-          bool waits = false, goes = false;
-          for (const uint32_t j : rivals[open[k]]) {
-            const uint8_t other = fate_of(j);
-            waits |= other == kOpen;
-            goes |= other == kStays;
+          bool undecided = false, removed = false;
+          for (const uint32_t j : rivals[pending[k]]) {
+            const uint8_t other = status_of(j);
+            undecided |= other == kUndecided;
+            removed |= other == kKept;
           }
-          if (goes || !waits) decide(open[k], goes ? kGoes : kStays);
+          if (removed || !undecided) decide(pending[k], removed ? kRemoved : kKept);
         },
         1024);
-    open.erase(
-        std::remove_if(open.begin(), open.end(), [&](uint32_t i) { return fate[i] != kOpen; }),
-        open.end());
+    pending.erase(std::remove_if(pending.begin(), pending.end(),
+                                 [&](uint32_t i) { return status[i] != kUndecided; }),
+                  pending.end());
   }
-  return fate;
+  return status;
 }
 
 }  // namespace vug::mesh

@@ -19,9 +19,9 @@ bool can_be_cut(const Face& face, const Corners& good) {
   return face.size == 3 ? good[0] : (good[1] && good[3]) || (good[0] && good[2]);
 }
 
-class Settler {
+class MoveSolver {
  public:
-  Settler(const FaceMesh& raw, const std::vector<Target>& targets, double voxel)
+  MoveSolver(const FaceMesh& raw, const std::vector<Target>& targets, double voxel)
       : raw_(raw), targets_(targets), voxel_(voxel), level_(targets.size()) {
     points_.resize(targets.size());
     for (uint32_t v = 0; v < targets.size(); ++v)
@@ -48,7 +48,7 @@ class Settler {
   }
 
   /// Repairs the polygon if it is folded, and adds polygons that may fold as a result to `next`.
-  void mend(uint32_t f, const field::Field& exact, std::vector<uint32_t>& next) {
+  void repair(uint32_t f, const field::Field& exact, std::vector<uint32_t>& next) {
     const Face& face = raw_.faces[f];
     const field::Field local = exact.restricted({raw_.centre(face), 2 * kSight * voxel_}).field;
     SurfaceProjector projector(local, {raw_.centre(face)}, kLargestError * voxel_);
@@ -107,7 +107,7 @@ class Settler {
   /// crease, faces backwards.
   std::vector<char> are_folded(const std::vector<uint32_t>& faces,
                                SurfaceProjector& projector) const {
-    std::vector<Vec3d> asked;
+    std::vector<Vec3d> centroids;
     std::vector<Corners> good(faces.size());
     for (size_t i = 0; i < faces.size(); ++i) {
       const Face& face = raw_.faces[faces[i]];
@@ -115,9 +115,9 @@ class Settler {
         good[i][k] = !is_flipped(face, k, raw_.points, points_);
       if (needs_field(face, good[i]))
         for (uint32_t k = 0; k < face.size; ++k)
-          if (good[i][k]) asked.push_back(corner_centroid(face, k, points_));
+          if (good[i][k]) centroids.push_back(corner_centroid(face, k, points_));
     }
-    const std::vector<SurfacePoint> answers = projector.sample(asked);
+    const std::vector<SurfacePoint> answers = projector.sample(centroids);
     std::vector<char> folded(faces.size());
     auto answer = answers.begin();
     for (size_t i = 0; i < faces.size(); ++i) {
@@ -159,17 +159,17 @@ class Settler {
 MoveResult apply_moves_without_flips(const FaceMesh& raw, const std::vector<Target>& targets,
                                      const field::Field& exact, double voxel,
                                      const Progress& progress) {
-  Settler settler(raw, targets, voxel);
-  std::vector<uint32_t> folded = settler.all_folded(exact);
+  MoveSolver solver(raw, targets, voxel);
+  std::vector<uint32_t> folded = solver.all_folded(exact);
   for (int round = 0; round < kRounds && !folded.empty(); ++round) {
     progress.check();
     std::vector<uint32_t> next;
-    for (const uint32_t f : folded) settler.mend(f, exact, next);
+    for (const uint32_t f : folded) solver.repair(f, exact, next);
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
     folded = std::move(next);
   }
-  return std::move(settler).result();
+  return std::move(solver).result();
 }
 
 }  // namespace vug::meshing

@@ -15,8 +15,8 @@ namespace vug::meshing {
 namespace {
 
 /// Exact normals and remaining distances at the rounded positions.
-std::vector<SurfacePoint> probe_vertices(const mesh::Mesh& mesh, const field::Field& exact,
-                                         double voxel, Progress& progress) {
+std::vector<SurfacePoint> sample_vertices(const mesh::Mesh& mesh, const field::Field& exact,
+                                          double voxel, Progress& progress) {
   const std::vector<Vec3d> points(mesh.positions.begin(), mesh.positions.end());
   std::vector<SurfacePoint> found(points.size());
   for_each_block(
@@ -70,7 +70,7 @@ PolygonizeResult polygonize(const volume::LevelSet& level_set, const field::Fiel
   result.mesh.positions.assign(polished.points.begin(), polished.points.end());
   std::vector<SurfacePoint> found;
   if (exact) {
-    found = probe_vertices(result.mesh, *exact, voxel, progress);
+    found = sample_vertices(result.mesh, *exact, voxel, progress);
     result.report = make_report(raw, polished, found, voxel);
   }
   if (options.normals) {

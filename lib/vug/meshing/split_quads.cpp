@@ -11,7 +11,7 @@ namespace {
 constexpr double kFlatCosine = 0.9995;  ///< About 2 degrees between the two triangles.
 
 /// The smaller cosine between either half, when split from corner k to k + 2, and the whole quad.
-double least_facing(const Face& face, uint32_t k, const std::vector<Vec3d>& points) {
+double min_facing(const Face& face, uint32_t k, const std::vector<Vec3d>& points) {
   const Vec3d a = corner_normal(face, (k + 1) % 4, points);
   const Vec3d b = corner_normal(face, (k + 3) % 4, points);
   const Vec3d whole = (a + b).normalized();
@@ -19,7 +19,7 @@ double least_facing(const Face& face, uint32_t k, const std::vector<Vec3d>& poin
 }
 
 bool is_flat(const Face& face, const std::vector<Vec3d>& points) {
-  return least_facing(face, 0, points) > kFlatCosine && least_facing(face, 1, points) > kFlatCosine;
+  return min_facing(face, 0, points) > kFlatCosine && min_facing(face, 1, points) > kFlatCosine;
 }
 
 bool shorter_from_0(const Face& face, const std::vector<Vec3d>& points) {
@@ -29,25 +29,25 @@ bool shorter_from_0(const Face& face, const std::vector<Vec3d>& points) {
 }
 
 /// Chooses the diagonals of bent quads.
-class Cutter {
+class DiagonalChooser {
  public:
-  Cutter(const FaceMesh& faces, const std::vector<Vec3d>& points, double voxel)
+  DiagonalChooser(const FaceMesh& faces, const std::vector<Vec3d>& points, double voxel)
       : faces_(faces), points_(points), voxel_(voxel) {}
 
   /// Sets from_0 to whether a quad is split from corner 0 (otherwise from corner 1).
   void cut(const std::vector<uint32_t>& quads, const field::Field& exact,
            std::vector<char>& from_0) const {
-    std::vector<Vec3d>
-        asked;  // Six per quad: the centroids of the triangles and the midpoints of the diagonals.
+    std::vector<Vec3d> queries;  // Six per quad: the centroids of the triangles and the midpoints
+                                 // of the diagonals.
     std::vector<Vec3d> centres;
     for (const uint32_t f : quads) {
       const Face& face = faces_.faces[f];
       centres.push_back(faces_.centre(face));
-      for (uint32_t k = 0; k < 4; ++k) asked.push_back(corner_centroid(face, k, points_));
+      for (uint32_t k = 0; k < 4; ++k) queries.push_back(corner_centroid(face, k, points_));
       for (uint32_t k = 0; k < 2; ++k)
-        asked.push_back((points_[face.corners[k]] + points_[face.corners[k + 2]]) * 0.5);
+        queries.push_back((points_[face.corners[k]] + points_[face.corners[k + 2]]) * 0.5);
     }
-    const auto answers = SurfaceProjector(exact, centres, kLargestError * voxel_).sample(asked);
+    const auto answers = SurfaceProjector(exact, centres, kLargestError * voxel_).sample(queries);
     for (size_t i = 0; i < quads.size(); ++i)
       from_0[quads[i]] = better_from_0(faces_.faces[quads[i]], &answers[6 * i]);
   }
@@ -91,14 +91,14 @@ std::vector<mesh::Triangle> split_quads(const FaceMesh& faces, const std::vector
       quads.push_back(f);
       centres.push_back(faces.centre(faces.faces[f]));
     }
-  const Cutter cutter(faces, points, voxel);
+  const DiagonalChooser chooser(faces, points, voxel);
   if (exact)
     for_each_block(
         *exact, centres, {8 * voxel, 4 * voxel},
         [&](const std::vector<uint32_t>& indices, const field::Field& local) {
           std::vector<uint32_t> some;
           for (const uint32_t i : indices) some.push_back(quads[i]);
-          cutter.cut(some, local, from_0);
+          chooser.cut(some, local, from_0);
         },
         progress);
   std::vector<mesh::Triangle> triangles;

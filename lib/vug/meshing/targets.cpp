@@ -48,15 +48,15 @@ class Finder {
   void find(const std::vector<uint32_t>& vertices, const field::Field& local,
             std::vector<Target>& targets) const {
     const std::vector<Vec3d> starts = gathered(raw_.points, vertices);
-    SurfaceProjector asked = projector(local, starts);
-    const auto surface = asked.project(starts, reach_);
+    SurfaceProjector local_projector = projector(local, starts);
+    const auto surface = local_projector.project(starts, reach_);
     std::vector<Crease> creases;
     for (size_t i = 0; i < vertices.size(); ++i) {
       targets[vertices[i]].surface = surface[i].point;
       if (options_.creases) add_crease(vertices[i], creases);
     }
     for (int i = 0; i < kRefinements; ++i) {
-      refine(creases, asked);
+      refine(creases, local_projector);
       if (i == 0) drop_smooth(creases);
     }
     std::vector<Vec3d> places;
@@ -64,7 +64,7 @@ class Finder {
       places.push_back(c.place);
       places.push_back(clamped(c.vertex, fit_planes(c.samples, c.middle)));
     }
-    const auto found = asked.project(places, {0.25 * voxel_, kTolerance * voxel_, 10});
+    const auto found = local_projector.project(places, {0.25 * voxel_, kTolerance * voxel_, 10});
     for (size_t i = 0; i < creases.size(); ++i) {
       Target& target = targets[creases[i].vertex];
       target.crease = found[2 * i].point;
@@ -105,12 +105,12 @@ class Finder {
   }
 
   /// Takes new samples nearer to the crease points, and fits new points to them.
-  void refine(std::vector<Crease>& creases, SurfaceProjector& asked) const {
+  void refine(std::vector<Crease>& creases, SurfaceProjector& local_projector) const {
     std::vector<Vec3d> starts;
     for (const Crease& c : creases)
       for (const SurfacePoint& s : c.samples)
         starts.push_back(c.place + (s.point - c.place) * kShrink);
-    const auto found = asked.project(starts, samples_reach_);
+    const auto found = local_projector.project(starts, samples_reach_);
     auto next = found.begin();
     for (Crease& c : creases) {
       for (SurfacePoint& s : c.samples) s = *next++;

@@ -63,13 +63,13 @@ Convexity convexity(const mesh::Mesh& mesh, const mesh::Edges& edges) {
     const double height_2 = height(second, normal_1.normalized(), on);
     const double height_1 = height(first, normal_2.normalized(), on);
     if (std::max(std::fabs(height_1), std::fabs(height_2)) <= flat) continue;
-    const double beside = 0.5 * (normal_1.length() + normal_2.length());
+    const double adjacent_area = 0.5 * (normal_1.length() + normal_2.length());
     if (height_1 + height_2 < 0) {
       ++sum.convex;
-      sum.convex_area += beside;
+      sum.convex_area += adjacent_area;
     } else {
       ++sum.concave;
-      sum.concave_area += beside;
+      sum.concave_area += adjacent_area;
     }
   }
   return sum;

@@ -61,7 +61,7 @@ struct Beam {
 };
 
 struct Best {
-  double lowest = kInfinity;  ///< Of all hits.
+  double lowest = kInfinity;  ///< Minimum of all hits.
   double t = kInfinity, off = kInfinity, cu = 0, cv = 0;
 };
 

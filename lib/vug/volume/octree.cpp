@@ -9,9 +9,9 @@ namespace {
 
 int64_t aligned(int64_t index, int64_t to) { return index & ~(to - 1); }  // Towards -infinity.
 
-class Walker {
+class OctreeBuilder {
  public:
-  Walker(const OctreeTask& walk, Progress& progress)
+  OctreeBuilder(const OctreeTask& walk, Progress& progress)
       : walk_(walk), tree_(walk.band.voxel, walk.band.background), progress_(progress) {}
 
   std::shared_ptr<openvdb::GridBase> run(const field::Field& field) {
@@ -121,7 +121,7 @@ Cell root_around(const OctreeTask& walk) {
 
 std::shared_ptr<openvdb::GridBase> build(const field::Field& field, const OctreeTask& walk,
                                          Progress& progress) {
-  return Walker(walk, progress).run(field);
+  return OctreeBuilder(walk, progress).run(field);
 }
 
 }  // namespace vug::volume

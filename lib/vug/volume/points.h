@@ -77,7 +77,7 @@ struct PointsInfo {
     uint64_t points = 0;
   };
   uint64_t count = 0;
-  Box3d bounds;  ///< Of the points themselves; empty if there are none.
+  Box3d bounds;  ///< Bounds of the points themselves; empty if there are none.
   std::vector<Attribute> attributes;
   std::vector<Group> groups;  ///< Sorted by name.
 };

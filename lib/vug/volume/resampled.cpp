@@ -13,13 +13,13 @@ namespace {
 openvdb::Vec3s stored(const Vec3f& v) { return {v.x, v.y, v.z}; }
 float stored(float value) { return value; }
 
-template <class Made, class Source, class Function>
-Grid made_on(const Source& where, const Function& value) {
-  using Tree = typename Made::TreeType;
+template <class ResultGrid, class Source, class Function>
+Grid resampled_on(const Source& where, const Function& value) {
+  using Tree = typename ResultGrid::TreeType;
   using Leaf = typename Tree::LeafNodeType;
-  const auto nothing = openvdb::zeroVal<typename Made::ValueType>();
-  const auto grid =
-      Made::create(typename Tree::Ptr(new Tree(where.tree(), nothing, openvdb::TopologyCopy())));
+  const auto nothing = openvdb::zeroVal<typename ResultGrid::ValueType>();
+  const auto grid = ResultGrid::create(
+      typename Tree::Ptr(new Tree(where.tree(), nothing, openvdb::TopologyCopy())));
   grid->setTransform(where.transform().copy());
   grid->setGridClass(openvdb::GRID_FOG_VOLUME);
   grid->tree().voxelizeActiveTiles();
@@ -36,14 +36,14 @@ Grid made_on(const Source& where, const Function& value) {
   return wrap(grid);
 }
 
-template <class Made, class Function>
-Grid made_on(const Grid& where, const Function& value) {
+template <class ResultGrid, class Function>
+Grid resampled_on(const Grid& where, const Function& value) {
   initialise_openvdb();
   const openvdb::GridBase* grid = where.data().grid.get();
   if (const auto* floats = dynamic_cast<const openvdb::FloatGrid*>(grid))
-    return made_on<Made>(*floats, value);
+    return resampled_on<ResultGrid>(*floats, value);
   if (const auto* vectors = dynamic_cast<const openvdb::Vec3SGrid*>(grid))
-    return made_on<Made>(*vectors, value);
+    return resampled_on<ResultGrid>(*vectors, value);
   throw Error(ErrorCode::bad_input,
               fmt::format("the grid '{}' contains {}, not floats or vectors of floats",
                           where.name(), where.value_type()));
@@ -52,10 +52,10 @@ Grid made_on(const Grid& where, const Function& value) {
 }  // namespace
 
 Grid resampled(const Grid& where, const std::function<float(const Vec3f&)>& value) {
-  return made_on<openvdb::FloatGrid>(where, value);
+  return resampled_on<openvdb::FloatGrid>(where, value);
 }
 Grid resampled_vectors(const Grid& where, const std::function<Vec3f(const Vec3f&)>& value) {
-  return made_on<openvdb::Vec3SGrid>(where, value);
+  return resampled_on<openvdb::Vec3SGrid>(where, value);
 }
 
 }  // namespace vug::volume

@@ -30,9 +30,9 @@ void each_point(int from, int to, const Visit& visit) {
 }
 
 /// Finds bricks by position; they are sorted by it.
-class Finder {
+class BrickFinder {
  public:
-  explicit Finder(const std::vector<Brick>& bricks) : bricks_(bricks) {}
+  explicit BrickFinder(const std::vector<Brick>& bricks) : bricks_(bricks) {}
   uint32_t brick(const std::array<int32_t, 3>& first) const {
     const auto found = std::lower_bound(
         bricks_.begin(), bricks_.end(), first,
@@ -85,7 +85,7 @@ size_t SurfaceBricks::flip_small_sets(double smallest) {
         ErrorCode::too_large,
         "a surface with this number of voxels is too large for the removal of small components", {},
         "omit 'smallest_piece', or use a larger voxel");
-  const Finder finder(bricks_);
+  const BrickFinder finder(bricks_);
   mesh::DisjointSets sets(bricks_.size() * kPoints);
   std::vector<uint32_t> open;
   for (uint32_t b = 0; b < bricks_.size(); ++b) {

@@ -28,7 +28,7 @@ double dense_bytes(const Box3d& box, const VoxelizeOptions& options) {
   return bytes;
 }
 
-void require_room(const field::Field& field, const Box3d& box, const VoxelizeOptions& options) {
+void check_memory(const field::Field& field, const Box3d& box, const VoxelizeOptions& options) {
   const uint64_t limit = options.max_memory ? options.max_memory : available_memory();
   if (dense_bytes(box, options) <= static_cast<double>(limit)) return;
   require_memory(estimate(field, options).bytes, limit,
@@ -69,7 +69,7 @@ LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options, Pro
   OctreeTask walk;
   walk.band = {options.voxel, background_of(options), options.repair};
   if (region.box.isEmpty()) return LevelSet(wrap(build(field::Field(), walk, progress)));
-  require_room(field, region.box, options);
+  check_memory(field, region.box, options);
   check_voxel(options.voxel);
   find_lattice_bounds(region.box, options, walk);
   const auto grid = build(region.field, walk, progress);

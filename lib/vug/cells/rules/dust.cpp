@@ -41,7 +41,7 @@ struct Dust {
 
   void step(Pass& pass) const {
     const Network& network = pass.network();
-    settle(pass, network);
+    deposit(pass, network);
     const int turns =
         std::max(pass.step() == 0 ? 1 : 0, moves_in_step(speed, network.spacing, pass.step()));
     for (int turn = 0; turn < turns; ++turn) slide(pass, network);
@@ -57,13 +57,13 @@ struct Dust {
     float operator()(uint32_t from, uint32_t to) const {
       const float drop = top[from] - top[to];
       if (!(drop > 0)) return 0;
-      const Vec3f way = position[to] - position[from];
-      const float reach2 = slope * slope * (way.x * way.x + way.z * way.z);
+      const Vec3f offset = position[to] - position[from];
+      const float reach2 = slope * slope * (offset.x * offset.x + offset.z * offset.z);
       return drop * drop > reach2 ? drop - std::sqrt(reach2) : 0;
     }
   };
 
-  void settle(Pass& pass, const Network& network) const {
+  void deposit(Pass& pass, const Network& network) const {
     const auto dust = pass.writes<float>("dust"), height = pass.writes<float>("height");
     const OptionalReader open =
         shelter > 0 ? pass.reads_expected("exposure", 1) : OptionalReader{nullptr, 0};

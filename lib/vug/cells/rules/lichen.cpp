@@ -99,10 +99,10 @@ struct Lichen {
     const double drawn = random.uniform();
     const double most = size * (0.2 + 0.8 * drawn * drawn);
     const double phase = random.uniform(0, 2 * kPi), count = 5 + random.below(6);
-    const Vec3f way = n.position[cell] - n.position[seed];
-    const auto far = static_cast<double>(way.length());
-    const double turn = maths::atan2(static_cast<double>(way.dot(ahead(n, seed))),
-                                     static_cast<double>(way.dot(n.right[seed])));
+    const Vec3f offset = n.position[cell] - n.position[seed];
+    const auto far = static_cast<double>(offset.length());
+    const double turn = maths::atan2(static_cast<double>(offset.dot(ahead(n, seed))),
+                                     static_cast<double>(offset.dot(n.right[seed])));
     // Lobes bulge between sharp notches, and each cell of a rim is reached slightly early or late.
     const double wave = maths::sin(count * turn / 2 + phase);
     const double bulge = 1 - lobes * (1 - 2 * wave * wave + wave * wave * wave * wave);

@@ -26,12 +26,12 @@ struct LifeLike {
       return set;
     };
     const uint32_t both = bits(birth) | bits(survive) << 16;
-    if (scale) return pass.run(Scaled{{alive, both}});
-    pass.run(Counted{alive, both});
+    if (scale) return pass.run(ScaledCountRule{{alive, both}});
+    pass.run(CountRule{alive, both});
   }
 
  private:
-  struct Counted {
+  struct CountRule {
     AttributeWriter<int32_t> alive;
     uint32_t both;  ///< Bits 0 to 15 for dead cells, from 16 on for living cells.
 
@@ -54,7 +54,7 @@ struct LifeLike {
     }
   };
   /// Scales the count to eight neighbours.
-  struct Scaled : Counted {
+  struct ScaledCountRule : CountRule {
     template <class Neighbourhood>
     void operator()(const Neighbourhood& neighbours, uint32_t i) const {
       uint32_t living = 0;

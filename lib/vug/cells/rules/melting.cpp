@@ -21,12 +21,12 @@ struct Melting {
   void step(Pass& pass) const {
     const auto p = pass.writes_positions();
     const auto n = pass.writes_normals();
-    pass.run([=, way = static_cast<float>(rate)](const auto& neighbours, uint32_t i) {
+    pass.run([=, fraction = static_cast<float>(rate)](const auto& neighbours, uint32_t i) {
       Vec3f place = p[i], facing = n[i];
       const uint32_t k = neighbours.each(i, [&](uint32_t j) { place += p[j], facing += n[j]; });
       const float one = 1 / static_cast<float>(k + 1);
-      p.set(i, p[i] + (place * one - p[i]) * way);
-      const Vec3f turned = n[i] + (facing * one - n[i]) * way;
+      p.set(i, p[i] + (place * one - p[i]) * fraction);
+      const Vec3f turned = n[i] + (facing * one - n[i]) * fraction;
       n.set(i, turned.length2() > 1e-12f ? turned.normalized() : n[i]);
     });
   }

@@ -30,11 +30,11 @@ struct RandomColor : CellSelection {
       RandomStream random = pass.random(i);
       if (random.uniform() >= p.at(pass.network(), i))
         return color.set(i, color[i]), seed.set(i, seed[i]);
-      double way = 1 - random.uniform();
+      double fraction = 1 - random.uniform();
       Vec3f drawn;
       for (int c = 0; c < 3; ++c) {
-        if (c > 0 && !p.gradient) way = 1 - random.uniform();
-        drawn[c] = static_cast<float>(p.from[c] + (p.to[c] - p.from[c]) * way);
+        if (c > 0 && !p.gradient) fraction = 1 - random.uniform();
+        drawn[c] = static_cast<float>(p.from[c] + (p.to[c] - p.from[c]) * fraction);
       }
       color.set(i, drawn);
       seed.set(i, static_cast<int32_t>(i) + 1);

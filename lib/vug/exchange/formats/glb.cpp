@@ -265,7 +265,7 @@ class Writer {
   tinygltf::Model model_;
   GltfBuffer buffer_;
   std::map<size_t, int> meshes_;
-  UniqueNames names_;  ///< Of environment maps.
+  UniqueNames names_;  ///< Names of environment maps.
   Value::Array skies_, volumes_;
   std::vector<std::filesystem::path> files_;  ///< Additional files next to the scene's.
   std::vector<std::string> unsupported_, notes_;

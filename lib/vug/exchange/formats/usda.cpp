@@ -170,9 +170,9 @@ class Writer {
   void add(const Light& light) {
     const std::string name = names_.unique(light.name);
     std::string picture;
-    if (const auto beside = write_sky(light, file_, name)) {
-      written_.files.push_back(*beside);
-      picture = "./" + beside->filename().string();
+    if (const auto path = write_sky(light, file_, name)) {
+      written_.files.push_back(*path);
+      picture = "./" + path->filename().string();
     }
     write_usd_light(out_, light, name, picture);
   }

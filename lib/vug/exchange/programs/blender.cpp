@@ -2,12 +2,12 @@
 #include <vug/exchange/program.h>
 
 VUG_EXCHANGE_PROGRAM(blender) {
-  Program made = make_program("blender", "Blender: glTF, volumes with z up, points as .ply");
-  made.space = {UpAxis::z, 1};
-  made.formats = {"glb"};
-  made.options.instancing = false;  // EXT_mesh_gpu_instancing is supported from 3.6 on.
-  made.options.emission_scale =
+  Program program = make_program("blender", "Blender: glTF, volumes with z up, points as .ply");
+  program.space = {UpAxis::z, 1};
+  program.formats = {"glb"};
+  program.options.instancing = false;  // EXT_mesh_gpu_instancing is supported from 3.6 on.
+  program.options.emission_scale =
       1;  // It reads the strength of emissive surfaces without conversion.
-  made.points_format = "ply";
-  return made;
+  program.points_format = "ply";
+  return program;
 }

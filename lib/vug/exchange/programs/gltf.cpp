@@ -1,7 +1,7 @@
 #include <vug/exchange/program.h>
 
 VUG_EXCHANGE_PROGRAM(gltf) {
-  Program made = make_program("gltf", "Any glTF reader, such as web pages: metres, y up");
-  made.formats = {"glb"};
-  return made;
+  Program program = make_program("gltf", "Any glTF reader, such as web pages: metres, y up");
+  program.formats = {"glb"};
+  return program;
 }

@@ -1,8 +1,8 @@
 #include <vug/exchange/program.h>
 
 VUG_EXCHANGE_PROGRAM(maya) {
-  Program made = make_program("maya", "Maya: USD, centimetres, y up");
-  made.space = {UpAxis::y, 0.01};
-  made.formats = {"usda"};
-  return made;
+  Program program = make_program("maya", "Maya: USD, centimetres, y up");
+  program.space = {UpAxis::y, 0.01};
+  program.formats = {"usda"};
+  return program;
 }

@@ -38,8 +38,8 @@ struct Tapering {
 
   template <class T>
   Point<T> map(const Point<T>& p) const {
-    const T way = clamp((p.y - T(low)) * T(1 / height), T(0.0), T(1.0));
-    const T factor = T(from) + T(to - from) * way;
+    const T t = clamp((p.y - T(low)) * T(1 / height), T(0.0), T(1.0));
+    const T factor = T(from) + T(to - from) * t;
     const T x = p.x / factor, z = p.z / factor;
     const T inwards = T(radius) / max(length(x, z), T(radius));
     return {x * inwards, p.y, z * inwards};

@@ -25,11 +25,11 @@ struct Strata : BedParams {
 };
 
 Field layered(const Strata& s) {
-  Displacement how;
-  how.amount = s.depth;
-  how.floor = how.ceiling = s.flat;
-  how.feel = 0.5 * s.thickness;
-  return displaced(s.field, layered_rock(s), how);
+  Displacement options;
+  options.amount = s.depth;
+  options.floor = options.ceiling = s.flat;
+  options.feel = 0.5 * s.thickness;
+  return displaced(s.field, layered_rock(s), options);
 }
 
 }  // namespace

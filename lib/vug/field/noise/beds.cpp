@@ -50,8 +50,8 @@ class Hardness {
     const Bed<T> bed = bed_at(u, seed);
     const T hardness = lattice_random(bed.index, seed ^ 0x68bc21ebu) * T(2.0) - T(1.0);
     const T half = (bed.below + bed.above) * T(0.5);
-    auto rise = [](const T& way, const T& width) {
-      const T t = min(way / width, T(1.0));
+    auto rise = [](const T& distance, const T& width) {
+      const T t = min(distance / width, T(1.0));
       return t * (T(2.0) - t);
     };
     const T hard = rise(bed.below, min(T(kFoot * ledge_), half)) *

@@ -46,9 +46,9 @@ class Cracks {
   template <class T>
   T at(const Point<T>& p) const {
     const Bed<T> bed = bed_at(layering_.height(p), layering_.seed);
-    auto groove = [&](const T& way, const T& index) {
+    auto groove = [&](const T& distance, const T& index) {
       const T depth = lattice_random(index, layering_.seed ^ 0x2545f491u) * T(0.8) + T(0.2);
-      return depth * square(max(T(1.0) - way * T(1 / half_), T(0.0)));
+      return depth * square(max(T(1.0) - distance * T(1 / half_), T(0.0)));
     };
     return -max(groove(bed.below, bed.index), groove(bed.above, bed.index + T(1.0)));
   }

@@ -7,12 +7,12 @@ namespace {
 struct CapsuleShape {
   Vec3d a, b;
   double radius;
-  Vec3d way = b - a;
-  double inverse = way.length2() > 0 ? 1 / way.length2() : 0;
+  Vec3d axis = b - a;
+  double inverse = axis.length2() > 0 ? 1 / axis.length2() : 0;
 
   template <class T>
   T distance(const Point<T>& p) const {
-    const Point<T> from_a = p - constant<T>(a), along = constant<T>(way);
+    const Point<T> from_a = p - constant<T>(a), along = constant<T>(axis);
     const T share = clamp(dot(from_a, along) * T(inverse), T(0.0), T(1.0));
     return length(from_a - along * share) - T(radius);
   }

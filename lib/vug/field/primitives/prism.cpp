@@ -34,9 +34,9 @@ struct PrismShape {
     const double corner = std::sqrt(apothem * apothem + half_side * half_side);
     Box3d box;
     for (size_t i = 0; i < static_cast<size_t>(sides); ++i) {
-      const Vec3d foot(apothem * x[i], 0, apothem * z[i]), way(-z[i], 0, x[i]);
-      box.extendBy(foot + way * half_side);
-      box.extendBy(foot - way * half_side);
+      const Vec3d foot(apothem * x[i], 0, apothem * z[i]), tangent(-z[i], 0, x[i]);
+      box.extendBy(foot + tangent * half_side);
+      box.extendBy(foot - tangent * half_side);
     }
     box.min.y = -half_height;
     box.max.y = half_height;

@@ -23,7 +23,7 @@ constexpr uint32_t kMany = UINT32_MAX - 1;
 struct Reader {
   TextScanner scan;
   Mesh mesh;
-  std::vector<float> colours;  ///< Of the vertices so far; empty or three each.
+  std::vector<float> colours;  ///< Colours of the vertices so far; empty or three each.
   std::vector<Vec3f> normals;
   std::vector<uint32_t>
       normal_of;  ///< Per vertex: the one normal that its corners refer to, or none, many.
