@@ -9,17 +9,17 @@ namespace vug {
 namespace {
 
 /// One half of the symmetric 8-point Gauss-Legendre rule.
-constexpr std::array<double, 4> kPlaces = {0.1834346424956498, 0.5255324099163290,
-                                           0.7966664774136267, 0.9602898564975363};
+constexpr std::array<double, 4> kNodes = {0.1834346424956498, 0.5255324099163290,
+                                          0.7966664774136267, 0.9602898564975363};
 constexpr std::array<double, 4> kWeights = {0.3626837833783620, 0.3137066458778873,
                                             0.2223810344533745, 0.1012285362903763};
 
 double gauss(const Bezier& curve, double from, double to) {
   const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
   double sum = 0;
-  for (size_t i = 0; i < kPlaces.size(); ++i)
-    sum += kWeights[i] * (curve.derivative(middle - half * kPlaces[i]).length() +
-                          curve.derivative(middle + half * kPlaces[i]).length());
+  for (size_t i = 0; i < kNodes.size(); ++i)
+    sum += kWeights[i] * (curve.derivative(middle - half * kNodes[i]).length() +
+                          curve.derivative(middle + half * kNodes[i]).length());
   return half * sum;
 }
 

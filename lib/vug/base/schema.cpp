@@ -59,8 +59,8 @@ std::string with_article(const std::string& type) {
 /// The type of the given value, or the value itself if the type is not informative: 5.5 is a
 /// number, but not a whole one.
 std::string given_text(const Value& value, const std::string& expected) {
-  const bool tells = expected.find("number") == std::string::npos || !value.get<Number>();
-  return tells ? value.type_name() : to_string(value);
+  const bool informative = expected.find("number") == std::string::npos || !value.get<Number>();
+  return informative ? value.type_name() : to_string(value);
 }
 
 /// "1st", "2nd", "11th" for a 0-based index.

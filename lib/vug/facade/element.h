@@ -39,7 +39,7 @@ class Element {
 using ElementPtr = std::shared_ptr<const Element>;
 
 using ElementKind = Kind<ElementPtr>;
-/// ParametricElement from the list in CMakeLists.txt.
+/// All kinds of elements, from the list in CMakeLists.txt.
 const Kinds<ElementPtr>& elements();
 
 /// The scene text of an element of that kind with arguments that its schema has accepted.

@@ -68,7 +68,7 @@ struct SizeOrPart {
 };
 
 using SplitKind = Kind<SplitPtr>;
-/// ParametricSplit from the list in CMakeLists.txt.
+/// All kinds of splits, from the list in CMakeLists.txt.
 const Kinds<SplitPtr>& splits();
 
 /// A kind whose parameter struct P has `static void describe(Schema<P>&)` and

@@ -32,10 +32,10 @@ class ContextMatcher {
   const System& system_;
   const Word& word_;
   // Indexed by module; empty if no rule has a context. The word's size means "not found".
-  UninitializedVector<uint32_t> partner_;  ///< Of brackets.
-  UninitializedVector<uint32_t> left_;     ///< The first that is seen on the way to the root.
-  UninitializedVector<uint32_t>
-      right_;  ///< The first from here on that is seen on this branch, or its "]".
+  UninitializedVector<uint32_t> partner_;  ///< The matching bracket.
+  UninitializedVector<uint32_t> left_;     ///< The nearest visible module towards the root.
+  /// The first visible module from here on within this branch, or its "]".
+  UninitializedVector<uint32_t> right_;
 };
 
 }  // namespace vug::lsystem

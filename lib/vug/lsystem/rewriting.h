@@ -15,8 +15,8 @@ namespace vug::lsystem {
 /// A word with the keys on which its further derivation depends.
 struct Derivation {
   Word word;
-  UninitializedVector<uint64_t> keys;  ///< Of each module; empty in systems without chance.
-  uint64_t key = 0;                    ///< Of all its random numbers.
+  UninitializedVector<uint64_t> keys;  ///< Key of each module; empty in deterministic systems.
+  uint64_t key = 0;                    ///< Key of all its random numbers.
 
   bool operator==(const Derivation&) const = default;
 };

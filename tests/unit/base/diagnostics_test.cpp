@@ -74,23 +74,24 @@ TEST(Schema, ListElementsAreRangeChecked) {
   };
   Schema<Picture> schema("picture", "test");
   schema.param("size", &Picture::size, {.doc = "", .min = 1, .max = 100});
-  const auto told = [&](const List& size) {
+  const auto message = [&](const List& size) {
     Diagnostics diagnostics;
     schema.bind({{"size", Value(size), {}}}, {}, diagnostics);
     return diagnostics.all().empty() ? "" : diagnostics.all()[0].message;
   };
-  EXPECT_EQ(told({1, 100}), "");
-  EXPECT_EQ(told({10, 0}), "the 2nd of 'size' must be at least 1, not 0");
-  EXPECT_EQ(told({101, 10}), "the 1st of 'size' must be at most 100, not 101");
-  EXPECT_EQ(told({10, Number{2, Dimension::length}}),
+  EXPECT_EQ(message({1, 100}), "");
+  EXPECT_EQ(message({10, 0}), "the 2nd of 'size' must be at least 1, not 0");
+  EXPECT_EQ(message({101, 10}), "the 1st of 'size' must be at most 100, not 101");
+  EXPECT_EQ(message({10, Number{2, Dimension::length}}),
             "the 2nd of 'size' expects a number, not a length");
-  EXPECT_EQ(told({10, 2.5}), "'size' expects a list of whole numbers, and the 2nd is 2.5");
-  EXPECT_EQ(told({1, 2, "three"}), "'size' expects a list of whole numbers, and the 3rd is a text");
+  EXPECT_EQ(message({10, 2.5}), "'size' expects a list of whole numbers, and the 2nd is 2.5");
+  EXPECT_EQ(message({1, 2, "three"}),
+            "'size' expects a list of whole numbers, and the 3rd is a text");
   List many(25, 1);
   many[10] = 0;
-  EXPECT_EQ(told(many), "the 11th of 'size' must be at least 1, not 0");
+  EXPECT_EQ(message(many), "the 11th of 'size' must be at least 1, not 0");
   many[10] = 1, many[22] = 0;
-  EXPECT_EQ(told(many), "the 23rd of 'size' must be at least 1, not 0");
+  EXPECT_EQ(message(many), "the 23rd of 'size' must be at least 1, not 0");
 }
 
 TEST(Schema, DefaultsHaveUnits) {

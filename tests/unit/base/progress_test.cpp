@@ -14,16 +14,16 @@ namespace vug {
 namespace {
 
 TEST(Progress, ReportsEachPercentOnceAndEndsAt100) {
-  std::vector<double> told;
+  std::vector<double> reported;
   Progress progress([&](const std::string& stage, double fraction) {
     EXPECT_EQ(stage, "digging");
-    told.push_back(fraction);
+    reported.push_back(fraction);
   });
   progress.begin("digging", 1000);
   for (int i = 0; i < 1000; ++i) progress.advance();
   progress.end();
-  ASSERT_EQ(told.size(), 101U);
-  for (size_t i = 0; i < told.size(); ++i) EXPECT_DOUBLE_EQ(told[i], static_cast<double>(i) / 100);
+  ASSERT_EQ(reported.size(), 101U);
+  for (size_t i = 0; i < reported.size(); ++i) EXPECT_DOUBLE_EQ(reported[i], static_cast<double>(i) / 100);
 }
 
 TEST(Progress, ReportsOneAtATimeAndNeverBackwards) {

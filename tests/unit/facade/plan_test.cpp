@@ -77,10 +77,10 @@ TEST(Plan, NumbersOfAGrid) {
   Desk desk("axiom A\n A -> grid(window)\n A -> grid(window, regular: false, identical: false)");
   const PlannedDerivation usual = desk.of(rule(0));
   EXPECT_EQ(element_instances(usual.derived.tree).size(), 15u) << "every 2.4 m, every 3 m";
-  const PlannedDerivation told = desk.of(
+  const PlannedDerivation fixed = desk.of(
       rule(0, {{"columns", {4}}, {"rows", {2}}, {"x", {0.5}}, {"width", {1.5}}, {"dx", {3}}}));
-  EXPECT_EQ(element_instances(told.derived.tree).size(), 8u);
-  EXPECT_NEAR(sorted_rects(told.derived.tree)[7].x, 9.5, 1e-12);
+  EXPECT_EQ(element_instances(fixed.derived.tree).size(), 8u);
+  EXPECT_NEAR(sorted_rects(fixed.derived.tree)[7].x, 9.5, 1e-12);
   const PlannedDerivation uneven = desk.of(
       rule(1, {{"columns", {3}}, {"rows", {1}}, {"x", {1}}, {"width", {1}}, {"dx", {2, 5}}}));
   const std::vector<Rect> rects = sorted_rects(uneven.derived.tree);
@@ -91,8 +91,8 @@ TEST(Plan, NumbersOfAGrid) {
 
 TEST(Plan, InvalidNumbersAreNamed) {
   Desk desk("axiom A\n A -> grid(window)\n A -> rows(B, B)\n B -> wall");
-  const auto number = [&](NumberValues told) {
-    return desk.refused(rule(0, std::move(told))).number();
+  const auto number = [&](NumberValues fixed) {
+    return desk.refused(rule(0, std::move(fixed))).number();
   };
   EXPECT_EQ(number({{"columns", {0}}}), "columns");
   EXPECT_EQ(number({{"columns", {2.5}}}), "columns");
@@ -180,8 +180,8 @@ TEST(Plan, NumbersOfASecondSplit) {
   EXPECT_EQ(made.nodes[0].free[1].values, (std::vector<double>{2, 7}));
   // The inner split is a separate node.
   const PartKey inner{2, 1, 0, 1};
-  const PlannedDerivation told = desk.of(rule(0, {}, {{inner, rule(-1, {{"widths", {5}}})}}));
-  expect_rect(told.derived.tree.nodes.back().rect, 5, 3.5, 7, 5.5);
+  const PlannedDerivation fixed = desk.of(rule(0, {}, {{inner, rule(-1, {{"widths", {5}}})}}));
+  expect_rect(fixed.derived.tree.nodes.back().rect, 5, 3.5, 7, 5.5);
 }
 
 }  // namespace

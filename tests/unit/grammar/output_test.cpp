@@ -11,10 +11,10 @@ namespace {
 Tree tiny() {
   Grammar g;
   g.name = "cave";
-  g.axiom = {part("Room", 2), part("SkippedNames")};
+  g.axiom = {part("Room", 2), part("Lost")};
   g.productions = {
       rule("Room", {computed("hall", [](const RewriteSite& s) { return s.depth + 0.5; })}),
-      rule("SkippedNames", {})};
+      rule("Lost", {})};
   g.productions[0].where = {"tiny.vug", 3, 1};
   g.productions[0].name = "Room -> hall & <door>";
   g.productions[0].successor[0].terminal = true;
@@ -29,7 +29,7 @@ TEST(TreeText, Golden) {
             "│  └─ hall(1.5)\n"
             "├─ Room  ⟵ Room -> hall & <door> (tiny.vug:3:1)\n"
             "│  └─ hall(1.5)\n"
-            "└─ SkippedNames  (no production applies)\n");
+            "└─ Lost  (no production applies)\n");
   TextOptions bare;
   bare.provenance = false;
   EXPECT_EQ(tree_text(tiny(), bare).substr(0, 25), "cave\n├─ Room\n│  └");

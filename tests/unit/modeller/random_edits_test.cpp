@@ -129,7 +129,7 @@ TEST(Walk, WhatIsOfferedCanBeDone) {
           continue;
         }
         next.push_back(perform_edit(state, edit));
-        // NumberValues what is usual, the rule comes to the same.
+        // With the default numbers given explicitly, the rule has the same result.
         Edit told = edit;
         for (const facade::FreeNumber& number : each.free)
           told.numbers[number.name] = number.values;
