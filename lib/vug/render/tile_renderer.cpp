@@ -122,10 +122,10 @@ Ray TileRenderer::camera_ray(const SampleId& id, float time) const {
   const Vec2f inside = four[0], lens = four[1];
   const float width = static_cast<float>(options_.width);
   const float height = static_cast<float>(options_.height);
-  const Vec2f place((static_cast<float>(id.x) + inside.x) / width,
-                    (static_cast<float>(id.y) + inside.y) / height);
-  Ray ray = is_static_ ? scene_.camera->ray(place, width / height, lens)
-                       : scene_.camera->ray_at(time, place, width / height, lens);
+  const Vec2f film((static_cast<float>(id.x) + inside.x) / width,
+                   (static_cast<float>(id.y) + inside.y) / height);
+  Ray ray = is_static_ ? scene_.camera->ray(film, width / height, lens)
+                       : scene_.camera->ray_at(time, film, width / height, lens);
   ray.spread = spread_;
   return ray;
 }

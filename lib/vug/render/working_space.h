@@ -13,7 +13,7 @@ namespace vug::render {
 Scene in_space(Scene scene, image::WorkingSpace space);
 
 /// Converts a single light or medium; null stays null.
-LightPtr in_space(const LightPtr& light, const image::ColourMatrix& way);
-MediumPtr in_space(const MediumPtr& medium, const image::ColourMatrix& way);
+LightPtr in_space(const LightPtr& light, const image::ColourMatrix& from_rec709);
+MediumPtr in_space(const MediumPtr& medium, const image::ColourMatrix& from_rec709);
 
 }  // namespace vug::render

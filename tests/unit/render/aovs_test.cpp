@@ -72,10 +72,10 @@ TEST(Aovs, DirectLightIsThatOfAPathWithoutBounces) {
 
 // The AOV of a light group equals the picture with only the lights of this group.
 TEST(Aovs, GroupsArePicturesWithOnlyTheirLights) {
-  const auto scene_with = [](bool lamp, bool sky) {
+  const auto scene_with = [](bool light, bool sky) {
     Scene scene = corner();
     scene.lights.clear();
-    if (lamp)
+    if (light)
       scene.lights.push_back(make_light(
           "sphere", {{"center", Vec3d(0.8, 1.4, 0)}, {"radius", 0.2}, {"group", "key"}}));
     if (sky)

@@ -174,12 +174,12 @@ TEST(Instance, EmissiveInstancesLightLikeTransformedMeshes) {
     for (const Transform& place :
          {Transform::translation({-1.2, 0.7, 0}) * Transform::rotation({1, 0, 0}, kPi),
           Transform::translation({1, 0.6, 0}) * Transform::scaling({2, -1, 0.5})}) {
-      Object lamp = instances ? placed(mesh, place) : baked(mesh, place);
+      Object light = instances ? placed(mesh, place) : baked(mesh, place);
       if (varies)
-        lamp.material = lava;
+        light.material = lava;
       else
-        lamp.emission = Rgb(5, 4, 3);
-      scene.objects.push_back(lamp);
+        light.emission = Rgb(5, 4, 3);
+      scene.objects.push_back(light);
     }
     return stripes(render(scene, options(64, 48, 256, 1)));
   };
@@ -194,11 +194,11 @@ TEST(Instance, EmissiveInstancesLightLikeTransformedMeshes) {
 }
 
 TEST(Instance, MovingEmissiveInstancesAreRejected) {
-  Object lamp = placed(std::make_shared<const mesh::Mesh>(floor_mesh(1)), Transform());
-  lamp.instance = std::make_shared<const InstanceTransform>(
+  Object light = placed(std::make_shared<const mesh::Mesh>(floor_mesh(1)), Transform());
+  light.instance = std::make_shared<const InstanceTransform>(
       std::vector<Transform>{Transform(), Transform::translation({1, 0, 0})});
-  lamp.emission = Rgb(1);
-  EXPECT_THROW(PreparedScene(only(lamp)), Error);
+  light.emission = Rgb(1);
+  EXPECT_THROW(PreparedScene(only(light)), Error);
 }
 
 /// Masks are evaluated in the mesh's own space or in world space.

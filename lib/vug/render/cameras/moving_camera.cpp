@@ -35,27 +35,27 @@ class MovingCamera final : public Camera {
   bool moves() const override { return true; }
   bool as_data(exchange::Camera& camera) const override { return middle().as_data(camera); }
   Ray ray_at(float time, const Vec2f& film, float aspect, const Vec2f& lens) const override {
-    const Between at = between(time);
+    const Interpolation at = interpolation(time);
     const Ray a = at.first.ray(film, aspect, lens), b = at.second.ray(film, aspect, lens);
-    return {a.origin + (b.origin - a.origin) * at.share,
-            normalized(a.direction + (b.direction - a.direction) * at.share)};
+    return {a.origin + (b.origin - a.origin) * at.weight,
+            normalized(a.direction + (b.direction - a.direction) * at.weight)};
   }
   float depth_at(float time, const Vec3f& point) const override {
-    const Between at = between(time);
-    return at.first.depth(point) * (1 - at.share) + at.second.depth(point) * at.share;
+    const Interpolation at = interpolation(time);
+    return at.first.depth(point) * (1 - at.weight) + at.second.depth(point) * at.weight;
   }
 
  private:
-  struct Between {
+  struct Interpolation {
     const Camera &first, &second;
-    float share;
+    float weight;
   };
-  Between between(float time) const {
+  Interpolation interpolation(float time) const {
     const auto last = static_cast<float>(moments_.size() - 1);
-    const float place = std::clamp(time, 0.0f, 1.0f) * last;
-    const float first = std::min(std::floor(place), last - 1);
+    const float position = std::clamp(time, 0.0f, 1.0f) * last;
+    const float first = std::min(std::floor(position), last - 1);
     const auto i = static_cast<size_t>(first);
-    return {*moments_[i], *moments_[i + 1], place - first};
+    return {*moments_[i], *moments_[i + 1], position - first};
   }
   const Camera& middle() const { return *moments_[moments_.size() / 2]; }
 

@@ -53,19 +53,19 @@ class PanoramicCamera final : public Camera {
   std::optional<Vec2f> project(const Vec3f& point, float aspect) const override {
     if (!(std::fabs(eye_side_) > 0)) return project_from_center(point, aspect);
     // The eye's offset depends on the direction: fixed-point iteration from the centre.
-    std::optional<Vec2f> place = project_from_center(point, aspect);
-    for (int step = 0; place && step < 8; ++step) {
-      const SinCos longitude = sincos_turns((place->x - 0.5f) * turns_round_);
-      const Vec3f shift = eye_offset(longitude, (0.5f - place->y) * turns_high(aspect));
-      Vec3f way = point - frame_.eye - shift;
+    std::optional<Vec2f> film_position = project_from_center(point, aspect);
+    for (int step = 0; film_position && step < 8; ++step) {
+      const SinCos longitude = sincos_turns((film_position->x - 0.5f) * turns_round_);
+      const Vec3f shift = eye_offset(longitude, (0.5f - film_position->y) * turns_high(aspect));
+      Vec3f to_point = point - frame_.eye - shift;
       if (convergence_ > 0) {  // from the centre to the ray's hit on the convergence sphere
-        way = normalized(way);
-        const float b = dot(shift, way), c = dot(shift, shift) - convergence_ * convergence_;
-        way = shift + way * (-b + std::sqrt(std::max(0.0f, b * b - c)));
+        to_point = normalized(to_point);
+        const float b = dot(shift, to_point), c = dot(shift, shift) - convergence_ * convergence_;
+        to_point = shift + to_point * (-b + std::sqrt(std::max(0.0f, b * b - c)));
       }
-      place = project_from_center(frame_.eye + way, aspect);
+      film_position = project_from_center(frame_.eye + to_point, aspect);
     }
-    return place;
+    return film_position;
   }
   float period() const override { return 1 / turns_round_; }
   Vec3f position() const override { return frame_.eye; }

@@ -18,9 +18,9 @@ void DeepPixel::add(const PathResult& sample, double depth) {
   const auto limited = [](float v) {
     return std::clamp(static_cast<double>(v), -kMaxLight, kMaxLight);
   };
-  const double place = sample.first.hit ? depth : kDeepSky;
-  fragments_.push_back({place, place, static_cast<double>(sample.alpha), limited(light.x),
-                        limited(light.y), limited(light.z)});
+  const double depth_or_sky = sample.first.hit ? depth : kDeepSky;
+  fragments_.push_back({depth_or_sky, depth_or_sky, static_cast<double>(sample.alpha),
+                        limited(light.x), limited(light.y), limited(light.z)});
 }
 
 void DeepPixel::merge_nearby() {

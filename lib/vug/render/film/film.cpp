@@ -18,9 +18,9 @@ void add_plain(std::array<int64_t, 3>& sums, const Vec3f& v) {
 }
 
 void add_coverage(Coverage& list, uint32_t object, uint32_t samples) {
-  auto place = std::lower_bound(list.begin(), list.end(), std::pair(object, 0u));
-  if (place == list.end() || place->first != object) place = list.insert(place, {object, 0});
-  place->second += samples;
+  auto entry = std::lower_bound(list.begin(), list.end(), std::pair(object, 0u));
+  if (entry == list.end() || entry->first != object) entry = list.insert(entry, {object, 0});
+  entry->second += samples;
 }
 
 }  // namespace

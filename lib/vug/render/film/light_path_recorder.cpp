@@ -24,9 +24,9 @@ void LightPathRecorder::read_surface(const Surface& surface, const Material& mat
   size_t next = plan_.lights();
   if (plan_.wetness) colours_[next++] = Rgb(material.wetness(surface), 0, 0);
   if (plan_.attributes.empty()) return;
-  const SurfacePoint place(surface);
+  const SurfacePoint point(surface);
   for (const std::string& name : plan_.attributes) {
-    const auto value = place.eval_point().attributes->read(name);
+    const auto value = point.eval_point().attributes->read(name);
     colours_[next++] = value ? Rgb(*value) : Rgb(0.0f);
   }
 }

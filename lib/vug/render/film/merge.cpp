@@ -14,7 +14,7 @@ struct NamedPart {
   PartialRenderInfo info;
 };
 
-std::string place(const Region& r) {
+std::string range_text(const Region& r) {
   return fmt::format("x {}..{}, y {}..{}", r.x0, r.x1 - 1, r.y0, r.y1 - 1);
 }
 
@@ -44,13 +44,13 @@ void require_cover(const std::vector<NamedPart>& parts) {
       const NamedPart* last = nullptr;
       const auto gap = [&](uint32_t end) {
         return refuse(fmt::format("the samples {}..{} of the pixels {} are missing", reached, end,
-                                  place(cell)));
+                                  range_text(cell)));
       };
       for (const NamedPart* part : here) {
         if (part->info.begin < reached)
           throw refuse(fmt::format("'{}' and '{}' both have the samples {}..{} of the pixels {}",
                                    last->path, part->path, part->info.begin,
-                                   std::min(reached, part->info.end), place(cell)));
+                                   std::min(reached, part->info.end), range_text(cell)));
         if (part->info.begin > reached) throw gap(part->info.begin);
         reached = part->info.end, last = part;
       }

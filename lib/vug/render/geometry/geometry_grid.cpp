@@ -109,15 +109,15 @@ void PreparedScene::Geometry::fill_surface(const TracedObject& traced, uint32_t 
                                            Hit& hit) {
   const volume::SurfaceBricks& grid = *traced.surface;
   const Space space(traced.instance.get(), time);
-  const Vec3d from = space.point(Vec3d(ray.origin)), way = space.vector(Vec3d(ray.direction));
+  const Vec3d from = space.point(Vec3d(ray.origin)), direction = space.vector(Vec3d(ray.direction));
   Crossing met = seen;
   // The ray of an instance is transformed by Embree, whose last bits depend on the machine. The
   // crossing is recomputed, so that it is the same everywhere; it may just miss here.
   if (traced.instance) {
-    const auto again = first_crossing(grid, brick, from, way, 0, kInfinity);
-    met = again ? *again : crossing_near(grid, brick, from, way, seen.t);
+    const auto again = first_crossing(grid, brick, from, direction, 0, kInfinity);
+    met = again ? *again : crossing_near(grid, brick, from, direction, seen.t);
   }
-  const Vec3d own = from + way * met.t;
+  const Vec3d own = from + direction * met.t;
   const GridValue sharp = trilinear(grid, brick, met.cell, own);
   const GridValue soft = smooth(grid, brick, met.cell, own);
   const float side = met.outwards ? -1.0f : 1.0f;
@@ -162,12 +162,12 @@ void PreparedScene::Geometry::fill_surface(const TracedObject& traced, uint32_t 
   // Lift to the smooth surface where that is nearer to the viewer: cells are flat along their axes,
   // and their edges would cast shadows under grazing light.
   Vec3f origin = surface.position;
-  const double beneath = -soft.value * static_cast<double>(side);
-  if (is_smooth && beneath > 0) {
-    const double height = std::min(beneath / soft.gradient.length(), 0.5 * grid.voxel());
+  const double depth = -soft.value * static_cast<double>(side);
+  if (is_smooth && depth > 0) {
+    const double height = std::min(depth / soft.gradient.length(), 0.5 * grid.voxel());
     const Vec3d up = soft.gradient.normalized() * (height * static_cast<double>(side));
-    const auto is_clear = [&](double share) {
-      return trilinear_value(grid, brick, own + up * share) * static_cast<double>(side) > 0;
+    const auto is_clear = [&](double t) {
+      return trilinear_value(grid, brick, own + up * t) * static_cast<double>(side) > 0;
     };
     if (is_clear(0.5) && is_clear(1)) origin += Vec3f(space.back(up));
   }

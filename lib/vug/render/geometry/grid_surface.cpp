@@ -122,10 +122,10 @@ double on_face(double x) {
   return std::fabs(x - whole) < 1e-9 ? whole : x;
 }
 
-Position within(const Position& place, const Index& cell) {
+Position within(const Position& position_at, const Index& cell) {
   Position out;
   for (size_t axis = 0; axis < 3; ++axis)
-    out[axis] = std::clamp(place[axis] - cell[axis], 0.0, 1.0);
+    out[axis] = std::clamp(position_at[axis] - cell[axis], 0.0, 1.0);
   return out;
 }
 
@@ -160,7 +160,7 @@ std::optional<Crossing> first_crossing(const SurfaceBricks& surface, size_t numb
   }
   if (!(begin <= end)) return std::nullopt;
 
-  const auto place = [&](double t) {
+  const auto position_at = [&](double t) {
     return Position{on_face(o[0] + d[0] * t), on_face(o[1] + d[1] * t), on_face(o[2] + d[2] * t)};
   };
   // Cell traversal (Amanatides and Woo 1987, "A fast voxel traversal algorithm for ray tracing",
@@ -183,7 +183,7 @@ std::optional<Crossing> first_crossing(const SurfaceBricks& surface, size_t numb
     const Index own = local(brick, cell);
     if (to > from && brick.crossed(own[0], own[1], own[2])) {
       const Cell values(brick, own[0], own[1], own[2]);
-      const Position p = within(place(from), cell), r = within(place(to), cell);
+      const Position p = within(position_at(from), cell), r = within(position_at(to), cell);
       const Cubic cubic = values.along(p, {r[0] - p[0], r[1] - p[1], r[2] - p[2]});
       const bool inside = cubic[0] < 0;
       if (const auto root = first_root(cubic, inside, values.value(r) < 0))

@@ -7,17 +7,18 @@
 
 namespace vug::render {
 
-InstanceTransform::InstanceTransform(const std::vector<Transform>& places) {
-  if (places.empty()) throw Error(ErrorCode::bad_input, "an instance needs at least one transform");
-  for (const Transform& place : places) {
-    keyframes_.emplace_back(place);
-    error_scale_ =
-        std::max(error_scale_, static_cast<float>(place.max_stretch() / place.min_stretch()));
-    const Vec3d& o = place.origin();
+InstanceTransform::InstanceTransform(const std::vector<Transform>& transforms) {
+  if (transforms.empty())
+    throw Error(ErrorCode::bad_input, "an instance needs at least one transform");
+  for (const Transform& transform : transforms) {
+    keyframes_.emplace_back(transform);
+    error_scale_ = std::max(error_scale_,
+                            static_cast<float>(transform.max_stretch() / transform.min_stretch()));
+    const Vec3d& o = position.origin();
     const double far = std::max(std::fabs(o.x), std::max(std::fabs(o.y), std::fabs(o.z)));
     origin_extent_ = std::max(origin_extent_, static_cast<float>(far));
   }
-  const Transform& middle = places[places.size() / 2];
+  const Transform& middle = transforms[transforms.size() / 2];
   inverse_ = middle.inverse();
   mean_scale_ = static_cast<float>(maths::pow(std::fabs(middle.determinant()), 1.0 / 3));
 }
@@ -30,11 +31,11 @@ Transform InstanceTransform::inverse(float time) const {
 
 Affine InstanceTransform::interpolate(float time) const {
   const float last = static_cast<float>(keyframes_.size() - 1);
-  const float place = std::clamp(time, 0.0f, 1.0f) * last;
-  const float first = std::min(std::floor(place), last - 1);
+  const float position = std::clamp(time, 0.0f, 1.0f) * last;
+  const float first = std::min(std::floor(position), last - 1);
   const Affine& a = keyframes_[static_cast<size_t>(first)];
   const Affine& b = keyframes_[static_cast<size_t>(first) + 1];
-  const float share = place - first, rest = 1 - share;
+  const float share = position - first, rest = 1 - share;
   Affine mix;
   mix.x = a.x * rest + b.x * share, mix.y = a.y * rest + b.y * share;
   mix.z = a.z * rest + b.z * share, mix.origin = a.origin * rest + b.origin * share;

@@ -41,11 +41,11 @@ struct Affine {
 /// non-uniformly scaling, that may change while the shutter is open.
 class InstanceTransform {
  public:
-  explicit InstanceTransform(const Transform& place)
-      : InstanceTransform(std::vector<Transform>{place}) {}
+  explicit InstanceTransform(const Transform& transform)
+      : InstanceTransform(std::vector<Transform>{transform}) {}
   /// Keyframes are evenly spaced from the opening of the shutter to its close; matrices are
   /// interpolated linearly in between. Throws Error(bad_input) without keyframes.
-  explicit InstanceTransform(const std::vector<Transform>& places);
+  explicit InstanceTransform(const std::vector<Transform>& keyframes);
 
   const std::vector<Affine>& keyframes() const { return keyframes_; }
   bool moves() const { return keyframes_.size() > 1; }

@@ -22,9 +22,9 @@ Scene scene_of(const std::vector<mesh::MeshPtr>& meshes) {
 }
 
 /// Offset of a point's pattern of directions, which decorrelates the errors of neighbours.
-Vec2d shift(const Vec3f& place) {
+Vec2d shift(const Vec3f& point) {
   RandomKey key(0x6f70656e);
-  for (int c = 0; c < 3; ++c) key = key.at(uint64_t{std::bit_cast<uint32_t>(place[c])});
+  for (int c = 0; c < 3; ++c) key = key.at(uint64_t{std::bit_cast<uint32_t>(point[c])});
   RandomStream random(key);
   const double first = random.uniform();
   return {first, random.uniform()};
@@ -47,8 +47,8 @@ std::vector<float> Openness::compute(const std::vector<Vec3f>& points,
   constexpr double kGolden = 0.6180339887498949;
   std::vector<float> shares(points.size());
   const size_t blocks = (points.size() + kBlock - 1) / kBlock;
-  const auto lift = static_cast<float>(options.offset),
-             reach = static_cast<float>(options.max_distance);
+  const auto offset = static_cast<float>(options.offset),
+             max_distance = static_cast<float>(options.max_distance);
   progress.begin("computing openness", blocks);
   parallel_for(blocks, [&](size_t block) {
     progress.check();
@@ -61,9 +61,10 @@ std::vector<float> Openness::compute(const std::vector<Vec3f>& points,
       for (int ray = 0; ray < options.rays; ++ray) {
         const double out = (ray + start.x) / options.rays, turn = start.y + kGolden * ray;
         const Vec2f u(static_cast<float>(out), static_cast<float>(turn - std::floor(turn)));
-        const Vec3f way = frame.to_world(sample_cosine_hemisphere(u));
-        if (options.sky && way.y <= 0) continue;
-        open += !surroundings_->world.occluded(Ray{points[i] + normals[i] * lift, way}, reach);
+        const Vec3f direction = frame.to_world(sample_cosine_hemisphere(u));
+        if (options.sky && direction.y <= 0) continue;
+        open += !surroundings_->world.occluded(Ray{points[i] + normals[i] * offset, direction},
+                                               max_distance);
       }
       shares[i] = static_cast<float>(open) / static_cast<float>(options.rays);
     }
