@@ -129,7 +129,7 @@ CellLayer make_cell_layer(const shot::CellsPlan& plan, const std::vector<CellSup
 void require_cell_memory(const shot::CellsPlan& plan, double area, uint64_t memory) {
   const cells::BuildOptions options = build_options(plan, memory);
   try {
-    cells::require_memory(cells::estimate(area, options.grid, options.spacing), options);
+    cells::require_feasible(cells::estimate(area, options.grid, options.spacing), options);
   } catch (const Error& error) {
     throw error.at(plan.spacing_where);
   }

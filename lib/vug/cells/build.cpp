@@ -23,7 +23,7 @@ void require_fit(const Surface& surface, const BuildOptions& options) {
                 fmt::format("cells {:.4g} m apart are larger than the object, which is {:.4g} m",
                             options.spacing, surface.least_size()),
                 {}, "use a smaller spacing");
-  require_memory(estimate(surface, options.grid, options.spacing), options);
+  require_feasible(estimate(surface, options.grid, options.spacing), options);
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ double estimate(double area, const Grid& grid, double spacing) {
   return area / (each * spacing * spacing);
 }
 
-void require_memory(double cells, const BuildOptions& options) {
+void require_feasible(double cells, const BuildOptions& options) {
   const std::string what = fmt::format("{:.3g} cells", cells);
   if (!(cells * options.grid.full < 4e9))
     throw Error(ErrorCode::too_large, what + " are more than can be indexed", {},

@@ -38,6 +38,6 @@ inline double estimate(const Surface& surface, const Grid& grid, double spacing)
 
 /// Throws Error(too_large) if this number of cells exceeds the index type, or cannot be scattered
 /// and linked within the memory limit.
-void require_memory(double cells, const BuildOptions& options);
+void require_feasible(double cells, const BuildOptions& options);
 
 }  // namespace vug::cells
