@@ -18,7 +18,7 @@ const Density& rough() {
   static const Density density = [] {
     VoxelizeOptions options;
     options.voxel = 0.02;
-    return Density(sampled(fog(voxelize(sphere_at({0.3, 0, 0}, 1), options)), [](const Vec3f& p) {
+    return Density(resampled(fog(voxelize(sphere_at({0.3, 0, 0}, 1), options)), [](const Vec3f& p) {
       RandomStream random(RandomKey(3)
                               .at(std::lround(p.x * 50))
                               .at(std::lround(p.y * 50))
@@ -93,7 +93,7 @@ TEST(Density, BricksOfEverySizeBoundIt) {
 
 TEST(Density, EmptyFogHasNoBricks) {
   const Grid where = fog(voxelize(sphere_at({0, 0, 0}, 1), {}));
-  const Density none(sampled(where, [](const Vec3f&) { return 0.0f; }));
+  const Density none(resampled(where, [](const Vec3f&) { return 0.0f; }));
   EXPECT_EQ(none.at_world(Vec3f(0.0f)), 0);
   EXPECT_TRUE(none.bounds().isEmpty());
   for (const MajorantGrid& bricks : none.majorants()) EXPECT_EQ(bricks.bound(), 0);
