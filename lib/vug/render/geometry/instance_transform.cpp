@@ -14,7 +14,7 @@ InstanceTransform::InstanceTransform(const std::vector<Transform>& transforms) {
     keyframes_.emplace_back(transform);
     error_scale_ = std::max(error_scale_,
                             static_cast<float>(transform.max_stretch() / transform.min_stretch()));
-    const Vec3d& o = position.origin();
+    const Vec3d& o = transform.origin();
     const double far = std::max(std::fabs(o.x), std::max(std::fabs(o.y), std::fabs(o.z)));
     origin_extent_ = std::max(origin_extent_, static_cast<float>(far));
   }
