@@ -19,7 +19,7 @@ inline double chi2_tail(double statistic, double freedom) {
 
 struct Chi2 {
   double p = 0;
-  double integral = 0;    ///< Of the density over the tested cap; must be 1.
+  double integral = 0;    ///< Integral of the density over the tested cap; must be 1.
   int stray = 0;          ///< Samples in cells (or outside the cap) where the density is 0.
   int disagreements = 0;  ///< Samples whose reported density differs from the density there.
 };
