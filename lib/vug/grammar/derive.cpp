@@ -55,7 +55,7 @@ class Builder {
                 "grammar '" + grammar_.name + "' exceeds its limit of " + std::to_string(limit) +
                     " " + what + " while rewriting '" + to_string(at.symbol) + "'",
                 where,
-                "let a guard end the recursion, or raise '" +
+                "add a guard that ends the recursion, or raise '" +
                     std::string(what == "symbols" ? "limit" : "steps") + "'");
   }
 

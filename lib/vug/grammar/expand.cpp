@@ -43,7 +43,7 @@ std::vector<Node> apply(const std::vector<SuccessorItem>& parts, const Node& nod
       throw Error(ErrorCode::too_large,
                   "'" + to_string(node.symbol) + "' makes '" + part.symbol + "' " +
                       std::to_string(count) + " times, which exceeds the limit on symbols",
-                  part.where, "let a guard end the recursion, or raise 'limit'");
+                  part.where, "add a guard that ends the recursion, or raise 'limit'");
     for (int64_t i = 0; i < count; ++i, ++ordinal) {
       Node child;
       child.symbol.name = part.symbol;

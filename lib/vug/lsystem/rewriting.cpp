@@ -163,7 +163,7 @@ void Rewriter::refuse(const std::string& what, bool by_values) const {
   throw Error(ErrorCode::too_large,
               fmt::format("grammar '{}' exceeds {}, {} of {} by the rule of '{}'", system_.name,
                           what, made[most], by_values ? "their parameters" : "them", p.text),
-              p.where, "take fewer steps, let a guard end the growth, or raise 'limit'");
+              p.where, "take fewer steps, add a guard that ends the growth, or raise 'limit'");
 }
 
 void Rewriter::require_capacity(size_t modules, size_t values) const {
