@@ -59,7 +59,7 @@ class Cells(VugTest):
         self.assertIn("s.vug:4:46: error: 'steps' expects a whole number, not 2.5", self.expect(2, "check", "s.vug").err)
 
     def test_a_misspelt_attribute_in_a_material_is_a_warning(self):
-        for name, hint in (("crak", "did you mean 'crack'?"), ("crack", None), ("my_own", "there are Cd, "), ('my_own", otherwise: "1', None)):
+        for name, hint in (("crak", "did you mean 'crack'?"), ("crack", None), ("my_own", "known attributes: Cd, "), ('my_own", otherwise: "1', None)):
             material = f'material surface(color: layer(under: (1, 1, 1), over: (0, 0, 0), mask: attribute(name: "{name}")))'.replace('"1"', "1")
             self.write("s.vug", SCENE % ("wall", GOOD) + "object stone on skin { " + material + " }\n")
             error = self.expect(0, "check", "s.vug").err

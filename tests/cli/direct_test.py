@@ -76,16 +76,16 @@ class Direct(VugTest):
                                 "object sieve on skin { direct true  material surface(opacity: 0.5) }\n"
                                 "camera main { eye (0, 0, 4) }\nrender main { size 8x6  spp 1 }\n")
         for args in (("check", "holes.vug"), ("render", "holes.vug", "-o", "holes.exr")):
-            self.assertIn("holes.vug:3:8: error: 'sieve' has holes by its material's opacity, for which it needs a mesh",
+            self.assertIn("holes.vug:3:8: error: 'sieve' has a material with an opacity mask, for which it needs a mesh",
                           self.expect(2, *args).err)
         self.write("holes.vug", (self.folder / "holes.vug").read_text().replace("direct true", "emission (1, 1, 1)"))
-        self.assertIn("holes.vug:3:8: error: 'sieve' shines and has holes", self.expect(2, "check", "holes.vug").err)
+        self.assertIn("holes.vug:3:8: error: 'sieve' is emissive and its material has an opacity mask", self.expect(2, "check", "holes.vug").err)
         self.assertNotIn("holes.exr", self.files())
 
     def test_what_is_no_level_set_is_not_traced(self):
         self.write("twig.vug", "grammar twig: lsystem { axiom F(1, 1cm) }\n"
                                "mesh bark { of stems(of: twig) }\nobject rod on bark { direct true }\n")
-        self.assertIn("twig.vug:3:8: error: 'rod' is to be traced, but 'bark' is a mesh of no level set",
+        self.assertIn("twig.vug:3:8: error: 'rod' has 'direct', but 'bark' is not a mesh of a level set",
                       self.expect(2, "check", "twig.vug").err)
 
 

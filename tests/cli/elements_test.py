@@ -60,7 +60,7 @@ class Elements(VugTest):
     def test_what_is_no_facade(self):
         self.write("bad.vug", HOUSE.replace("elements cliff", "elements displace(cliff)"))
         said = self.expect(2, "build", "bad.vug", "-o", "out").err
-        self.assertIn("bad.vug:10:21: error: 'elements' are grammars of kind facade, or what carve(...) has made", said)
+        self.assertIn("bad.vug:10:21: error: 'elements' must be grammars of kind facade, or results of carve(...)", said)
         self.write("near.vug", HOUSE.replace('attribute(name: "window")', 'attribute(name: "windw")'))
         said = self.expect(0, "check", "near.vug").err
         self.assertIn("unknown attribute 'windw'", said)

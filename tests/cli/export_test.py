@@ -93,7 +93,7 @@ class Export(VugTest):
     def test_what_is_left_out_is_told(self):
         self.write("sky.vug", BALL + "light heaven = daylight(elevation: 30deg)\ncamera round { kind panoramic }\n")
         said = self.expect(0, "export", "sky.vug", "-o", "o", "--for", "blender", "--lod", "2")
-        round_ = "omitted: the camera 'round', which looks all round: no program is told how\n"
+        round_ = "omitted: the camera 'round', which is panoramic\n"
         self.assertIn("note: the sky 'heaven': glTF cannot express it, only Vug's add-on for Blender reads it "
                       "(sky.glb)\n", said.err)
         self.assertIn(round_, said.err)
@@ -109,7 +109,7 @@ class Export(VugTest):
         last = len(there)
         self.assertEqual(there, [f"cave_lod{n}.glb" for n in range(1, last + 1)])
         self.assertTrue(2 <= last < 8, last)
-        self.assertIn(f"level {last} is the last: nothing coarser is left of any mesh\n", said.err)
+        self.assertIn(f"level {last} is the last: no mesh can be decimated further\n", said.err)
 
     def test_points_and_meshes_of_cells(self):
         self.write("skin.vug", "volume rock = level_set(sphere(1m), voxel: 10cm)\nmesh wall on rock {}\n"
@@ -193,7 +193,7 @@ class Recipe(VugTest):
 
     def test_files_without_one_are_refused(self):
         self.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-        self.assertIn("does not tell its recipe", self.expect(2, "recipe", "a.obj").err)
+        self.assertIn("contains no recipe", self.expect(2, "recipe", "a.obj").err)
         self.write("a.glb", b"glTF\x02\0\0\0\xff\xff\xff\xff\0\0\0\0JSON")
         self.expect(2, "recipe", "a.glb")
         self.write("a.usda", "def Xform {}\n")

@@ -60,9 +60,9 @@ class FacadeInput(VugTest):
         write_png(self.folder / "post.png", [[(i, i, 9)] for i in range(200)])
         self.refused("has 1 x 200 pixels", "post.png")
         write_png(self.folder / "flat.png", [[(120, 100, 80)] * 40] * 30)
-        self.refused("'flat.png' is of one colour alone", "flat.png")
+        self.refused("'flat.png' has only one colour", "flat.png")
         write_png(self.folder / "tower.png", [[(i % 250, j, 9) for j in range(20)] for i in range(400)])
-        self.assertIn("hint: tell its width or its height", self.refused("12 m wide is 240 m high", "tower.png"))
+        self.assertIn("hint: give its width or its height", self.refused("12 m wide is 240 m high", "tower.png"))
         self.assertIn("Facade(0, 0, 3, 60", self.fit("tower.png", "--width", "3m", code=0).out)
 
     def test_depths_that_are_no_numbers(self):
@@ -75,12 +75,12 @@ class FacadeInput(VugTest):
             write_exr(self.folder / "holes.exr", {"depth": holes})
             self.assertIn("window(", self.fit("holes.exr", code=0).out)
         write_png(self.folder / "photo.png", photo())
-        self.refused("'photo.png' has no layer of depth", "photo.png", "--depth", "photo.png")
+        self.refused("'photo.png' has no depth channel", "photo.png", "--depth", "photo.png")
         write_exr(self.folder / "small.exr", {"depth": [[0.0] * 30] * 20})
-        self.assertIn("30 x 20", self.refused("both show the same rectangle", "photo.png", "--depth", "small.exr"))
+        self.assertIn("30 x 20", self.refused("both must show the same rectangle", "photo.png", "--depth", "small.exr"))
         nothing = rows(lambda x, y: math.nan)
         write_exr(self.folder / "dark.exr", {"R": nothing, "G": nothing, "B": nothing})
-        self.refused("'dark.exr' has no pixel with a number in it", "dark.exr")
+        self.refused("'dark.exr' has no valid pixel", "dark.exr")
 
     def test_sizes(self):
         """They are the picture's, whatever it is shrunk to."""

@@ -61,10 +61,10 @@ class Collector {
       ++probes;
       if (!reported_.count(key) && !same(bake(object), bake_without_instance(object))) {
         reported_.insert(key);
-        out_.unsupported.push_back(
-            fmt::format("how the look of '{}' varies over its {} places, which are too many to "
-                        "have a mesh each",
-                        object.name, places));
+        out_.unsupported.push_back(fmt::format(
+            "the variation of the look of '{}' over its {} instances, which are too many to "
+            "have a mesh each",
+            object.name, places));
       }
     }
     return shared_prototype(key, without_instance_look(object));
@@ -146,8 +146,7 @@ void add_cameras(const shot::Shot& shot, AssemblyResult& out) {
   for (const shot::CameraPlan& plan : in_order(shot)) {
     exchange::Camera camera;
     if (!plan.camera->as_data(camera)) {
-      out.unsupported.push_back(
-          fmt::format("the camera '{}', which looks all round: no program is told how", plan.name));
+      out.unsupported.push_back(fmt::format("the camera '{}', which is panoramic", plan.name));
       continue;
     }
     camera.name = plan.name;
@@ -166,13 +165,13 @@ void add_lights(const shot::Shot& shot, const std::vector<render::LightPtr>& lig
                                   [&](const auto& each) { return each.second == light; });
     exchange::Light out_light;
     out_light.name = own != shot.lights.end() ? own->first
-                : light->is_infinite()
-                    ? "sky"
-                    : fmt::format("placed_light_{}", out.assembly.lights.size() + 1);
+                     : light->is_infinite()
+                         ? "sky"
+                         : fmt::format("placed_light_{}", out.assembly.lights.size() + 1);
     if (light->as_data(out_light)) out.assembly.lights.push_back(out_light);
     if (!light->linking().only.empty() || !light->linking().except.empty())
       out.unsupported.push_back(
-          fmt::format("for which objects the light '{}' is: it shines on all", out_light.name));
+          fmt::format("the light linking of '{}': it lights all objects", out_light.name));
   }
 }
 

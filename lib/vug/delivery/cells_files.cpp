@@ -79,7 +79,7 @@ std::vector<volume::Grid> cell_grids(building::Builder& builder, const shot::Cel
     const volume::LevelSet& level_set = builder.level_set(support->volume);
     require_memory(kBytes * static_cast<double>(level_set.statistics().active_voxels),
                    builder.memory_budget(), fmt::format("the grids of '{}'", plan->name),
-                   "leave grids out of its files, use larger voxels");
+                   "exclude grids from its files, or use larger voxels");
     mesh::Mesh places = surface_points(*support, level_set);
     cells::transfer_to_mesh(layer->simulation, places, {}, builder.progress());
     const std::string name =

@@ -135,10 +135,10 @@ class Exporter {
                         part.coarser[i].mesh->triangles.size(), part.mesh->triangles.size(),
                         quantity_text(part.coarser[i].distance, Dimension::length)));
     if (levels == 0 && options_.levels > 0)
-      out_.levels.push_back("no level of detail: the meshes are as coarse as they can be");
+      out_.levels.push_back("no level of detail: the meshes cannot be decimated further");
     else if (levels < options_.levels)
       out_.levels.push_back(
-          fmt::format("level {} is the last: nothing coarser is left of any mesh", levels));
+          fmt::format("level {} is the last: no mesh can be decimated further", levels));
   }
   exchange::Volume write(const ExportVolume& volume, const std::filesystem::path& file) {
     write(file, volume.grids);
@@ -156,7 +156,7 @@ class Exporter {
     if (!plan->writes("points")) return;
     constexpr double kBytes = 150;  // see write_products
     require_memory(kBytes * static_cast<double>(layer->network().size()), builder_.memory_budget(),
-                   fmt::format("the points of '{}'", plan->name), "leave them out of its files");
+                   fmt::format("the points of '{}'", plan->name), "exclude points from its files");
     volume::Points points = cells::to_points(layer->simulation);
     move(points);
     const std::filesystem::path file = names_.points(*plan);

@@ -128,8 +128,8 @@ Recipe read_recipe(const std::filesystem::path& file) {
   };
   const std::string kept = text("vug:recipe");
   if (kept.empty())
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' does not tell its recipe", file.string()),
-                {}, "files of vug build, export and render do");
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' contains no recipe", file.string()), {},
+                "files of vug build, export and render contain one");
   Recipe recipe = parse_recipe(kept);
   recipe.version = text("vug:version");
   return recipe;

@@ -86,7 +86,8 @@ std::vector<std::filesystem::path> write_products(building::Builder& builder,
       // Plain arrays, their order and the grid; measured with 10 M cells and eight attributes.
       constexpr double kBytes = 150;
       require_memory(kBytes * static_cast<double>(layer->network().size()), builder.memory_budget(),
-                     fmt::format("the points of '{}'", cells->name), "leave them out of its files");
+                     fmt::format("the points of '{}'", cells->name),
+                     "exclude points from its files");
       volume::write(*path++, {building::cell_points(*cells, *layer)}, write_options(shot));
     }
     if (cells->writes("csv")) write_table(*path++, *builder.cell_layer(cells));

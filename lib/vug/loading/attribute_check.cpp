@@ -13,7 +13,7 @@
 namespace vug::loading {
 namespace {
 
-/// What the meshes of a shot carry, and those of the scenes that stand in it.
+/// The attributes of the meshes of a shot and of its placed scenes.
 std::set<std::string> available_attributes(const shot::Shot& shot) {
   std::set<std::string> names;
   for (const shot::CellsPtr& cells : shot::declared_cells(shot))
@@ -39,7 +39,7 @@ class AttributeChecker {
   AttributeChecker(const std::set<std::string>& names, std::string file, Diagnostics& diagnostics)
       : names_(names.begin(), names.end()), file_(std::move(file)), diagnostics_(diagnostics) {}
 
-  /// For masks and paints that read an attribute.
+  /// Checks masks and paints that read an attribute.
   void check_expression(const scene::ExprPtr& expr) const {
     if (!expr) return;
     if (expr->kind == scene::ExprKind::call && (expr->text == "attribute" || expr->text == "value"))
@@ -47,7 +47,7 @@ class AttributeChecker {
     for (const scene::Operand& operand : expr->operands) check_expression(operand.value);
   }
 
-  /// For layers "attribute_NAME".
+  /// Checks AOVs "attribute_NAME".
   void check_layer_names(const scene::ExprPtr& expr) const {
     if (expr->kind == scene::ExprKind::text && expr->text.rfind(kLayer, 0) == 0)
       check_name(expr->text.substr(kLayer.size()), expr->where);
@@ -78,12 +78,13 @@ class AttributeChecker {
     if (names_.empty()) return "cells, stems, leaves, facades and mesh files provide attributes";
     const bool cut = names_.size() > kMaxListed;
     const auto end = names_.begin() + static_cast<std::ptrdiff_t>(cut ? kMaxListed : names_.size());
-    return fmt::format("there are {}{}", fmt::join(names_.begin(), end, ", "), cut ? ", ..." : "");
+    return fmt::format("known attributes: {}{}", fmt::join(names_.begin(), end, ", "),
+                       cut ? ", ..." : "");
   }
 
   static constexpr size_t kMaxListed = 20;
   std::vector<std::string> names_;
-  std::string file_;  ///< The scene's own text: what it includes may be made for other scenes, too.
+  std::string file_;  ///< The scene's own text; included texts may serve other scenes.
   Diagnostics& diagnostics_;
 };
 
@@ -99,7 +100,7 @@ void check_attributes(const scene::Document& document, const shot::Shot& shot,
     if (const scene::Entry* layers = declaration.find_entry("layers"))
       for (const scene::ExprPtr& value : layers->values) checker.check_layer_names(value);
     for (const scene::Entry& entry : declaration.entries)
-      if (declaration.kind != "cells")  // told as errors
+      if (declaration.kind != "cells")  // reported as errors elsewhere
         for (const scene::ExprPtr& value : entry.values) checker.check_expression(value);
   }
 }

@@ -60,12 +60,12 @@ std::vector<std::string> kind_words() {
 
 namespace {
 
-/// A bound as people write it; whole numbers to their last digit.
+/// A bound with its unit; whole numbers with all digits.
 std::string bound_text(double bound, Dimension dimension) {
   return dimension == Dimension::none ? fmt::format("{}", bound) : quantity_text(bound, dimension);
 }
 
-/// What a program counts the bounds of a parameter in.
+/// The unit of the bounds of a parameter in JSON.
 const char* unit_of(Dimension dimension) {
   switch (dimension) {
     case Dimension::length:

@@ -23,17 +23,17 @@ struct FacadeBlock {
   static void describe(Schema<FacadeBlock>& s) {
     s.doc("A facade that rules subdivide: grammar NAME: facade { axiom ...  SYMBOL -> rows(...) }.")
         .cite("ripperda2009")
-        .param("width", &FacadeBlock::width, positive_length("of the whole facade"))
-        .param("height", &FacadeBlock::height, positive_length("of the whole facade"))
+        .param("width", &FacadeBlock::width, positive_length("width of the whole facade"))
+        .param("height", &FacadeBlock::height, positive_length("height of the whole facade"))
         .param("thickness", &FacadeBlock::thickness,
-               positive_length("of the wall into which a standalone facade is carved"))
+               positive_length("thickness of the wall into which a standalone facade is carved"))
         .param("at", &FacadeBlock::at, any_length("the centre of its base"))
         .param("yaw", &FacadeBlock::yaw,
                {.doc = "rotation about the vertical axis; at 0 it faces +z",
                 .dimension = Dimension::angle})
-        .param("steps", &FacadeBlock::steps, {.doc = "rules applied at most", .min = 1})
-        .param("limit", &FacadeBlock::limit, {.doc = "symbols at most", .min = 1})
-        .param("seed", &FacadeBlock::seed, {.doc = "in place of the scene's", .min = 0});
+        .param("steps", &FacadeBlock::steps, {.doc = "maximum number of applied rules", .min = 1})
+        .param("limit", &FacadeBlock::limit, {.doc = "maximum number of symbols", .min = 1})
+        .param("seed", &FacadeBlock::seed, {.doc = "seed instead of the scene's", .min = 0});
   }
 };
 
@@ -46,7 +46,7 @@ const Schema<FacadeBlock>& schema() {
   return made;
 }
 
-/// The options of the block, evaluated; nothing where one of them has no value.
+/// Evaluates the options of the block; nothing if one of them has no value.
 std::optional<FacadeBlock> read_block(const scene::Grammar& grammar, RandomKey key,
                                       ReadContext& context) {
   Arguments arguments;

@@ -1,5 +1,5 @@
-// Scene rules become productions whose callables evaluate the scene's expressions; the leaves
-// carry SG+M steps, which sgm::interpret performs.
+// Converts scene rules to productions whose callables evaluate expressions of the scene. The leaves
+// contain SG+M steps, which sgm::interpret performs.
 #include <vug/field/kind.h>
 #include <vug/loading/facade_binding.h>
 #include <vug/loading/grammar_binding.h>
@@ -14,10 +14,10 @@
 namespace vug::loading {
 namespace {
 
-/// Thrown out of a derivation whose text is at fault; the diagnostics already say why.
+/// Aborts a derivation after an error in the text that has already been reported.
 struct AlreadyReported {};
 
-/// Says of those from index `first` on what was being done: "..., while growing Room(3)".
+/// Appends the activity to diagnostics from index `first` on: "..., while growing Room(3)".
 void add_context(Diagnostics& diagnostics, size_t first, const std::string& doing) {
   Diagnostics out;
   for (size_t i = 0; i < diagnostics.all().size(); ++i) {
@@ -29,7 +29,7 @@ void add_context(Diagnostics& diagnostics, size_t first, const std::string& doin
   diagnostics = std::move(out);
 }
 
-/// What an item says beside its shape: the clauses, with the grammar's options as defaults.
+/// The clauses of an item, with the grammar's options as defaults.
 struct ItemClauses {
   std::string label = "random";
   std::string piece_label = "random";
@@ -50,7 +50,7 @@ class Binder {
 
   grammar::Grammar bind();
   RandomKey key() const { return key_; }
-  /// A whole number of at least 1 that the grammar block sets, else `fallback`.
+  /// An option of the grammar block that is a whole number of at least 1; default: `fallback`.
   int64_t limit(const std::string& option, int64_t fallback);
   sgm::Options options();
 
@@ -70,7 +70,7 @@ class Binder {
     diagnostics_.error(where, message, hint);
     throw AlreadyReported{};
   }
-  /// Faults of the work say for which arguments of a symbol they show: the text has names only.
+  /// Adds the arguments of the symbol to errors of `work`, since the text contains only names.
   template <class Work>
   auto growing(const grammar::RewriteSite& site, const Work& work) {
     const size_t before = diagnostics_.all().size();
@@ -131,7 +131,7 @@ sgm::Label Binder::label(const std::string& name, const SourceLocation& where) {
   fail(where, fmt::format("unknown label '{}'", name), suggestion(name, sgm::label_names()));
 }
 
-/// The choice that a clause's value is, such as +X or random, whatever is declared as X or random.
+/// The choice in a clause, such as +X or random, even if X or random is declared.
 std::optional<std::string> choice(const std::string& key, const scene::Expr& expr) {
   std::string word = expr.text;
   if (expr.kind == scene::ExprKind::unary && expr.operands[0].value->kind == scene::ExprKind::name)

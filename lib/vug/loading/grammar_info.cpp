@@ -55,8 +55,8 @@ const KindInfo& grammar_info() {
         whole("pieces", 0, 1000, "1",
               "number of shapes joined before they are attached; 0 counts as 1"),
         choice("piece_label", sgm::label_names(), "random", "side to which each piece is attached"),
-        whole("steps", 1, 1e9, std::to_string(kMaxProductions), "productions at most"),
-        whole("limit", 1, 1e9, std::to_string(kMaxSymbols), "symbols at most")};
+        whole("steps", 1, 1e9, std::to_string(kMaxProductions), "maximum number of productions"),
+        whole("limit", 1, 1e9, std::to_string(kMaxSymbols), "maximum number of symbols")};
     return info;
   }();
   return kind;

@@ -90,7 +90,7 @@ void add_kinds(const std::vector<std::pair<std::string, RegisteredKind>>& kinds)
                 "load plugins before the first scene");
   std::vector<KindRegistry> all = own_registries();
   for (const auto& [type, kind] : kinds) {
-    const std::string& wanted = type;  // clang 14 captures no parts of a pair
+    const std::string& wanted = type;  // clang 14 cannot capture structured bindings
     const auto registry = std::find_if(
         all.begin(), all.end(), [&](const KindRegistry& each) { return each.type == wanted; });
     if (registry == all.end())

@@ -31,7 +31,7 @@ std::vector<std::string> declaration_words() {
   return words;
 }
 
-/// Only some kinds stand on something; elsewhere an `on` would mean nothing.
+/// Reports an `on` for kinds that do not take one.
 void check_target(const scene::Declaration& declaration, const DeclarationKind& kind,
                   Diagnostics& diagnostics) {
   if (!declaration.target) return;
@@ -52,7 +52,7 @@ void check_target(const scene::Declaration& declaration, const DeclarationKind& 
       fmt::format("remove 'on'; declarations with 'on': {}", fmt::join(standing, ", ")));
 }
 
-/// The scene's own text and what was changed from outside: enough to make it again.
+/// The scene text with its overrides as comments, from which the scene can be rebuilt.
 std::string recipe(const scene::Document& document, const LoadOptions& options, uint64_t seed,
                    bool moves) {
   std::string text = document.sources.empty() ? "" : document.sources[0]->text;
@@ -63,8 +63,8 @@ std::string recipe(const scene::Document& document, const LoadOptions& options, 
   return text;
 }
 
-/// Makes the values of declarations, or finds them among what stands still. A reader first asks for
-/// what it needs, which may make other declarations, and then adds its own to the shot.
+/// Evaluates declarations or takes their values from the static cache. A reader first evaluates its
+/// dependencies, which may be other declarations, and then adds its own plans to the shot.
 class DeclarationCache {
  public:
   DeclarationCache(StaticCache* static_cache, ReadContext& context)
@@ -99,7 +99,7 @@ class DeclarationCache {
  private:
   StaticCache* static_cache_;
   ReadContext& reading_;
-  shot::Shot::Snapshot snapshot_;  ///< What some declaration has added already.
+  shot::Shot::Snapshot snapshot_;  ///< After the additions of the last evaluated declaration.
 };
 
 void register_declarations(const scene::Document& document, ReadContext& context,
@@ -108,7 +108,7 @@ void register_declarations(const scene::Document& document, ReadContext& context
     const DeclarationKind* kind = find_declaration_kind(declaration.kind);
     if (!kind || declaration.broken)
       context.resolver.declare(declaration.kind, declaration.name, [] { return Value(); });
-    if (declaration.broken) continue;  // its fault has been told
+    if (declaration.broken) continue;  // already reported
     if (!kind) {
       context.diagnostics.error(declaration.kind_where,
                                 fmt::format("unknown declaration '{}'", declaration.kind),
@@ -136,7 +136,7 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   Resolver resolver;
   scene::Evaluator evaluator(document, resolver, loaded.diagnostics,
                              {options.overrides, options.seed, options.frame});
-  loaded.sources = evaluator.sources();  // with the texts of overrides, which reports quote
+  loaded.sources = evaluator.sources();  // include the overrides, which reports quote
   loaded.shot.name = file.stem().string();
   loaded.shot.seed = evaluator.seed();
   loaded.shot.frame = options.frame;

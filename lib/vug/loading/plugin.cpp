@@ -15,7 +15,7 @@
 namespace vug::loading {
 namespace {
 
-/// Collects first, so that a plugin that cannot be used changes nothing.
+/// Collects the kinds first, so that an unusable plugin has no effect.
 class KindCollector : public PluginKinds {
  public:
   void add(const cells::RuleKind& rule) override {

@@ -21,7 +21,7 @@ const std::vector<const DeclarationKind*>& declaration_kinds() {
 
 namespace {
 
-/// Names that a message or a list shows; of solids there are many more than anybody reads.
+/// Maximum number of names in a message or a list; there are too many solids to list them.
 constexpr size_t kMaxNames = 12;
 
 }  // namespace
@@ -47,8 +47,8 @@ KindInfo kind_declaration_info(const std::string& name, const std::string& doc,
 
 namespace {
 
-/// What `kind` declares under the name that the expression is; `camera main` means the camera even
-/// where a mesh is called main too.
+/// The declaration of `kind` to which a bare name refers: `camera main` is the camera even if a
+/// mesh is called main as well.
 std::optional<Value> declared_value(const std::string& kind, const scene::Expr& expr,
                                     ReadContext& context) {
   if (expr.kind != scene::ExprKind::name) return std::nullopt;
@@ -109,7 +109,7 @@ void report_no_target(const std::string& kind, const scene::Declaration& declara
 
 namespace {
 
-/// Makes the kind `name` of the family; nothing when it has none.
+/// Evaluates the kind `name` of the registry; nothing if there is none.
 std::optional<Value> make(const KindRegistry& registry, const std::string& name,
                           const Arguments& arguments, const SourceLocation& where,
                           ReadContext& context) {
@@ -169,7 +169,7 @@ Value read_kind_block(const KindRegistry& registry, const std::string& fallback,
     break;
   }
   if (!told && declaration.incomplete && context.document.skipped.may_mention("kind"))
-    return Value();  // it may stand among the lost entries
+    return Value();  // it may be one of the lost entries
   if (name.empty() && declaration.incomplete) return Value();
   if (name.empty()) {
     context.diagnostics.error(where, fmt::format("'{}' needs a kind", declaration.name),

@@ -6,7 +6,7 @@
 
 namespace vug::loading {
 ValidArguments::ValidArguments(const Arguments& given) {
-  bool placed = true;  // behind one that is lost nobody knows the others' places
+  bool placed = true;  // the positions after a lost argument are unknown
   for (const Argument& each : given) {
     if (each.value.empty()) {
       complete = false;

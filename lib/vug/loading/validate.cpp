@@ -9,7 +9,7 @@
 namespace vug::loading {
 namespace {
 
-/// What stands behind "NAME/"; nothing where the text does not begin so.
+/// The text after "NAME/"; nothing if it does not begin with that.
 std::optional<std::string> name_after(const std::string& text, const std::string& name) {
   if (text.compare(0, name.size() + 1, name + "/") != 0) return std::nullopt;
   return text.substr(name.size() + 1);
@@ -19,7 +19,7 @@ bool shows_several(const shot::Shot& shot) {
   return shot::shown_objects(shot).size() != 1 || !shot.instancers.empty();
 }
 
-/// `rest` is what stands behind the place's own name.
+/// `rest`: the name after that of the `place`.
 bool contains(const shot::PointInstancer& place, std::string rest) {
   if (place.apart) {
     const size_t digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
@@ -33,7 +33,7 @@ bool contains(const shot::PointInstancer& place, std::string rest) {
   });
 }
 
-/// Where the light is declared.
+/// The location of the declaration of the light.
 SourceLocation where_of(const std::string& light, const scene::Document& document) {
   for (const scene::Declaration& made : document.declarations)
     if (made.kind == "light" && made.name == light) return made.where;
@@ -58,7 +58,7 @@ std::string link_hint(const shot::Shot& shot, const std::string& name) {
   return suggestion(name, names);
 }
 
-/// It is there in the text, or may be in what was not understood.
+/// Whether the name is declared in the text or may be declared in its unparsed parts.
 bool is_declared(const std::string& name, const scene::Document& document) {
   const std::string first = name.substr(0, name.find('/'));
   return document.skipped.may_declare(first) ||
@@ -66,7 +66,7 @@ bool is_declared(const std::string& name, const scene::Document& document) {
                      [&](const scene::Declaration& made) { return made.name == first; });
 }
 
-/// A portal adds no light, and a sun is found without.
+/// Warns about portals in scenes without a sky that needs them.
 void warn_of_dark_portals(const shot::Shot& shot, const scene::Document& document,
                           Diagnostics& diagnostics) {
   const auto shines_through = [](const auto& named) {

@@ -19,7 +19,7 @@ namespace {
 fit::Planes maps_of(const FacadePicture& picture, const FacadeFitOptions& options) {
   if (!options.looks) return {};
   if (!picture.colours)
-    throw Error(ErrorCode::bad_input, "looks are of colours, and there is no photo");
+    throw Error(ErrorCode::bad_input, "a pixel classifier needs a photo with colours");
   return fit::enlarged(options.looks->classify(*picture.colours), picture.width, picture.height);
 }
 
@@ -80,7 +80,7 @@ Vec2d facade_size(const FacadePicture& picture, const FacadeFitOptions& options)
     throw Error(
         ErrorCode::bad_input,
         fmt::format("a facade of this shape that is {} m wide is {:.3g} m high", usual.x, usual.y),
-        {}, "tell its width or its height, or cut the picture to the facade");
+        {}, "give its width or its height, or crop the picture to the facade");
   return usual;
 }
 

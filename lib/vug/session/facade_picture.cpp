@@ -61,7 +61,7 @@ std::optional<image::Image> to_rgb(const std::filesystem::path& file, const imag
   image::Image out = fit::to_rgb(whole, info);
   const auto finite = [](float v) { return std::isfinite(v); };
   if (std::none_of(out.pixels.begin(), out.pixels.end(), finite))
-    refuse(file, "has no pixel with a number in it");
+    refuse(file, "has no valid pixel");
   for (float& v : out.pixels) v = finite(v) ? v : 0;
   return out;
 }
@@ -119,9 +119,10 @@ void set_depth(FacadePicture& picture, const image::Image& depth) {
 
 void require_pixels(int width, int height, const std::string& what) {
   if (std::min(width, height) >= kMinPixels) return;
-  throw Error(ErrorCode::bad_input,
-              fmt::format("{} has {} x {} pixels, which show no windows", what, width, height), {},
-              fmt::format("{} each way are the least", kMinPixels));
+  throw Error(
+      ErrorCode::bad_input,
+      fmt::format("{} has {} x {} pixels, too few to recognise windows", what, width, height), {},
+      fmt::format("{} per side are the minimum", kMinPixels));
 }
 
 bool of_one_colour(const image::Image& picture) {
@@ -152,8 +153,8 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
   if (options.depth.empty()) {
     depth = depth_of(photo, whole);
     if (!depth && !out.colours)
-      refuse(photo, "has neither colours nor a layer of depth",
-             "its layers are R, G, B, and depth or Z in metres");
+      refuse(photo, "has neither colours nor a depth channel",
+             "its channels are R, G, B, and depth or Z in metres");
   } else {
     const image::FileInfo beside = image::read_info(options.depth);
     const image::Image other = fit::read_with_limit(options.depth, beside, options.max_memory);
@@ -164,15 +165,15 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
       refuse(options.depth,
              fmt::format("is {} x {} pixels and the picture {} x {}", other.width, other.height,
                          whole.width, whole.height),
-             "both show the same rectangle of the wall");
+             "both must show the same rectangle of the wall");
     depth = depth_of(options.depth, other);
     if (!depth)
-      refuse(options.depth, "has no layer of depth", "it is called depth, or Z, in metres");
+      refuse(options.depth, "has no depth channel", "the channel is depth or Z, in metres");
   }
   if (depth)
     set_depth(out, *depth);
   else if (of_one_colour(*out.colours))
-    refuse(photo, "is of one colour alone", "nothing in it tells windows from walls");
+    refuse(photo, "has only one colour", "windows cannot be distinguished from walls");
   if (out.metres_wide == 0) out.metres_wide = told_width(info);
   return out;
 }
@@ -204,9 +205,10 @@ void add_depth(FacadePicture& picture, const scan::RangeImage& range) {
       range.height < picture.height)
     throw Error(
         ErrorCode::bad_input,
-        fmt::format("the scan shows {:.2f} x {:.2f} m of the wall, which has not the shape of "
-                    "the picture",
-                    range.metres_wide(), range.metres_high()),
+        fmt::format(
+            "the scan shows {:.2f} x {:.2f} m of the wall, whose aspect ratio differs from that of "
+            "the picture",
+            range.metres_wide(), range.metres_high()),
         {}, "cut the picture to the same rectangle, or rectify it");
   set_depth(picture, depth_behind(range));
   picture.shape = shape;

@@ -191,7 +191,7 @@ Preview make_preview(building::Builder& builder, const loading::Loaded& loaded,
   out.unsupported = std::move(made.unsupported);
   if (shot.medium)
     out.unsupported.push_back(
-        fmt::format("the medium '{}': the page shows surfaces", shot.medium_name));
+        fmt::format("the medium '{}': the page shows only surfaces", shot.medium_name));
   for (const auto& more : {written.unsupported, written.notes})  // no add-on reads the page
     out.unsupported.insert(out.unsupported.end(), more.begin(), more.end());
 

@@ -206,9 +206,9 @@ TEST_F(Places, WhatCannotBePlacedIsTold) {
   EXPECT_NE(faults(stones + "place a { of []  at (0, 0, 0) }\n").find("nothing to place"),
             std::string::npos);
   file("loop.vug", "place a { of scene(\"loop.vug\")  at (0, 0, 0) }\n");
-  EXPECT_NE(faults("place a { of scene(\"loop.vug\")  at (0, 0, 0) }\n").find("inside of itself"),
+  EXPECT_NE(faults("place a { of scene(\"loop.vug\")  at (0, 0, 0) }\n").find("would contain itself"),
             std::string::npos);
-  EXPECT_NE(loading::load(folder_ / "loop.vug").report().find("inside of itself"),
+  EXPECT_NE(loading::load(folder_ / "loop.vug").report().find("would contain itself"),
             std::string::npos);
   file("lamp.vug", "light lamp = sphere(radius: 0.1)\n");
   EXPECT_THROW(cast("place a { of scene(\"lamp.vug\")  at pose(stretch: (1, 2, 1)) }\n"), Error);

@@ -158,11 +158,11 @@ TEST(GrovePlaces, WhyNoneStands) {
   };
   EXPECT_EQ(hint(", on: hill"), "hint: of its points, 20 without ground below\n");
   EXPECT_EQ(hint(", avoid: [box(size: (99, 9, 99))]"),
-            "hint: of its points, 20 in or too near to what they 'avoid'\n");
+            "hint: of its points, 20 inside or too close to 'avoid'\n");
   EXPECT_EQ(hint(", where: height(from: 9m, to: 10m)"),
-            "hint: of its points, 20 left out by 'where'\n");
+            "hint: of its points, 20 removed by 'where'\n");
   EXPECT_EQ(hint(", on: half_space(normal: (0, 0.1, 1)), from: 900m, spacing: 50m"),
-            "hint: of its points, 19 nearer than 'spacing' to another, 1 on ground steeper than "
+            "hint: of its points, 19 closer than 'spacing' to another, 1 on ground steeper than "
             "'steepest'\n");
   EXPECT_EQ(told(square), "");
 }
@@ -194,7 +194,7 @@ TEST(GrovePlaces, FaultsAreToldWithTheirPlace) {
       faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]").find("model number"),
       std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]")
-                .find("hint: they are counted from 0, in the order of 'of'"),
+                .find("hint: models are counted from 0, in the order of 'of'"),
             std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, from: 3m").find("stand 'on'"), std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, steepest: 20deg").find("stand 'on'"), std::string::npos);
@@ -205,9 +205,9 @@ TEST(GrovePlaces, FaultsAreToldWithTheirPlace) {
   EXPECT_NE(faults(square + ", count: 5, diameter_spread: 1cm").find("not said"),
             std::string::npos);
   // Only as many as fit is a number of its own.
-  EXPECT_NE(faults(square + ", distribution: thomas").find("'density' on a hectare, or a 'count'"),
+  EXPECT_NE(faults(square + ", distribution: thomas").find("'density' per hectare or a 'count'"),
             std::string::npos);
-  EXPECT_NE(faults(square).find("'density' on a hectare, or a 'count'"), std::string::npos);
+  EXPECT_NE(faults(square).find("'density' per hectare or a 'count'"), std::string::npos);
   EXPECT_GT(cast("place p { of thin  at grove(" + square +
                  ", distribution: poisson_disk(distance: 1m)) }\n")
                 .objects.size(),

@@ -204,8 +204,8 @@ TEST(Plants, CutsOfMassiveStemsShowNoHollow) {
         .report();
   };
   EXPECT_NE(report(", open: true")
-                .find("t.vug:4:12: error: 'open' shows the hollow of stems with a "
-                      "'wall'; without one they are massive"),
+                .find("t.vug:4:12: error: 'open' applies to hollow stems; "
+                      "they need a 'wall'"),
             std::string::npos)
       << report(", open: true");
   EXPECT_EQ(report(", open: true, wall: 20%"), "");
@@ -229,12 +229,12 @@ TEST(Plants, QueriesThatNobodyAnswers) {
   const auto report = [](const std::string& block) {
     return loaded("grammar g: lsystem {\n" + block + "\n}\n").report();
   };
-  EXPECT_NE(report(" axiom ?Z(1)").find("t.vug:2:8: error: unknown query '?Z'"),
-            std::string::npos);
+  EXPECT_NE(report(" axiom ?Z(1)").find("t.vug:2:8: error: unknown query '?Z'"), std::string::npos);
   EXPECT_NE(report(" axiom A\n A > ?Z(x) -> A").find("t.vug:3:6: error: unknown query '?Z'"),
             std::string::npos);
   const std::string nowhere = report(" axiom ?D(1, 0, 0, 0) ?D(1, 0, 0, 0)");
-  EXPECT_EQ(nowhere.find("t.vug:2:8: warning: '?D' queries the distance to the 'field'"), 0u) << nowhere;
+  EXPECT_EQ(nowhere.find("t.vug:2:8: warning: '?D' queries the distance to the 'field'"), 0u)
+      << nowhere;
   EXPECT_EQ(nowhere.find("warning", 20), std::string::npos);
   EXPECT_EQ(report(" field sphere(1m)\n axiom ?D(1, 0, 0, 0)"), "");
 }
@@ -262,7 +262,7 @@ TEST(Plants, FaultsAreToldWhereTheyAre) {
             std::string::npos);
   EXPECT_NE(report(kTwig + "mesh no { of twig }\n").find("draws no polygons"), std::string::npos);
   EXPECT_NE(report(kTwig + "place no { of thing  at instances(of: twig, name: \"bug\") }\n")
-                .find("sets no instances 'bug'"),
+                .find("places no instances 'bug'"),
             std::string::npos);
   EXPECT_NE(report("grammar g: lsystem { angel 3deg\n axiom F }\n").find("angle"),
             std::string::npos);

@@ -4,8 +4,8 @@ namespace vug::loading {
 
 const DeclarationKind& camera_declaration() {
   static const DeclarationKind kind = {
-      kind_declaration_info("camera", "Where the picture is taken from: camera NAME { eye ... }.",
-                            "camera", "perspective"),
+      kind_declaration_info("camera", "The camera of a picture: camera NAME { eye ... }.", "camera",
+                            "perspective"),
       [](const scene::Declaration& declaration, ReadContext& context) {
         const Value value = read_kind_declaration("camera", "perspective", declaration, context);
         if (const auto* camera = value.object<render::CameraPtr>())

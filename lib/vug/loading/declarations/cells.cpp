@@ -9,50 +9,54 @@ namespace {
 
 Schema<shot::CellsPlan> schema() {
   Schema<shot::CellsPlan> s("cells", "declaration");
-  ParamSpec spacing = positive_length("from one cell to the next");
+  ParamSpec spacing = positive_length("distance between neighbouring cells");
   spacing.required = true;
   s.doc(
-       "The mesh, or several meshes, with what a network of cells on them has come to carry, as "
-       "attributes of their vertices: cells NAME on MESH { spacing 2cm  run RULE, RULE(...) }.")
+       "A mesh, or several meshes, with the attributes of a network of cells at their vertices: "
+       "cells NAME on MESH { spacing 2cm  run RULE, RULE(...) }.")
       .cite("gobron2006")
       .param("spacing", &shot::CellsPlan::spacing, spacing)
-      .param("grid", &shot::CellsPlan::grid,
-             {.doc = "the pattern of the cells; random if not given"})
-      .param("relax", &shot::CellsPlan::relax,
-             {.doc = "steps in which cells push each other apart; the grid's own number if not "
-                     "given",
-              .min = 0,
-              .max = 1000})
+      .param("grid", &shot::CellsPlan::grid, {.doc = "the pattern of the cells; default: random"})
+      .param(
+          "relax", &shot::CellsPlan::relax,
+          {.doc = "relaxation steps, in which cells repel each other; default: those of the grid",
+           .min = 0,
+           .max = 1000})
       .choice("harmonise", &shot::CellsPlan::harmonise,
               {{"squared", cells::Force::squared}, {"paper", cells::Force::paper}},
-              "the law of that push: squared is more even, paper that of the source")
-      .param("run", &shot::CellsPlan::run,
-             {.doc = "rules, with begin, steps and where, or lists of them; in a step each after "
-                     "those before it",
-              .required = true})
+              "law of the repulsion: squared is more even, paper is that of the source")
+      .param(
+          "run", &shot::CellsPlan::run,
+          {.doc = "rules, with begin, steps and where, or lists of rules; applied in this order in "
+                  "each step",
+           .required = true})
       .param("move", &shot::CellsPlan::move,
-             {.doc = "the mesh goes where cells go: to their P, and their height along its normal"})
+             {.doc = "displace the mesh with its cells: to their P, and by their height along its "
+                     "normal"})
       .param("holes", &shot::CellsPlan::holes,
-             {.doc = "cut the mesh away where cells are gone, so that one sees through"})
-      .param("refine", &shot::CellsPlan::refine,
-             {.doc = "cut large triangles into some as small as cells, so that all of these show; "
-                     "those of meshes from files if not given"})
+             {.doc = "cut holes into the mesh where cells have been removed"})
+      .param(
+          "refine", &shot::CellsPlan::refine,
+          {.doc = "subdivide triangles that are larger than cells, so that all cells are visible; "
+                  "default: for meshes from files"})
       .param("steps", &shot::CellsPlan::steps,
-             {.doc = "of the whole run; if not given, as many as rules need: those that work to "
-                     "the end 100 each",
+             {.doc = "steps of the whole run; default: as many as the rules need, 100 for rules "
+                     "without an end",
               .min = 0,
               .max = 1000000})
-      .param("from", &shot::CellsPlan::from,
-             {.doc = "a .vdb of points that vug build has written of such cells: they begin with "
-                     "what these carry, at the step that these were at"})
+      .param(
+          "from", &shot::CellsPlan::from,
+          {.doc = "a .vdb of points that vug build has written for such cells; the run continues "
+                  "with their attributes at their step"})
       .param("files", &shot::CellsPlan::files,
-             {.doc = "what vug build writes beside the mesh: any of \"points\" (a .vdb), \"grids\" "
-                     "(beside the level set) and \"csv\""})
-      .param("half", &shot::CellsPlan::half, {.doc = "numbers in points and grids have 16 bits"});
+             {.doc = "outputs of vug build in addition to the mesh: any of \"points\" (a .vdb), "
+                     "\"grids\" (next to the level set) and \"csv\""})
+      .param("half", &shot::CellsPlan::half,
+             {.doc = "store numbers in points and grids with 16 bits"});
   return s;
 }
 
-/// Tells of texts among the values that name no file of cells; false where there is one.
+/// Reports unknown names among the values of `files` and returns false for them.
 bool are_files(const scene::ExprPtr& expr, Diagnostics& diagnostics) {
   const std::vector<std::string>& known = shot::cell_files();
   bool fine = true;
@@ -67,13 +71,13 @@ bool are_files(const scene::ExprPtr& expr, Diagnostics& diagnostics) {
   return fine;
 }
 
-/// The values of an entry that names kinds of a family.
+/// The values of an entry that names kinds of a registry.
 Value kinds_of(const std::string& type, const scene::Entry& entry, RandomKey key,
                ReadContext& context) {
   List all;
   for (const scene::ExprPtr& expr : entry.values) {
     Value made = kind_value(*find_registry(type), *expr, key.at(entry.key).at(all.size()), context);
-    // A list, as of a recipe that has a name, stands for what is in it.
+    // A list, such as a named recipe, stands for its elements.
     const List* list = made.get<List>();
     if (!list) all.push_back(std::move(made));
     if (list) all.insert(all.end(), list->begin(), list->end());
@@ -83,7 +87,7 @@ Value kinds_of(const std::string& type, const scene::Entry& entry, RandomKey key
   return all.size() == 1 ? all[0] : Value(std::move(all));
 }
 
-/// `still`: whether nothing but `steps` depends on the frame.
+/// `still`: set to whether only `steps` may depend on the frame.
 Arguments arguments_of(const scene::Declaration& declaration, ReadContext& context, bool& still) {
   const auto type_of = [](const scene::Entry& entry) -> std::string {
     return entry.key == "run" ? "rule" : entry.key == "grid" ? "grid" : "";
@@ -107,7 +111,7 @@ Arguments arguments_of(const scene::Declaration& declaration, ReadContext& conte
   for (Argument& each : block_arguments(plain, is_choice, context)) {
     const Number* number = each.value.get<Number>();
     if (each.name == "spacing" && number && !(number->value > 0)) {
-      context.diagnostics.error(each.where, "the spacing of cells is a length above 0",
+      context.diagnostics.error(each.where, "the spacing of cells must be a length above 0",
                                 "for instance: spacing 2cm");
       each.value = Value();
     }
@@ -122,7 +126,7 @@ Arguments arguments_of(const scene::Declaration& declaration, ReadContext& conte
   return arguments;
 }
 
-/// The meshes to stand on, those that are several in one taken apart; none with a diagnostic.
+/// The supporting meshes, with combined meshes split into their parts; empty with a diagnostic.
 std::vector<shot::MeshPtr> supports(const scene::Declaration& declaration, ReadContext& context) {
   std::vector<shot::MeshPtr> all;
   const auto targets = read_targets<shot::MeshOrLevelSet>(declaration, context, "mesh");
@@ -139,7 +143,7 @@ std::vector<shot::MeshPtr> supports(const scene::Declaration& declaration, ReadC
   return all;
 }
 
-/// Each of them wearing the cells.
+/// The supporting meshes with the cell layer.
 std::vector<shot::MeshPtr> worn(const shot::CellsPtr& cells) {
   std::vector<shot::MeshPtr> all;
   for (const shot::MeshPtr& bare : cells->on) {

@@ -4,7 +4,7 @@ namespace vug::loading {
 
 const DeclarationKind& material_declaration() {
   static const DeclarationKind kind = {
-      kind_declaration_info("material", "What a surface is made of: material NAME = lambert(...).",
+      kind_declaration_info("material", "The material of a surface: material NAME = lambert(...).",
                             "material", "lambert"),
       [](const scene::Declaration& declaration, ReadContext& context) {
         const Value value = read_kind_declaration("material", "lambert", declaration, context);

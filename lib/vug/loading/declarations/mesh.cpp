@@ -29,38 +29,41 @@ struct Block : shot::MeshPlan {
 Schema<Block> schema() {
   Schema<Block> s("mesh", "declaration");
   s.doc(
-       "A triangle mesh, written beside the .vdb: of a level set with mesh NAME on VOLUME { ... }, "
-       "or from a file with mesh NAME { file \"rock.ply\" }, or of stems themselves, without a "
-       "grid, with mesh NAME { of stems(of: PLANT) }.")
+       "A triangle mesh, written next to the .vdb: of a level set with mesh NAME on VOLUME { ... "
+       "}, "
+       "from a file with mesh NAME { file \"rock.ply\" }, or of stems, without a grid, with mesh "
+       "NAME { of stems(of: PLANT) }.")
       .param("adaptivity", &shot::MeshPlan::adaptivity,
              {.doc = "0 keeps every face, 1 merges faces that are nearly flat", .min = 0, .max = 1})
       .param("polish", &shot::MeshPlan::polish,
              {.doc = "move vertices onto the exact field, keep creases"})
-      .param("smallest_piece", &shot::MeshPlan::smallest_piece,
-             {.doc = "leave out crumbs and closed bubbles whose box has a shorter diagonal",
-              .dimension = Dimension::length,
-              .min = 0})
-      .param("paint", &shot::MeshPlan::paint, {.doc = "its vertex colours: a paint or one colour"})
+      .param(
+          "smallest_piece", &shot::MeshPlan::smallest_piece,
+          {.doc =
+               "remove components, such as crumbs and closed bubbles, with a shorter box diagonal",
+           .dimension = Dimension::length,
+           .min = 0})
+      .param("paint", &shot::MeshPlan::paint, {.doc = "vertex colours: a paint or one colour"})
       .param(
           "elements", &Block::elements_of,
-          {.doc = "facades, or solids that they are carved into: the vertices tell of which node "
-                  "and of which kind of element they are"})
+          {.doc = "facades, or solids that they are carved into: the vertices store their node and "
+                  "their kind of element"})
       .choice("format", static_cast<std::string Block::*>(&shot::MeshPlan::format), formats(),
-              "the file that is written");
+              "format of the written file");
   s.param("file", &Block::file, {.doc = "an OBJ, PLY or STL file, which may be open"})
       .param("scale", &Block::scale,
              {.doc = "metres in one unit of the file, e.g. 0.01 for centimetres",
               .min = 0,
               .above_min = true})
       .param("of", &Block::of,
-             {.doc = "stems(...), an L-system whose polygons it is, leaf(...) or spray(...)"})
+             {.doc = "stems(...), an L-system with polygons, leaf(...) or spray(...)"})
       .param("tolerance", &Block::tolerance,
-             positive_length("that a straight edge around a stem may cut into it"));
+             positive_length("by which straight edges around a stem may deviate from it"));
   return s;
 }
 
-/// In metres. Without normals of its own it is taken for smooth, its vertices for one where they
-/// are in one place.
+/// Reads a mesh file, scaled to metres. A mesh without normals is assumed to be smooth; its
+/// vertices at equal positions are merged.
 mesh::Mesh read_file(const std::filesystem::path& file, double scale) {
   mesh::Mesh mesh = mesh::read_mesh(file);
   for (Vec3f& p : mesh.positions) p *= static_cast<float>(scale);
@@ -74,7 +77,7 @@ mesh::Mesh read_file(const std::filesystem::path& file, double scale) {
   return mesh;
 }
 
-/// A mesh that is empty: a film of growth may begin so, but it may be a slip.
+/// Warns about an empty mesh: an animation of growth may begin with one, but it may be a mistake.
 void warn_of_nothing(const shot::MeshSource& drawn, const scene::Entry& entry,
                      Diagnostics& diagnostics) {
   diagnostics.warning(
@@ -84,21 +87,21 @@ void warn_of_nothing(const shot::MeshSource& drawn, const scene::Entry& entry,
                      : "'vug derive --drawn' prints the word");
 }
 
-/// What the block says of a file; null with a diagnostic at what is at fault.
+/// The plan of a mesh from a file or a source; null, with a diagnostic, for invalid entries.
 mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration,
                     ReadContext& context) {
   const bool drawn = declaration.find_entry("of") != nullptr;
   const scene::Entry& entry = *declaration.find_entry(drawn ? "of" : "file");
   const char* source = drawn ? "of stems" : "from a file";
   if (declaration.target) {
-    context.diagnostics.error(entry.where, fmt::format("a mesh {} stands on no volume", source),
-                              fmt::format("leave out 'on' or '{}'", entry.key));
+    context.diagnostics.error(entry.where, fmt::format("a mesh {} does not take 'on'", source),
+                              fmt::format("remove 'on' or '{}'", entry.key));
     return nullptr;
   }
   for (const char* key : {"adaptivity", "polish", "elements", drawn ? "file" : "tolerance"})
     if (const scene::Entry* other = declaration.find_entry(key)) {
       context.diagnostics.error(
-          other->where, fmt::format("a mesh {} has no use for '{}'", source, key), "leave it out");
+          other->where, fmt::format("a mesh {} does not use '{}'", source, key), "leave it out");
       return nullptr;
     }
   try {
@@ -117,7 +120,7 @@ mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration,
   }
 }
 
-/// What the block says of a level set; null with a diagnostic.
+/// The plan of a mesh of a level set; null with a diagnostic.
 shot::VolumePtr read_volume(const scene::Declaration& declaration, ReadContext& context) {
   if (!declaration.value && !declaration.target) {
     context.diagnostics.error(
@@ -128,20 +131,21 @@ shot::VolumePtr read_volume(const scene::Declaration& declaration, ReadContext& 
   }
   const shot::VolumePtr volume = read_target<shot::VolumePtr>(declaration, context);
   if (!volume || !volume->fog) return volume;
-  context.diagnostics.error(declaration.where, "a mesh is made of a level set, not of a fog");
+  context.diagnostics.error(declaration.where, "a mesh needs a level set, not a fog");
   return nullptr;
 }
 
-/// Fills plan.elements; false with a diagnostic where one of them is no facade.
+/// Fills plan.elements; false, with a diagnostic, for values that are not facades.
 bool tell_elements(const Block& block, const scene::Declaration& declaration, ReadContext& context,
                    shot::MeshPlan& plan) {
   for (const field::Field& each : block.elements_of) {
     const std::optional<facade::FacadeInstance> placed = facade::find_facade(each);
     if (!placed) {
-      context.diagnostics.error(declaration.find_entry("elements")->where,
-                                "'elements' are grammars of kind facade, or what carve(...) has "
-                                "made with one",
-                                "name the result of carve itself, before it is displaced");
+      context.diagnostics.error(
+          declaration.find_entry("elements")->where,
+          "'elements' must be grammars of kind facade, or results of carve(...) "
+          "with one",
+          "name the result of carve itself, before it is displaced");
       return false;
     }
     plan.elements.push_back(std::make_shared<const facade::FacadeInstance>(*placed));

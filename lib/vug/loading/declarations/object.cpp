@@ -13,46 +13,46 @@ struct Block : shot::ObjectPlan {
 
 Schema<Block> schema() {
   Schema<Block> s("object", "declaration");
-  s.doc("A mesh as the picture shows it: object NAME on MESH { material ... }.")
-      .param("material", &Block::material, {.doc = "what it is made of"})
+  s.doc("A mesh with a material, for rendering: object NAME on MESH { material ... }.")
+      .param("material", &Block::material, {.doc = "material of the surface"})
       .param("flat", &Block::flat, {.doc = "shade every face flat"})
-      .param("direct", &Block::direct,
-             {.doc = "trace the level set itself and make no mesh: a fraction of the memory"})
+      .param(
+          "direct", &Block::direct,
+          {.doc = "trace the level set itself instead of a mesh; needs a fraction of the memory"})
       .param("emission", &Block::emission,
-             {.doc = "radiance that it shines with itself, in W/sr/m^2, from its outside",
+             {.doc = "emitted radiance in W/sr/m^2, on its outer side",
               .min = 0,
               .max = render::kMaxRadiance})
       .param("light_group", &Block::light_group,
-             {.doc = "group of its light in the picture's layers of lights"})
+             {.doc = "light group of its emission, for light group AOVs"})
       .param("of", &Block::of,
-             {.doc = "which one of several meshes that wear the same cells; all if not given"});
+             {.doc = "one of several meshes with the same cells; default: all of them"});
   return s;
 }
 
-/// A fault of what the object asks of its mesh and material, and its hint; empty where there is
-/// none.
+/// A conflict of the object with its mesh or material, and a hint; empty if there is none.
 std::pair<std::string, std::string> fault(const shot::ObjectPlan& plan, const std::string& name) {
   const bool shines =
       plan.emission.length2() > 0 || (plan.material && plan.material->is_emissive());
   const bool holes = plan.material && plan.material->cut_out();
   if (shines && holes)
-    return {fmt::format("'{}' shines and has holes by its material's opacity", name),
-            "make it of two objects, or use emission_mask"};
+    return {fmt::format("'{}' is emissive and its material has an opacity mask", name),
+            "split it into two objects, or use emission_mask"};
   if (!plan.direct) return {};
-  const std::string hint = "leave out 'direct'";
+  const std::string hint = "remove 'direct'";
   if (plan.mesh->file_mesh)
-    return {fmt::format("'{}' is to be traced, but '{}' is a mesh of no level set", name,
+    return {fmt::format("'{}' has 'direct', but '{}' is not a mesh of a level set", name,
                         plan.mesh->name),
             hint};
   const char* what = shines             ? "shines"
-                     : holes            ? "has holes by its material's opacity"
-                     : plan.mesh->cells ? "wears cells"
+                     : holes            ? "has a material with an opacity mask"
+                     : plan.mesh->cells ? "has a cell layer"
                                         : nullptr;
   if (!what) return {};
   return {fmt::format("'{}' {}, for which it needs a mesh", name, what), hint};
 }
 
-/// The parts of the mesh to show; none, with a diagnostic, where `of` is none of them.
+/// The parts of the mesh to show; empty, with a diagnostic, if `of` is not one of them.
 std::vector<shot::MeshPtr> shown(const shot::MeshPtr& mesh, const shot::MeshPtr& of,
                                  const scene::Declaration& declaration, ReadContext& context) {
   if (!of) return shot::parts_of(mesh);
@@ -61,7 +61,7 @@ std::vector<shot::MeshPtr> shown(const shot::MeshPtr& mesh, const shot::MeshPtr&
   for (const shot::MeshPtr& part : shot::parts_of(mesh))
     if (part->cells) names.push_back(shot::mesh_without_cells(*part)->name);
   context.diagnostics.error(declaration.find_entry("of")->values.at(0)->where,
-                            fmt::format("'{}' is not of '{}'", of->name, mesh->name),
+                            fmt::format("'{}' is not part of '{}'", of->name, mesh->name),
                             suggestion(of->name, names));
   return {};
 }

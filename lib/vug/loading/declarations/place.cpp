@@ -13,36 +13,35 @@ namespace fs = std::filesystem;
 Schema<shot::PointInstancer> schema() {
   Schema<shot::PointInstancer> s("place", "declaration");
   s.doc(
-       "Things that stand in one or many places: place NAME { of OBJECT at PLACES }. An object "
-       "that is placed shows nowhere else.")
-      .param(
-          "of", &shot::PointInstancer::of,
-          {.doc = "what stands there: an object, a scene(\"file.vug\"), or several to choose from",
-           .required = true})
-      .param(
-          "at", &shot::PointInstancer::at,
-          {.doc =
-               "where: points such as (1, 0, 2), pose(...), scatter(...), grove(...), points(...)",
-           .required = true})
+       "Instances of objects or scenes: place NAME { of OBJECT at PLACES }. A placed "
+       "object is not shown on its own.")
+      .param("of", &shot::PointInstancer::of,
+             {.doc = "the model: an object, a scene(\"file.vug\"), or several to choose from",
+              .required = true})
+      .param("at", &shot::PointInstancer::at,
+             {.doc = "sources of positions: points such as (1, 0, 2), pose(...), scatter(...), "
+                     "grove(...), points(...)",
+              .required = true})
       .param("shares", &shot::PointInstancer::shares,
-             {.doc = "how often each of several things is chosen, against the others", .min = 0})
-      .param("material", &shot::PointInstancer::material,
-             {.doc = "what all of it is made of, instead; its masks see the places, where those of "
-                     "a thing's own material see the thing"})
+             {.doc = "relative frequency of each model", .min = 0})
+      .param(
+          "material", &shot::PointInstancer::material,
+          {.doc = "material of all instances instead of their own; its masks are evaluated at the "
+                  "instance, those of a model's own material on the model"})
       .param("apart", &shot::PointInstancer::apart,
-             {.doc = "in mattes each is an object NAME/1, NAME/2 ... of its own"});
+             {.doc = "name each instance separately in mattes: NAME/1, NAME/2 ..."});
   return s;
 }
 
 scene::Override override_of(const std::string& text) {
   const size_t at = text.find('=');
   if (at == text.npos)
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no NAME=VALUE", text));
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' is not of the form NAME=VALUE", text));
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
-/// The file as it is named from the text, or in the folders of what comes with us, as `include`
-/// looks for it; the first of these places where there is none.
+/// The file relative to the scene text, else in the include folders, as for `include`; the first of
+/// these paths if there is none.
 fs::path found(const fs::path& file, const SourceLocation& where, const LoadOptions& options) {
   std::error_code failed;
   if (fs::exists(file, failed)) return file;
@@ -52,7 +51,7 @@ fs::path found(const fs::path& file, const SourceLocation& where, const LoadOpti
   return file;
 }
 
-/// The other scene's shot; null with a diagnostic where it cannot be had.
+/// The shot of the other scene; null, with a diagnostic, if it cannot be loaded.
 std::shared_ptr<const shot::Shot> load_model(const shot::Model& model, const SourceLocation& where,
                                              ReadContext& context) {
   LoadOptions options;
@@ -68,7 +67,7 @@ std::shared_ptr<const shot::Shot> load_model(const shot::Model& model, const Sou
   };
   if (std::find(options.enclosing_scenes.begin(), options.enclosing_scenes.end(), own) !=
       options.enclosing_scenes.end())
-    return refuse(fmt::format("the scene '{}' would stand inside of itself", model.name), "");
+    return refuse(fmt::format("the scene '{}' would contain itself", model.name), "");
   try {
     for (const std::string& text : model.with) options.overrides.push_back(override_of(text));
     if (model.seed) options.seed = static_cast<uint64_t>(*model.seed);
@@ -91,7 +90,7 @@ std::shared_ptr<const shot::Shot> load_model(const shot::Model& model, const Sou
   }
 }
 
-/// Makes sure that there is what is to be placed; false with a diagnostic.
+/// Resolves the model: its object, mesh or scene; false with a diagnostic.
 bool complete(shot::Model& model, const SourceLocation& where, ReadContext& context) {
   if (!model.file.empty()) {
     model.file = found(model.file, where, context.options);
@@ -110,13 +109,13 @@ bool complete(shot::Model& model, const SourceLocation& where, ReadContext& cont
   return true;
 }
 
-/// Of an entry of the block; the declaration's name where it is not there.
+/// The location of an entry of the block, else that of the declaration's name.
 SourceLocation where_of(const char* key, const scene::Declaration& declaration) {
   const scene::Entry* entry = declaration.find_entry(key);
   return entry ? entry->where : declaration.where;
 }
 
-/// A sentence on shares and numbers of things that do not fit, with its place; else nothing.
+/// An error about shares and model numbers that do not match the models; else nothing.
 std::optional<Error> misfit(const shot::PointInstancer& plan,
                             const scene::Declaration& declaration) {
   const auto refuse = [&](const char* key, const std::string& what, const std::string& hint = {}) {
@@ -124,7 +123,7 @@ std::optional<Error> misfit(const shot::PointInstancer& plan,
   };
   if (plan.of.empty()) return refuse("of", "there is nothing to place: the list is empty");
   if (!plan.shares.empty() && plan.shares.size() != plan.of.size())
-    return refuse("shares", fmt::format("{} shares do not fit {} things", plan.shares.size(),
+    return refuse("shares", fmt::format("{} shares do not match {} models", plan.shares.size(),
                                         plan.of.size()));
   if (!plan.shares.empty() &&
       std::all_of(plan.shares.begin(), plan.shares.end(), [](double s) { return s == 0; }))
@@ -137,7 +136,8 @@ std::optional<Error> misfit(const shot::PointInstancer& plan,
           "at",
           fmt::format("an instance uses model number {}, but the last model of '{}' is number {}",
                       numbered->last_model, declaration.name, count - 1),
-          "they are counted from 0, in the order of 'of'; a grove's 'diameters' have one each");
+          "models are counted from 0, in the order of 'of'; a grove has one of 'diameters' per "
+          "model");
   }
   return std::nullopt;
 }

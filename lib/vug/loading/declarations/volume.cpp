@@ -3,7 +3,7 @@
 namespace vug::loading {
 namespace {
 
-/// `on MESH { ... }`; `voxel` is that of the mesh's own level set where none is given.
+/// The block of `on MESH { ... }`; the default voxel is that of the mesh's own level set.
 struct OnMesh {
   double voxel = 0;
   double half_width = 3;
@@ -19,7 +19,7 @@ Schema<OnMesh> schema() {
   return s;
 }
 
-/// The voxel of the level set that the mesh is of, the least of several; 0 where there is none.
+/// The smallest voxel of the level sets of the mesh; 0 if it has none.
 double voxel_of(const shot::MeshPlan& mesh) {
   double voxel = mesh.volume ? mesh.volume->voxel : 0;
   for (const auto& part : mesh.parts)

@@ -1,4 +1,4 @@
-// A whole scene as a thing to place in another one.
+// A whole scene as a model that another scene can place.
 #include <vug/loading/instance_source_kinds.h>
 
 namespace vug::loading {
@@ -11,12 +11,13 @@ struct SceneModel {
 
   static void describe(Schema<SceneModel>& s) {
     s.doc(
-         "Another scene: its objects with their materials, and its lights. Its skies, air, cameras "
-         "and render blocks stay behind.")
+         "Another scene: its objects with their materials, and its lights, without its skies, "
+         "media, cameras "
+         "and render blocks.")
         .param("file", &SceneModel::file, {.doc = "the .vug file", .required = true})
         .param("seed", &SceneModel::seed, {.doc = "instead of its own", .min = 0})
         .param("with", &SceneModel::with,
-               {.doc = "values of its parameters, as -D takes them: \"voxel=5cm\""});
+               {.doc = "values of its parameters, as for -D: \"voxel=5cm\""});
   }
 };
 

@@ -1,5 +1,5 @@
-// A grove: stems of a point process in a polygon of the plan, set on the ground, as tall and thick
-// as their diameters say.
+// A grove: plants of a point process in a polygon of the ground plan, placed on the ground and
+// scaled by their diameters.
 #include <vug/base/maths.h>
 #include <vug/building/builder.h>
 #include <vug/field/kind.h>
@@ -14,12 +14,12 @@ namespace vug {
 
 namespace loading {
 
-/// A corner of the plan.
+/// A corner of the polygon.
 struct PlanPoint {
   Vec2d at;
 };
 
-/// What stems stand on: one of both, or neither.
+/// The ground: a field, a mesh, or neither.
 struct Earth {
   std::optional<field::Field> field;
   shot::MeshPtr mesh;
@@ -89,23 +89,23 @@ struct Grove {
 
   static void describe(Schema<Grove>& s);
   std::string fault() const {
-    if (density > 0 && count > 0) return "a grove has a 'density' or a 'count', not both";
+    if (density > 0 && count > 0) return "a grove takes a 'density' or a 'count', not both";
     if (density == 0 && count == 0 && !(distribution && distribution->fills()))
-      return "a grove has a 'density' on a hectare, or a 'count'; only poisson_disk fills a "
+      return "a grove needs a 'density' per hectare or a 'count'; only poisson_disk fills a "
              "polygon";
     if (scale.empty() || scale.size() > 2 || scale.front() > scale.back())
-      return "'scale' is one number, or the smallest and the largest";
+      return "'scale' must be one number, or a minimum and a maximum";
     if ((diameter > 0) == diameters.empty())
-      return "'diameter' needs 'diameters', those of the things that are placed, and they need it";
+      return "'diameter' and 'diameters', those of the models, must be given together";
     if (from && !on.field && !on.mesh)
-      return "'from' is where the ground is looked for, but nothing says what they stand 'on'";
+      return "'from' is the height of the search for the ground, but there is no ground 'on'";
     if (steepest && !on.field && !on.mesh)
-      return "'steepest' is a slope of the ground, but nothing says what they stand 'on'";
+      return "'steepest' is a slope of the ground, but there is no ground 'on'";
     if (margin > 0 && avoid.empty())
-      return "'margin' is how far away they stand from what they 'avoid', of which there is "
+      return "'margin' is the distance from 'avoid', of which there is "
              "nothing";
     if (diameter_spread > 0 && diameters.empty())
-      return "'diameter_spread' is that of the 'diameter', which is not said";
+      return "'diameter_spread' belongs to 'diameter', which is missing";
     return "";
   }
 };
@@ -117,60 +117,59 @@ void Grove::describe(Schema<Grove>& s) {
   const auto angle = [](std::string doc, double most) {
     return ParamSpec{.doc = std::move(doc), .dimension = Dimension::angle, .min = 0, .max = most};
   };
-  s.doc("Places of plants in a polygon of the plan: scattered, clumped or mixed.")
+  s.doc("Instances of plants in a polygon of the ground plan: scattered, clumped or mixed.")
       .cite("luo2010bamboo")
       .param("polygon", &Grove::polygon,
-             {.doc = "its corners (x, z) in order; sides may not cross",
+             {.doc = "corners (x, z) of the polygon in order; edges must not cross",
               .dimension = Dimension::length,
               .required = true})
       .param("distribution", &Grove::distribution,
-             {.doc = "how they stand: uniform, poisson_disk(...), thomas(...), matern(...), "
-                     "mixed(...), paper; none: uniform"})
+             {.doc = "distribution: uniform, poisson_disk(...), thomas(...), matern(...), "
+                     "mixed(...), paper; default: uniform"})
       .param("density", &Grove::density,
              {.doc = "plants on a hectare (10,000 m^2) of the plan; 0: as many as fit, for "
                      "poisson_disk",
               .min = 0})
       .param(
           "count", &Grove::count,
-          {.doc =
-               "plants in the polygon, instead of a density; where clumps are drawn, how many are "
-               "to be expected",
+          {.doc = "number of plants in the polygon, instead of a density; for clumps, the expected "
+                  "number",
            .min = 0})
-      .param("on", &Grove::on, {.doc = "the ground below them; none: level ground at y = 0"})
+      .param("on", &Grove::on, {.doc = "the ground; default: level ground at y = 0"})
       .param("from", &Grove::from,
-             any_length("height that ground is looked for from, downwards: beneath a roof"))
+             any_length(
+                 "height from which the ground is searched downwards, for groves beneath a roof"))
       .param("spacing", &Grove::spacing,
              length("two nearer than that along the plan do not both stay; the density is that "
                     "before"))
-      .param("where", &Grove::where,
-             {.doc = "share of them that stays, by the ground they stand on"})
+      .param("where", &Grove::where, {.doc = "fraction to keep, evaluated on the ground"})
       .param("steepest", &Grove::steepest,
-             angle("slope of the ground that they stand on; 60deg where none is said", kPi / 2))
-      .param("avoid", &Grove::avoid, {.doc = "solids that none stands in: rock, water"})
-      .param("margin", &Grove::margin, length("and how far away from these they stand"))
+             angle("maximum slope of the ground; default: 60deg", kPi / 2))
+      .param("avoid", &Grove::avoid, {.doc = "solids to avoid: rock, water"})
+      .param("margin", &Grove::margin, length("minimum distance from 'avoid'"))
       .param("headroom", &Grove::headroom,
-             length("height above their foot that is free of ground and of what they avoid"))
-      .param("diameter", &Grove::diameter, length("mean of their diameters"))
-      .param("diameter_spread", &Grove::diameter_spread, length("its standard deviation"))
+             length("height above the foot that must be free of ground and of 'avoid'"))
+      .param("diameter", &Grove::diameter, length("mean diameter"))
+      .param("diameter_spread", &Grove::diameter_spread,
+             length("standard deviation of the diameter"))
       .param("diameters", &Grove::diameters,
-             {.doc = "of each of the things: the one next in diameter is taken, and widened to it",
+             {.doc = "diameter of each model: the model of the nearest diameter is chosen and "
+                     "scaled to it",
               .dimension = Dimension::length,
               .min = 0,
               .above_min = true})
-      .param(
-          "height_power", &Grove::height_power,
-          {.doc = "heights go with that power of the diameter: 0.629 for moso", .min = 0, .max = 2})
+      .param("height_power", &Grove::height_power,
+             {.doc = "exponent of height over diameter: 0.629 for moso", .min = 0, .max = 2})
       .param("scale", &Grove::scale,
-             {.doc = "times their size: one number, or the smallest and the largest",
+             {.doc = "factor of the size: one number, or a minimum and a maximum",
               .min = 0,
               .above_min = true})
       .param("turn", &Grove::turn,
-             angle("about their y axis by chance, up to half of it either way", 2 * kPi))
-      .param("lean", &Grove::lean, angle("off the upright by chance, at most", kPi / 2))
-      .param("lean_to", &Grove::lean_to,
-             {.doc = "where they lean to, a direction; none: each elsewhere"})
-      .param("sink", &Grove::sink, any_length("how deep their origin lies in the ground"))
-      .param("seed", &Grove::seed, {.doc = "another number, other places"});
+             angle("random rotation about the y axis, up to half of it either way", 2 * kPi))
+      .param("lean", &Grove::lean, angle("maximum random deviation from the vertical", kPi / 2))
+      .param("lean_to", &Grove::lean_to, {.doc = "direction of leaning; default: random for each"})
+      .param("sink", &Grove::sink, any_length("depth of the origin in the ground"))
+      .param("seed", &Grove::seed, {.doc = "seed of the random positions"});
 }
 
 flora::Ground ground_for(const Grove& g, building::Builder& builder) {
@@ -196,7 +195,7 @@ building::Instance place_of(const Grove& g, const flora::Stem& stem) {
     width *= ratio;
     height *= maths::pow(ratio, g.height_power);
   }
-  // About the axis that is a quarter turn from the side that it leans to.
+  // Rotation about the horizontal axis perpendicular to the direction of leaning.
   const Vec3d axis(maths::sin(side), 0, -maths::cos(side));
   const Transform turned = Transform::rotation(axis, tilt) * Transform::rotation({0, 1, 0}, yaw) *
                            Transform::scaling({width, height, width});
@@ -204,7 +203,7 @@ building::Instance place_of(const Grove& g, const flora::Stem& stem) {
           model};
 }
 
-/// Refers to `g`.
+/// The result refers to `g`.
 flora::GroveOptions options_for(const Grove& g, const flora::Plot& plot, building::Builder& builder,
                                 RandomKey key) {
   flora::GroveOptions options;
@@ -244,13 +243,13 @@ std::string empty_reason(const Grove& g, const flora::Plot& plot, building::Buil
   const auto add = [&](size_t count, const char* reason) {
     if (count > 0) reasons.push_back(fmt::format("{} {}", count, reason));
   };
-  add(stats.too_near, "nearer than 'spacing' to another");
+  add(stats.too_near, "closer than 'spacing' to another");
   add(stats.no_ground, "without ground below");
   add(stats.too_steep, "on ground steeper than 'steepest'");
   add(stats.no_room, "without 'headroom'");
-  add(stats.avoided, "in or too near to what they 'avoid'");
-  add(stats.thinned, "left out by 'where'");
-  return reasons.empty() ? "the density makes not one point in so small a polygon"
+  add(stats.avoided, "inside or too close to 'avoid'");
+  add(stats.thinned, "removed by 'where'");
+  return reasons.empty() ? "the density yields no point in such a small polygon"
                          : fmt::format("of its points, {}", fmt::join(reasons, ", "));
 }
 

@@ -1,4 +1,4 @@
-// Where an L-system's turtle has set things: leaves on twigs.
+// Instances placed by the turtle of an L-system, such as leaves on twigs.
 #include <vug/loading/instance_source_kinds.h>
 #include <vug/loading/lsystem_binding.h>
 #include <vug/shot/lsystem_plan.h>
@@ -17,19 +17,19 @@ struct Instances {
 
   static void describe(Schema<Instances>& s) {
     s.doc(
-         "Where the turtle of an L-system sets things of a name: their y axis along its heading, x "
-         "to its right, z to its up, times the size that the symbol says first.")
+         "Instances placed by the turtle of an L-system under a name: y axis along its heading, x "
+         "to its right, z along its up vector, scaled by the first parameter of the symbol.")
         .param("of", &Instances::of, {.doc = "the L-system", .required = true})
         .param("name", &Instances::name,
-               {.doc = "the symbol's name, one of its 'instances'", .required = true})
+               {.doc = "name of the symbol, one of its 'instances'", .required = true})
         .param("scale", &Instances::scale,
-               {.doc = "times the size of each", .min = 0, .above_min = true});
+               {.doc = "factor of the size of each", .min = 0, .above_min = true});
   }
   std::string fault() const {
     if (!of) return "";
     const std::vector<std::string>& names = of->block.instances;
     if (std::find(names.begin(), names.end(), name) != names.end()) return "";
-    return fmt::format("the L-system sets no instances '{}'", name);
+    return fmt::format("the L-system places no instances '{}'", name);
   }
 };
 

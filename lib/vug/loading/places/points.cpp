@@ -1,4 +1,4 @@
-// Places from a table: a .csv with a line for each, as other programs write points.
+// Instances from a table: a .csv with one line per instance, as written by other programs.
 #include <vug/base/atomic_file.h>
 #include <vug/loading/instance_source_kinds.h>
 
@@ -19,12 +19,12 @@ struct Points {
 
   static void describe(Schema<Points>& s) {
     s.doc(
-         "Places from a .csv whose first line names its columns: x, y, z; yaw, pitch, roll in "
+         "Instances from a .csv whose first line names its columns: x, y, z; yaw, pitch, roll in "
          "degrees; scale, sx, sy, sz; model, counted from 0. All but x, y and z may be missing.")
         .param("file", &Points::file, {.doc = "the table", .required = true})
-        .param("unit", &Points::unit, positive_length("what x, y and z are counted in"))
+        .param("unit", &Points::unit, positive_length("unit of x, y and z"))
         .param("scale", &Points::scale,
-               {.doc = "times the size of each", .min = 0, .above_min = true});
+               {.doc = "factor of the size of each", .min = 0, .above_min = true});
   }
 };
 
@@ -79,12 +79,12 @@ std::vector<building::Instance> read_points(const Points& p) {
       const auto result = std::from_chars(cell.data(), cell.data() + cell.size(), read);
       if (result.ec != std::errc() || result.ptr != cell.data() + cell.size() ||
           !(std::fabs(read) < 1e12))
-        refuse(fmt::format("'{}' is no number for {}", cell, name));
+        refuse(fmt::format("invalid number '{}' for {}", cell, name));
       return read;
     };
     const Vec3d size =
         Vec3d(value("sx", 1), value("sy", 1), value("sz", 1)) * (value("scale", 1) * p.scale);
-    if (size.x == 0 || size.y == 0 || size.z == 0) refuse("a thing of size 0 cannot be placed");
+    if (size.x == 0 || size.y == 0 || size.z == 0) refuse("a model of size 0 cannot be placed");
     const double degree = kPi / 180;
     const Vec3d at(value("x", 0), value("y", 0), value("z", 0));
     places.push_back(
@@ -101,7 +101,7 @@ std::vector<building::Instance> read_points(const Points& p) {
 VUG_INSTANCE_SOURCE_KIND(points) {
   return make_kind<shot::InstanceSource, Points>(
       "points", "places", [](const Points& p) -> shot::InstanceSource {
-        // Now, so that a faulty table is told as a fault of the text.
+        // Read now, so that a faulty table is reported with its location in the scene text.
         std::vector<building::Instance> places = read_points(p);
         int last = -1;
         for (const building::Instance& place : places) last = std::max(last, place.model);

@@ -1,4 +1,4 @@
-// One place, with a turn and a size.
+// A single instance with rotation and scale.
 #include <vug/loading/instance_source_kinds.h>
 
 namespace vug::loading {
@@ -15,20 +15,21 @@ struct Pose {
     const auto angle = [](std::string doc) {
       return ParamSpec{.doc = std::move(doc), .dimension = Dimension::angle};
     };
-    s.doc("One place: the thing is stretched, turned about its own origin, then moved.")
-        .param("position", &Pose::position, any_length("where its origin goes"))
-        .param("yaw", &Pose::yaw, angle("about the upright, from z towards x; the last turn"))
-        .param("pitch", &Pose::pitch, angle("about x, the second turn"))
-        .param("roll", &Pose::roll, angle("about z, the first turn"))
-        .param("scale", &Pose::scale, {.doc = "times its size", .min = 0, .above_min = true})
+    s.doc("One instance: the model is scaled, rotated about its own origin, then moved.")
+        .param("position", &Pose::position, any_length("position of its origin"))
+        .param("yaw", &Pose::yaw,
+               angle("rotation about the vertical, from z towards x; applied last"))
+        .param("pitch", &Pose::pitch, angle("rotation about x; applied second"))
+        .param("roll", &Pose::roll, angle("rotation about z; applied first"))
+        .param("scale", &Pose::scale, {.doc = "factor of the size", .min = 0, .above_min = true})
         .param("stretch", &Pose::stretch,
-               {.doc = "times its size along its own axes; below 0 mirrors it"})
+               {.doc = "factors of the size along its own axes; negative: mirrored"})
         .param("model", &Pose::model,
-               {.doc = "which of the things, counted from 0; else chance decides", .min = 0});
+               {.doc = "index of the model, counted from 0; default: random", .min = 0});
   }
   std::string fault() const {
     return stretch.x == 0 || stretch.y == 0 || stretch.z == 0
-               ? "a thing that is stretched by 0 is flat, and cannot be placed"
+               ? "a model scaled by 0 is flat and cannot be placed"
                : "";
   }
 };

@@ -1,5 +1,5 @@
-// Things strewn over a mesh: as far apart as told, fewer where a mask is low, each turned and sized
-// by chance.
+// Instances scattered over a mesh with a minimum spacing, thinned by a mask, with random rotation
+// and size.
 #include <vug/base/maths.h>
 #include <vug/building/builder.h>
 #include <vug/loading/instance_source_kinds.h>
@@ -22,38 +22,38 @@ struct Scatter {
   int seed = 0;
 
   static void describe(Schema<Scatter>& s) {
-    s.doc("Places strewn over a mesh by chance, no two nearer than a spacing.")
+    s.doc("Instances scattered randomly over a mesh with a minimum spacing.")
         .cite("cook1986stochastic")
-        .param("on", &Scatter::on, {.doc = "the mesh they lie on", .required = true})
+        .param("on", &Scatter::on, {.doc = "the mesh to scatter on", .required = true})
         .param("spacing", &Scatter::spacing,
-               positive_length("that any two are apart at least, between their origins"))
+               positive_length("minimum distance between any two origins"))
         .param("count", &Scatter::count,
-               {.doc = "at most so many, spread over all of it", .min = 1, .max = 10000000})
+               {.doc = "maximum number, spread over the whole mesh", .min = 1, .max = 10000000})
         .param("where", &Scatter::where,
-               {.doc = "share of them that stays: slope(from: 40deg, to: 20deg) keeps floors"})
+               {.doc = "fraction to keep: slope(from: 40deg, to: 20deg) keeps floors"})
         .param(
             "upright", &Scatter::upright,
-            {.doc = "0: their y axis stands on the surface, 1: it points up", .min = 0, .max = 1})
+            {.doc = "0: the y axis is normal to the surface, 1: it points up", .min = 0, .max = 1})
         .param("turn", &Scatter::turn,
-               {.doc = "about their y axis by chance, up to half of it either way",
+               {.doc = "random rotation about the y axis, up to half of it either way",
                 .dimension = Dimension::angle,
                 .min = 0})
         .param("tilt", &Scatter::tilt,
-               {.doc = "away from that axis by chance, at most",
+               {.doc = "maximum random deviation from that axis",
                 .dimension = Dimension::angle,
                 .min = 0,
                 .max = kPi})
         .param("scale", &Scatter::scale,
-               {.doc = "times their size: one number, or the smallest and the largest",
+               {.doc = "factor of the size: one number, or a minimum and a maximum",
                 .min = 0,
                 .above_min = true})
         .param("sink", &Scatter::sink,
-               any_length("how deep their origin lies in the surface, at scale 1"))
-        .param("seed", &Scatter::seed, {.doc = "another number, other places"});
+               any_length("depth of the origin below the surface, at scale 1"))
+        .param("seed", &Scatter::seed, {.doc = "seed of the random positions"});
   }
   std::string fault() const {
     return scale.empty() || scale.size() > 2 || scale.front() > scale.back()
-               ? "'scale' is one number, or the smallest and the largest"
+               ? "'scale' must be one number, or a minimum and a maximum"
                : "";
   }
 };

@@ -1,4 +1,4 @@
-// The stems that an L-system's turtle draws, as a solid.
+// The stems drawn by the turtle of an L-system, as a solid.
 #include <vug/flora/cut.h>
 #include <vug/flora/sweep_field.h>
 #include <vug/loading/lsystem_binding.h>
@@ -20,25 +20,28 @@ struct Stems : flora::SweepOptions, flora::NodeDisplacementOptions {
 
   static void describe(Schema<Stems>& s) {
     s.doc(
-         "What the turtle of a grammar of kind lsystem draws: round stems, smooth or folded, with "
-         "nodes; hollow where there is a wall. Widths and heights of rings and grooves are shares "
-         "of the stem's radius.")
+         "The drawing of an L-system's turtle: round stems, smooth or folded, with nodes, hollow "
+         "if "
+         "there is a wall. Widths and heights of rings and grooves are fractions of the stem's "
+         "radius.")
         .cite("luo2010bamboo")
         .param("of", &Stems::of, {.doc = "the L-system", .required = true})
-        .param("from", &Stems::from, any_length("only what lies above this along stems of order 0"))
-        .param("to", &Stems::to, any_length("only what lies below this along stems of order 0"))
+        .param("from", &Stems::from,
+               any_length("keep only the part above this along stems of order 0"))
+        .param("to", &Stems::to, any_length("keep only the part below this along stems of order 0"))
         .param("orders", &Stems::orders, {.doc = "only stems of a lower order", .min = 1})
         .param("thickness", &Stems::thickness,
-               positive_length("least diameter, also of stems that are only lines"))
-        .param("wall", &Stems::wall, share("of a hollow culm, of its radius; 0: massive", 0.99))
+               positive_length("minimum diameter, also of stems that are only lines"))
+        .param("wall", &Stems::wall,
+               share("thickness of the wall of a hollow culm; 0: solid", 0.99))
         .param("wall_least", &Stems::min_wall,
-               {.doc = "and at least so thick, while a tenth of the radius is hollow",
+               {.doc = "minimum thickness of the wall, as long as a tenth of the radius is hollow",
                 .dimension = Dimension::length,
                 .min = 0})
         .param("diaphragm", &Stems::diaphragm, share("thickness of the walls across at nodes", 10))
-        .param("open", &Stems::open, {.doc = "the ends are cuts, where the hollow shows"})
+        .param("open", &Stems::open, {.doc = "cut the ends, so that the hollow is visible"})
         .param("smooth", &Stems::smooth,
-               {.doc = "bend between two cross-sections, at most",
+               {.doc = "maximum bend between two cross-sections",
                 .dimension = Dimension::angle,
                 .min = 0.001,
                 .max = 1})
@@ -67,9 +70,9 @@ struct Stems : flora::SweepOptions, flora::NodeDisplacementOptions {
     return all;
   }
   std::string fault() const {
-    if (from && to && *from >= *to) return "'to' lies above 'from'";
+    if (from && to && *from >= *to) return "'to' must be above 'from'";
     if (open && wall == 0 && min_wall == 0)
-      return "'open' shows the hollow of stems with a 'wall'; without one they are massive";
+      return "'open' applies to hollow stems; they need a 'wall'";
     return options().fault();
   }
 };
