@@ -23,7 +23,8 @@ TEST(Progress, ReportsEachPercentOnceAndEndsAt100) {
   for (int i = 0; i < 1000; ++i) progress.advance();
   progress.end();
   ASSERT_EQ(reported.size(), 101U);
-  for (size_t i = 0; i < reported.size(); ++i) EXPECT_DOUBLE_EQ(reported[i], static_cast<double>(i) / 100);
+  for (size_t i = 0; i < reported.size(); ++i)
+    EXPECT_DOUBLE_EQ(reported[i], static_cast<double>(i) / 100);
 }
 
 TEST(Progress, ReportsOneAtATimeAndNeverBackwards) {
