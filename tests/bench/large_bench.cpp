@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
       targets.push_back(std::strtod(argv[i], nullptr));
   if (targets.empty()) targets = {1e7, 1e8};
   for (const double target : targets) {
-    const pid_t child = node();
+    const pid_t child = fork();
     if (child == 0) {
       run(target, json);
       std::_Exit(0);
