@@ -71,6 +71,16 @@ class SourcesTest(unittest.TestCase):
                     found = re.search(r"\b(?:lib/vug|tests/(?:unit|cli|dcc|bench|python))/|`\w+/\w+\.(?:h|cpp)`", line)
                     self.assertFalse(found, f"{page.name}:{number}: {found and found.group(0)}")
 
+    def test_terms_of_the_glossary_occur(self):
+        """Every term of the glossary occurs on another page; of several in one row, each does."""
+        pages = (page for page in (ROOT / "docs").rglob("*.md") if page.name != "glossary.md")
+        text = re.sub(r"\s+", " ", " ".join(page.read_text() for page in pages)).lower()
+        rows = re.findall(r"^\| ([^|]+) \| ([^|]+) \| ([^|]+) \|$", (ROOT / "docs/glossary.md").read_text(), re.M)[1:]
+        self.assertGreater(len(rows), 50)
+        for terms, _, _ in rows:
+            for term in terms.lower().split(", "):
+                self.assertRegex(text, rf"\b{re.escape(term.strip())}(?:s|es)?\b")
+
 
 if __name__ == "__main__":
     BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
