@@ -21,7 +21,7 @@ int run(const Options& options) {
   require_outputs({options.output, picture::png_path(options.output)}, paths);
   const render::PartialRender whole =
       render::merge(paths, terminal_progress(options.work.bar_mode()));
-  const image::Image image = render::develop(whole.state, whole.header.layers);
+  const image::Image image = render::develop(whole.state, whole.header.aovs);
   for (const auto& path : picture::write_picture(options.output, {{image, whole.header}}))
     fmt::print("{}\n", path.string());
   return kDone;
