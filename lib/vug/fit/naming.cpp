@@ -8,20 +8,20 @@ namespace vug::fit {
 namespace {
 
 /// The production of an element to the first terminal of that type; -1 if there is none.
-int way_to(const Rules& rules, int element, RegionType type) {
-  for (const int way : rules.productions_of(element))
-    if (rules.production(way).op == Op::terminal &&
-        rules.symbol(rules.production(way).parts[0]).type == type)
-      return way;
+int find_production(const Rules& rules, int element, RegionType type) {
+  for (const int id : rules.productions_of(element))
+    if (rules.production(id).op == Op::terminal &&
+        rules.symbol(rules.production(id).parts[0]).type == type)
+      return id;
   return -1;
 }
 
 /// Replaces terminal i of an element by the first terminal of that type.
 void rename(const Rules& rules, TreeState& state, int i, RegionType type) {
-  const int above = i - 1, way = way_to(rules, state.tree[above].symbol, type);
-  if (way < 0) return;
-  state.tree[above].production = static_cast<int16_t>(way);
-  state.tree[i].symbol = static_cast<int16_t>(rules.production(way).parts[0]);
+  const int above = i - 1, id = find_production(rules, state.tree[above].symbol, type);
+  if (id < 0) return;
+  state.tree[above].production = static_cast<int16_t>(id);
+  state.tree[i].symbol = static_cast<int16_t>(rules.production(id).parts[0]);
   state.invalidate_bits(above), state.invalidate_bits(i);
 }
 
@@ -50,14 +50,14 @@ void fill_elements(const Model& model, const Evidence& evidence, TreeState& stat
     Sums together = wall;
     together += own;
     const auto bits = [&](const Sums& sums) { return code.bits(RegionType::wall, sums); };
-    const int way = way_to(rules, state.tree[i].symbol, RegionType::window);
-    if (way < 0 || state.tree.size() >= model.limits().max_nodes) continue;
+    const int id = find_production(rules, state.tree[i].symbol, RegionType::window);
+    if (id < 0 || state.tree.size() >= model.limits().max_nodes) continue;
     if (bits(together) <= bits(wall) + bits(own)) continue;
     Node node;
-    node.symbol = static_cast<int16_t>(rules.production(way).parts[0]);
+    node.symbol = static_cast<int16_t>(rules.production(id).parts[0]);
     node.parent_op = static_cast<int8_t>(Op::terminal);
     node.width = state.area(i).width, node.height = state.area(i).height;
-    state.grow(i, way, {node});
+    state.grow(i, id, {node});
     model.compute_areas(state);
   }
 }

@@ -58,8 +58,8 @@ class MaxComplexitySearch {
   Subtree tree(const Node& node, int depth) const {
     Subtree best = {{node}, 0};
     best.second = bits_of(best.first);
-    for (const int way : rules_.productions_of(node.symbol)) {
-      const Production& production = rules_.production(way);
+    for (const int id : rules_.productions_of(node.symbol)) {
+      const Production& production = rules_.production(id);
       const bool splits = production.op == Op::rows || production.op == Op::repeat ||
                           production.op == Op::mirror || production.op == Op::elements;
       if (splits && depth == 0) continue;
@@ -68,7 +68,7 @@ class MaxComplexitySearch {
       if (production.op == Op::windows) made[0].cells = {};
       std::vector<Node> parts;
       for (const Node& part : successors_of(production, node)) parts.push_back(part);
-      made.grow(0, way, parts);
+      made.grow(0, id, parts);
       for (int number = made.child_count(0) - 1; number >= 0; --number) {
         const int at = made.child(0, number);
         made.replace(at, tree(made[at], depth - (splits ? 1 : 0)).first);

@@ -56,7 +56,7 @@ class FacadeTreeBuilder {
 
   void convert(int i, int parent) {
     const int at = add(i, parent, rect_of(state_.area(i)));
-    give(i, parent, at);
+    set_numbers(i, parent, at);
     if (node(i).production < 0) return;
     const Production& production = model_.rules().production(node(i).production);
     out(at).rule = to_string(text_.rules[static_cast<size_t>(node(i).production)]);
@@ -73,7 +73,7 @@ class FacadeTreeBuilder {
   }
 
   /// Sets the numbers and copies that the parent's production gives to a child.
-  void give(int i, int parent, int at) {
+  void set_numbers(int i, int parent, int at) {
     if (parent < 0) return;
     const int above = state_.tree.parent(i);
     const facade::Rect from = out(parent).rect, rect = out(at).rect;

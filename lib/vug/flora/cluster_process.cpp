@@ -18,8 +18,8 @@ std::vector<Vec2d> cluster_points(const Plot& plot, double density, RandomKey ke
     const Vec2d middle(random.uniform(low.x, high.x), random.uniform(low.y, high.y));
     const uint64_t stems = poisson(options.per_clump, random);
     for (uint64_t stem = 0; stem < stems; ++stem) {
-      RandomStream place(own.at(stem));
-      const Vec2d p = middle + options.offset(place);
+      RandomStream stem_random(own.at(stem));
+      const Vec2d p = middle + options.offset(stem_random);
       if (plot.contains(p)) points.push_back(p);
     }
   }

@@ -14,10 +14,11 @@ constexpr double kDeepest = 1e4;        // Metres below the top for ground witho
 constexpr double kOffTheGround = 0.02;  // Start of the search upwards, metres above the ground.
 
 /// Metres along the direction to the first value that is not above 0; infinite if there is none.
-double free_way(const field::Field& solid, const Vec3d& from, const Vec3d& way, double far) {
+double free_distance(const field::Field& solid, const Vec3d& from, const Vec3d& direction,
+                     double far) {
   const double steepest = std::max(solid.lipschitz(), 1e-6);
   for (double t = 0; t <= far;) {
-    const double value = solid.value(from + way * t);
+    const double value = solid.value(from + direction * t);
     if (!(value > 0)) return t;
     t += std::max(value / steepest, kMinStep);
   }
@@ -27,7 +28,7 @@ double free_way(const field::Field& solid, const Vec3d& from, const Vec3d& way, 
 std::optional<GroundPoint> ground_point_on(const field::Field& solid, const Vec2d& at, double top,
                                            double bottom, double headroom) {
   const Vec3d down(0, -1, 0), start(at.x, top, at.y);
-  double in = free_way(solid, start, down, top - bottom);
+  double in = free_distance(solid, start, down, top - bottom);
   if (in == kInfinity || in == 0) return std::nullopt;
   double out = std::max(0.0, in - 2 * kMinStep);
   if (!(solid.value(start + down * out) > 0)) out = 0;
@@ -41,7 +42,7 @@ std::optional<GroundPoint> ground_point_on(const field::Field& solid, const Vec2
   point.normal = slope.length() > 1e-9 ? slope.normalized() : -down;
   if (headroom > kOffTheGround) {
     const Vec3d above = point.position - down * kOffTheGround;
-    point.clearance = kOffTheGround + free_way(solid, above, -down, headroom - kOffTheGround);
+    point.clearance = kOffTheGround + free_distance(solid, above, -down, headroom - kOffTheGround);
   }
   return point;
 }

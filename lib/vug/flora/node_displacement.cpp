@@ -8,7 +8,7 @@ namespace vug::flora {
 namespace {
 
 /// Shares of the groove's length over which it fades in above the ridge and fades out at its end.
-constexpr double kSink = 0.08, kFade = 0.5;
+constexpr double kFadeIn = 0.08, kFadeOut = 0.5;
 
 }  // namespace
 
@@ -37,8 +37,9 @@ NodeDisplacement::NodeDisplacement(const NodeDisplacementOptions& displacement,
     const double length = displacement.groove_length * (node.next - node.along);
     if (node.angles.empty() || displacement.groove <= 0 || length <= 0) continue;
     deepest_ = std::max(deepest_, displacement.groove * r);
-    slope_ = std::max(slope_, 1.5 * displacement.groove * r / (kSink * length));
-    turn_ = std::max(turn_, kBumpSlope * displacement.groove * r / displacement.groove_width);
+    slope_ = std::max(slope_, 1.5 * displacement.groove * r / (kFadeIn * length));
+    max_angular_slope_ = std::max(max_angular_slope_,
+                                  kBumpSlope * displacement.groove * r / displacement.groove_width);
   }
 }
 
@@ -82,9 +83,9 @@ DisplacementSample NodeDisplacement::groove_shape(const DisplacedNode& node, dou
   if (x <= 0 || x >= 1) return {};
   const auto smooth = [](double t) { return t * t * (3 - 2 * t); };
   const auto slope = [](double t) { return 6 * t * (1 - t); };
-  const double in = std::min(1.0, x / kSink), out = std::min(1.0, (1 - x) / kFade);
+  const double in = std::min(1.0, x / kFadeIn), out = std::min(1.0, (1 - x) / kFadeOut);
   return {smooth(in) * smooth(out),
-          (slope(in) * smooth(out) / kSink - smooth(in) * slope(out) / kFade) / length};
+          (slope(in) * smooth(out) / kFadeIn - smooth(in) * slope(out) / kFadeOut) / length};
 }
 
 const DisplacedNode* NodeDisplacement::below(double along) const {
@@ -131,8 +132,8 @@ std::vector<double> NodeDisplacement::rows() const {
     if (node.angles.empty() || deepest_ == 0) continue;
     const double length = displacement_.groove_length * (node.next - node.along);
     for (const double x : {0., 0.25, 0.5, 0.75, 1.}) {
-      rows.push_back(node.along + x * kSink * length);
-      rows.push_back(node.along + (1 - x * kFade) * length);
+      rows.push_back(node.along + x * kFadeIn * length);
+      rows.push_back(node.along + (1 - x * kFadeOut) * length);
     }
   }
   return rows;

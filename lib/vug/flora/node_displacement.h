@@ -68,7 +68,7 @@ class NodeDisplacement {
   double deepest() const { return deepest_; }  ///< Upper bound of the grooves, metres.
   double slope() const { return slope_; }      ///< Maximum outward slope per metre along the stem.
   /// Maximum inward slope in metres per radian around the stem.
-  double turn() const { return turn_; }
+  double max_angular_slope() const { return max_angular_slope_; }
   const std::vector<DisplacedNode>& nodes() const { return nodes_; }
   /// Positions of cross-sections that resolve all rings with straight lines between them.
   std::vector<double> rows() const;
@@ -81,7 +81,7 @@ class NodeDisplacement {
 
   NodeDisplacementOptions displacement_;
   std::vector<DisplacedNode> nodes_;
-  double highest_ = 0, deepest_ = 0, slope_ = 0, turn_ = 0;
+  double highest_ = 0, deepest_ = 0, slope_ = 0, max_angular_slope_ = 0;
 };
 
 }  // namespace vug::flora

@@ -68,7 +68,7 @@ class Outline {
       if (more > 0 || (more == 0 && along[axis] < along[drop])) drop = axis;
     }
     for (size_t i = 0; i < corners.size(); ++i) {
-      const Vec2d from = seen(corners[i], drop), to = seen(end(i), drop);
+      const Vec2d from = projected(corners[i], drop), to = projected(end(i), drop);
       sides_.push_back({i, from, to, std::min(from.x, to.x), std::max(from.x, to.x)});
     }
     std::stable_sort(sides_.begin(), sides_.end(),
@@ -97,7 +97,9 @@ class Outline {
   }
 
  private:
-  static Vec2d seen(const Vec3d& p, int drop) { return {p[(drop + 1) % 3], p[(drop + 2) % 3]}; }
+  static Vec2d projected(const Vec3d& p, int drop) {
+    return {p[(drop + 1) % 3], p[(drop + 2) % 3]};
+  }
   const Vec3d& end(size_t side) const { return corners_[(side + 1) % corners_.size()]; }
   Vec3d on(const Side& side, double share) const {
     const Vec3d& from = corners_[side.number];

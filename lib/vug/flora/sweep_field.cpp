@@ -75,7 +75,7 @@ class Stem {
   struct StemHit {
     double value = kInfinity;
     size_t capsule = 0;
-    std::optional<Tube::Coordinates> place;  ///< Empty: the capsules bound the value.
+    std::optional<Tube::Coordinates> coords;  ///< Empty: the capsules bound the value.
   };
 
   /// The value at p, or any number above `limit` if the value is not below it.
@@ -96,14 +96,14 @@ class Stem {
     const double most =
         std::fabs(a - b) + tube_.displacement().highest() + tube_.displacement().deepest();
     if (found.value * (slope - 1) > most + 0.25 * std::max(a, b)) return found;
-    const Tube::Coordinates place = tube_.coordinates(p, found.capsule);
-    const double near = tube_.value(place) / slope;
-    if (near >= found.value) found.value = near, found.place = place;
+    const Tube::Coordinates coords = tube_.coordinates(p, found.capsule);
+    const double near = tube_.value(coords) / slope;
+    if (near >= found.value) found.value = near, found.coords = coords;
     return found;
   }
   Vec3d gradient(const Vec3d& p, const StemHit& found) const {
-    if (!found.place) return capsules_[found.capsule].gradient(p);
-    return tube_.gradient(p, *found.place).gradient / tube_.slope();
+    if (!found.coords) return capsules_[found.capsule].gradient(p);
+    return tube_.gradient(p, *found.coords).gradient / tube_.slope();
   }
 
  private:

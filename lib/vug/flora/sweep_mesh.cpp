@@ -79,8 +79,8 @@ class SweepMesher {
     for (const Direction& a : around_) {
       const double out = row.share * (row.inner ? tube_.inner_radius(row.along)
                                                 : tube_.displaced(row.along, a.angle));
-      const Vec3d way = ring.frame.normal * a.cosine + ring.frame.binormal * a.sine;
-      mesh_.positions.emplace_back(ring.center + way * out);
+      const Vec3d direction = ring.frame.normal * a.cosine + ring.frame.binormal * a.sine;
+      mesh_.positions.emplace_back(ring.center + direction * out);
       const double bed = row.inner ? 0 : tube_.displacement().beds(row.along, a.angle).height;
       mesh_.attributes.back().values.push_back(static_cast<float>(bed));
     }

@@ -38,8 +38,9 @@ std::optional<Tube> Tube::make(const lsystem::Axis& axis, double parent_radius,
     if (node.along < tube.start() || node.along > tube.end()) continue;
     const Frame frame = tube.at(node.along).frame;
     DisplacedNode out{node.along, tube.radius(node.along) * node.size, tube.end(), {}};
-    for (const Vec3d& way : node.branches)
-      out.angles.push_back(maths::atan2(way.dot(frame.binormal), way.dot(frame.normal)));
+    for (const Vec3d& direction : node.branches)
+      out.angles.push_back(
+          maths::atan2(direction.dot(frame.binormal), direction.dot(frame.normal)));
     if (!nodes.empty()) nodes.back().next = out.along;
     nodes.push_back(std::move(out));
   }
@@ -90,7 +91,7 @@ void Tube::set_slope() {
     if (!node.angles.empty()) thinnest = std::min(thinnest, radius(node.next));
   const double out = rim > 0 ? 1 + rim / ((kGroovesTo - kGroovesFrom) * thinnest) : 1;
   const double along = (taper + tilt + displacement_.slope()) / squeeze;
-  const double around = rim > 0 ? displacement_.turn() / (kGroovesTo * thinnest) : 0;
+  const double around = rim > 0 ? displacement_.max_angular_slope() / (kGroovesTo * thinnest) : 0;
   slope_ = 1.02 * std::sqrt(out * out + along * along + around * around);
 }
 
@@ -104,9 +105,9 @@ Ring Tube::at(double along) const {
   const size_t i = segment_at(along);
   const Ring &a = rings_[i], &b = rings_[i + 1];
   const double u = std::clamp((along - a.along) / (b.along - a.along), 0.0, 1.0);
-  const Vec3d way = (b.center - a.center).normalized();
+  const Vec3d direction = (b.center - a.center).normalized();
   // All planes between two intersecting planes pass through their common line; see coordinates().
-  const double before = way.dot(a.frame.tangent), after = way.dot(b.frame.tangent);
+  const double before = direction.dot(a.frame.tangent), after = direction.dot(b.frame.tangent);
   const double v = u * after / ((1 - u) * before + u * after);
   Ring out;
   out.center = a.center * (1 - v) + b.center * v;
@@ -151,7 +152,7 @@ Tube::Coordinates Tube::coordinates(const Vec3d& p, size_t segment) const {
   const Vec3d off = p - ring.center;
   const double x = off.dot(ring.frame.normal), y = off.dot(ring.frame.binormal);
   out.along = ring.along;
-  out.out = std::sqrt(x * x + y * y);
+  out.radial = std::sqrt(x * x + y * y);
   out.angle = maths::atan2(y, x);
   return out;
 }

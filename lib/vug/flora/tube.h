@@ -57,7 +57,7 @@ class Tube {
   /// A point in the tube's own coordinates.
   struct Coordinates {
     double along = 0;    ///< Metres along the axis; below start() or above end() beyond the ends.
-    double out = 0;      ///< Metres from the middle line, in the plane of the cross-section.
+    double radial = 0;   ///< Metres from the middle line, in the plane of the cross-section.
     double angle = 0;    ///< From the frame's normal, radians.
     size_t segment = 0;  ///< Between rings() of this index and the next.
   };
@@ -79,10 +79,10 @@ class Tube {
   /// Signed value in metres, negative inside the solid: the distance near the surface up to the
   /// factor slope(), which is also its Lipschitz constant where the coordinates are valid. The
   /// solid has flat ends.
-  double value(const Coordinates& place) const;
+  double value(const Coordinates& coords) const;
   /// Value and spatial gradient at the point p with these coordinates; one-sided where the value
   /// has a crease.
-  field::Gradient gradient(const Vec3d& p, const Coordinates& place) const;
+  field::Gradient gradient(const Vec3d& p, const Coordinates& coords) const;
   double slope() const { return slope_; }
 
   double start() const { return rings_.front().along; }  ///< Metres along the axis.
@@ -100,14 +100,14 @@ class Tube {
  private:
   /// Gradients of the coordinates: metres and radians per metre.
   struct CoordinateGradients {
-    Vec3d along, out, angle;
+    Vec3d along, radial, angle;
   };
   /// Radius of the hollow in a stem of that radius, and its derivative (`along`) with respect to
   /// it.
   DisplacementSample hollow_of(double radius) const;
-  CoordinateGradients coordinate_gradients(const Vec3d& p, const Coordinates& place) const;
-  field::Gradient skin(const Coordinates& place,
-                       const CoordinateGradients& coordinate_gradients) const;
+  CoordinateGradients coordinate_gradients(const Vec3d& p, const Coordinates& coords) const;
+  field::Gradient radial_value(const Coordinates& coords,
+                               const CoordinateGradients& coordinate_gradients) const;
   void set_chambers(double diaphragm, bool open);
   void set_slope();
   size_t segment_at(double along) const;

@@ -27,13 +27,15 @@ std::vector<Ring> rings_of(const lsystem::Axis& axis, double begin, double min_r
 /// Normals of the planes that bisect each bend; at the ends the direction of the line.
 std::vector<Vec3d> mitre_tangents(const std::vector<Ring>& rings) {
   std::vector<Vec3d> tangents(rings.size());
-  const auto way = [&](size_t i) { return (rings[i + 1].center - rings[i].center).normalized(); };
-  tangents.front() = way(0);
-  tangents.back() = way(rings.size() - 2);
+  const auto direction = [&](size_t i) {
+    return (rings[i + 1].center - rings[i].center).normalized();
+  };
+  tangents.front() = direction(0);
+  tangents.back() = direction(rings.size() - 2);
   for (size_t i = 1; i + 1 < rings.size(); ++i) {
-    const Vec3d both = way(i - 1) + way(i);
+    const Vec3d both = direction(i - 1) + direction(i);
     // The axis turns back on itself.
-    tangents[i] = both.length() > 0.2 ? both.normalized() : way(i);
+    tangents[i] = both.length() > 0.2 ? both.normalized() : direction(i);
   }
   return tangents;
 }

@@ -26,19 +26,20 @@ FrameSlope frame_slope(const Frame& a, const Frame& b, double u, const Frame& at
 
 }  // namespace
 
-double Tube::value(const Coordinates& place) const {
-  const double smooth = radius(place.along),
-               full = smooth + displacement_.rings(place.along).height;
+double Tube::value(const Coordinates& coords) const {
+  const double smooth = radius(coords.along),
+               full = smooth + displacement_.rings(coords.along).height;
   const double in =
-      std::clamp((place.out / smooth - kGroovesFrom) / (kGroovesTo - kGroovesFrom), 0.0, 1.0);
-  const double groove = in > 0 ? in * displacement_.grooves(place.along, place.angle).height : 0;
-  double value = std::max({place.out - full + groove, start() - place.along, place.along - end()});
+      std::clamp((coords.radial / smooth - kGroovesFrom) / (kGroovesTo - kGroovesFrom), 0.0, 1.0);
+  const double groove = in > 0 ? in * displacement_.grooves(coords.along, coords.angle).height : 0;
+  double value =
+      std::max({coords.radial - full + groove, start() - coords.along, coords.along - end()});
   if (chambers_.empty()) return value;
-  const auto next = std::upper_bound(chambers_.begin(), chambers_.end(), place.along,
+  const auto next = std::upper_bound(chambers_.begin(), chambers_.end(), coords.along,
                                      [](double s, const Chamber& c) { return s < c.from; });
-  const double inner = place.out - hollow_of(smooth).height;
+  const double inner = coords.radial - hollow_of(smooth).height;
   const auto carve = [&](const Chamber& c) {
-    value = std::max(value, -std::max({inner, c.from - place.along, place.along - c.to}));
+    value = std::max(value, -std::max({inner, c.from - coords.along, coords.along - c.to}));
   };
   if (next != chambers_.end()) carve(*next);
   if (next != chambers_.begin()) carve(*(next - 1));
@@ -46,24 +47,24 @@ double Tube::value(const Coordinates& place) const {
 }
 
 Tube::CoordinateGradients Tube::coordinate_gradients(const Vec3d& p,
-                                                     const Coordinates& place) const {
-  const Ring &a = rings_[place.segment], &b = rings_[place.segment + 1];
+                                                     const Coordinates& coords) const {
+  const Ring &a = rings_[coords.segment], &b = rings_[coords.segment + 1];
   const double before = (p - a.center).dot(a.frame.tangent);
   const double after = (b.center - p).dot(b.frame.tangent);
-  const Ring ring = at(place.along);
+  const Ring ring = at(coords.along);
   const Frame& f = ring.frame;
   CoordinateGradients out;
   Vec3d x = f.normal, y = f.binormal, off = p - ring.center;
-  if (place.along < start() || place.along > end() || !(before + after > 0)) {
+  if (coords.along < start() || coords.along > end() || !(before + after > 0)) {
     off -= f.tangent * off.dot(f.tangent);
     out.along = f.tangent;
   } else {
     // u is the fraction between both planes; the middle line moves with it.
     const double u = before / (before + after), whole = b.along - a.along;
-    const Vec3d way = b.center - a.center, ahead = way.normalized();
+    const Vec3d chord = b.center - a.center, ahead = chord.normalized();
     const double from = ahead.dot(a.frame.tangent), to = ahead.dot(b.frame.tangent);
     const double mixed = (1 - u) * from + u * to;
-    const Vec3d center = way * (from * to / (mixed * mixed));
+    const Vec3d center = chord * (from * to / (mixed * mixed));
     const FrameSlope turn = frame_slope(a.frame, b.frame, u, f);
     // Clamped between the planes: no movement along the axis.
     const Vec3d du = before < 0 || after < 0
@@ -75,47 +76,48 @@ Tube::CoordinateGradients Tube::coordinate_gradients(const Vec3d& p,
     y += du * (off.dot(turn.binormal) - center.dot(f.binormal));
   }
   const double cosine = off.dot(f.normal), sine = off.dot(f.binormal);
-  if (!(place.out > 0)) {
-    out.out = x, out.angle = Vec3d(0);
+  if (!(coords.radial > 0)) {
+    out.radial = x, out.angle = Vec3d(0);
     return out;
   }
-  out.out = (x * cosine + y * sine) / place.out;
-  out.angle = (y * cosine - x * sine) / (place.out * place.out);
+  out.radial = (x * cosine + y * sine) / coords.radial;
+  out.angle = (y * cosine - x * sine) / (coords.radial * coords.radial);
   return out;
 }
 
-field::Gradient Tube::skin(const Coordinates& place, const CoordinateGradients& d) const {
-  const double smooth = radius(place.along), slim = taper(place.along);
-  const DisplacementSample rings = displacement_.rings(place.along);
-  field::Gradient out{place.out - (smooth + rings.height), d.out - d.along * (slim + rings.along)};
-  const double share = place.out / smooth, span = kGroovesTo - kGroovesFrom;
+field::Gradient Tube::radial_value(const Coordinates& coords, const CoordinateGradients& d) const {
+  const double smooth = radius(coords.along), slim = taper(coords.along);
+  const DisplacementSample rings = displacement_.rings(coords.along);
+  field::Gradient out{coords.radial - (smooth + rings.height),
+                      d.radial - d.along * (slim + rings.along)};
+  const double share = coords.radial / smooth, span = kGroovesTo - kGroovesFrom;
   const double in = std::clamp((share - kGroovesFrom) / span, 0.0, 1.0);
   if (!(in > 0)) return out;
-  const DisplacementSample groove = displacement_.grooves(place.along, place.angle);
+  const DisplacementSample groove = displacement_.grooves(coords.along, coords.angle);
   out.value += in * groove.height;
   out.gradient += (d.along * groove.along + d.angle * groove.around) * in;
   if (in < 1)
-    out.gradient += (d.out - d.along * (share * slim)) * (groove.height / (smooth * span));
+    out.gradient += (d.radial - d.along * (share * slim)) * (groove.height / (smooth * span));
   return out;
 }
 
-field::Gradient Tube::gradient(const Vec3d& p, const Coordinates& place) const {
-  const CoordinateGradients d = coordinate_gradients(p, place);
+field::Gradient Tube::gradient(const Vec3d& p, const Coordinates& coords) const {
+  const CoordinateGradients d = coordinate_gradients(p, coords);
   const auto higher = [](const field::Gradient& a, double value, const Vec3d& gradient) {
     return value > a.value ? field::Gradient{value, gradient} : a;
   };
-  field::Gradient out = skin(place, d);
-  out = higher(out, start() - place.along, -d.along);
-  out = higher(out, place.along - end(), d.along);
+  field::Gradient out = radial_value(coords, d);
+  out = higher(out, start() - coords.along, -d.along);
+  out = higher(out, coords.along - end(), d.along);
   if (chambers_.empty()) return out;
-  const auto next = std::upper_bound(chambers_.begin(), chambers_.end(), place.along,
+  const auto next = std::upper_bound(chambers_.begin(), chambers_.end(), coords.along,
                                      [](double s, const Chamber& c) { return s < c.from; });
   const auto carve = [&](const Chamber& c) {
-    const DisplacementSample inner = hollow_of(radius(place.along));
-    field::Gradient hollow{place.out - inner.height,
-                           d.out - d.along * (taper(place.along) * inner.along)};
-    hollow = higher(hollow, c.from - place.along, -d.along);
-    hollow = higher(hollow, place.along - c.to, d.along);
+    const DisplacementSample inner = hollow_of(radius(coords.along));
+    field::Gradient hollow{coords.radial - inner.height,
+                           d.radial - d.along * (taper(coords.along) * inner.along)};
+    hollow = higher(hollow, c.from - coords.along, -d.along);
+    hollow = higher(hollow, coords.along - c.to, d.along);
     out = higher(out, -hollow.value, -hollow.gradient);
   };
   if (next != chambers_.end()) carve(*next);

@@ -11,7 +11,7 @@ namespace {
 
 /// Closes gaps up to twice the radius. Beyond the sides and the top the mask is empty; at the
 /// bottom is the ground.
-Mask sealed(const Mask& solid, int radius) {
+Mask close_gaps(const Mask& solid, int radius) {
   Mask wide(solid.width + 2 * radius, solid.height + radius);
   for (int y = 0; y < solid.height; ++y)
     for (int x = 0; x < solid.width; ++x)
@@ -37,7 +37,7 @@ SurfaceMap surface_map(const RangeImage& range, const SurfaceOptions& options) {
   Mask solid(range.width, range.height);
   for (size_t p = 0; p < range.pixel_count(); ++p) solid.on[p] = !std::isnan(range.depth[p]);
   const int radius = pixels_of(options.hull / 2, range.pixel, std::max(range.width, range.height));
-  const Mask outside = outside_of(sealed(solid, radius));
+  const Mask outside = outside_of(close_gaps(solid, radius));
   out.surface.assign(range.pixel_count(), Surface::outside);
   parallel_for(static_cast<size_t>(range.height), [&](size_t row) {
     const int y = static_cast<int>(row);

@@ -1,6 +1,5 @@
-// How right trees and looks are on photographed facades whose pixels people have labelled; see
-// docs/explanation/theory/facades.md. A share of them, unless VUG_ACCURACY=all asks for the
-// figures.
+// Accuracy of trees and pixel classifiers on photographed facades with labelled pixels; see
+// docs/explanation/theory/facades.md. Uses a part of the pictures unless VUG_ACCURACY=all is set.
 #include "../scan/external_data.h"
 
 #include <vug/base/rng.h>
@@ -27,7 +26,7 @@ bool all_asked_for() {
   return told && std::string(told) == "all";
 }
 
-/// Read once for all tests; each fifth one unless all are asked for.
+/// Read once for all tests; every fifth picture unless all are requested.
 const std::vector<LabelledImage>& facades() {
   static const std::vector<LabelledImage> found = [] {
     const std::filesystem::path folder = external_data();
@@ -42,7 +41,7 @@ const std::vector<LabelledImage>& facades() {
   return found;
 }
 
-/// Pixels that are windows, or are taken for some, and those that are both; of all pictures.
+/// Accumulates the intersection and the union of true and detected window pixels.
 class Windows {
  public:
   void add(const LabelledImage& truth, const std::vector<DetectedElement>& seen) {
@@ -72,7 +71,7 @@ class Accuracy : public testing::Test {
     if (facades().empty())
       GTEST_SKIP() << "VUG_EXTERNAL_DATA names no folder with facades/images and facades/labels";
   }
-  /// In small pictures few pixels are a window's.
+  /// Small pictures have only a few pixels per window.
   static FitOptions options(const char* likelihood) {
     FitOptions out;
     out.likelihood = likelihood;
@@ -83,7 +82,7 @@ class Accuracy : public testing::Test {
   const Rules rules_ = compile(facade::load_rules(std::string(VUG_DATA) + "/facades/ripperda.vug"));
 };
 
-TEST_F(Accuracy, TrainedLooks) {
+TEST_F(Accuracy, TrainedClassifier) {
   PixelClassifierOptions looks;
   if (!all_asked_for()) looks.first.trees = looks.second.trees = 8;
   ConfusionMatrix maps_alone(kClasses.count()), with_tree(kClasses.count());
@@ -105,7 +104,7 @@ TEST_F(Accuracy, TrainedLooks) {
   tell("maps alone", maps_alone);
   tell("maps and trees", with_tree);
   std::printf("windows of the trees: overlap %.3f\n", windows.overlap());
-  // Nine facades teach less than forty-two.
+  // Nine facades give less training data than forty-two.
   const bool all = all_asked_for();
   EXPECT_GT(with_tree.accuracy(), all ? 0.80 : 0.75);
   EXPECT_GT(with_tree.iou(kWindow), all ? 0.50 : 0.40);
@@ -128,7 +127,7 @@ TEST_F(Accuracy, WithoutTraining) {
   }
 }
 
-/// Maps that are sure of the label, or in every tenth pixel of another class.
+/// Maps with the label as the certain class, or in every tenth pixel another class.
 Planes flipped(const LabelledImage& facade, RandomKey key) {
   constexpr double kFlipped = 0.1;
   const auto others = static_cast<uint32_t>(kClasses.count() - 1);
@@ -146,10 +145,10 @@ Planes flipped(const LabelledImage& facade, RandomKey key) {
   return out;
 }
 
-TEST_F(Accuracy, LabelsOfWhichATenthIsFlipped) {
+TEST_F(Accuracy, LabelsWithATenthFlipped) {
   Windows windows;
   for (size_t k = 0; k < facades().size(); ++k) {
-    // These maps are right about themselves.
+    // These maps are calibrated.
     const Evidence evidence = classifier_evidence(flipped(facades()[k], RandomKey(k)), kClasses,
                                                   {.windows = 1, .unnamed = 0});
     windows.add(facades()[k],
@@ -160,8 +159,8 @@ TEST_F(Accuracy, LabelsOfWhichATenthIsFlipped) {
   EXPECT_GT(windows.overlap(), all_asked_for() ? 0.80 : 0.75);
 }
 
-/// Ten seeds for each facade; the same tree from nine.
-TEST_F(Accuracy, OtherSeedsEndInTheSameTree) {
+/// Ten seeds per facade; nine must give the same tree.
+TEST_F(Accuracy, DifferentSeedsGiveTheSameTree) {
   const size_t count = std::min<size_t>(facades().size(), all_asked_for() ? 12 : 1);
   size_t same = 0;
   for (size_t k = 0; k < count; ++k) {
@@ -183,7 +182,7 @@ TEST_F(Accuracy, OtherSeedsEndInTheSameTree) {
     same += most >= 9 ? 1 : 0;
   }
   std::printf("the same tree from nine seeds of ten: %zu of %zu facades\n", same, count);
-  // Where a grid has as many kinds of windows as there may be, some differ by a pixel.
+  // In grids with the maximum number of window kinds some trees differ by a pixel.
   EXPECT_GE(static_cast<double>(same), 0.9 * static_cast<double>(count));
 }
 

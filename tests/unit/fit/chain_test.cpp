@@ -1,5 +1,5 @@
-// The sampler's states come as often as they should: over all trees of small grammars, for all
-// moves together and each alone.
+// The sampler visits states with the right frequencies: tested over all trees of small grammars,
+// with all moves together and with each alone.
 #include "enumeration.h"
 
 #include <vug/fit/move.h>
@@ -19,7 +19,7 @@ struct Toy {
   std::vector<std::string> rules;
   int width, height;
   Limits limits;
-  std::vector<std::string> moves;  ///< Those that have something to do.
+  std::vector<std::string> moves;  ///< Moves that apply to this grammar.
 };
 
 Limits tiny(int lines, int elements = 2) {
@@ -93,7 +93,7 @@ std::vector<Toy> toys() {
   };
 }
 
-/// Every tree's probability, from its energy.
+/// The exact probability of every tree, from its energy.
 std::map<std::string, double> exact(const Model& model, double temperature) {
   std::map<std::string, double> out;
   double sum = 0;
@@ -101,7 +101,7 @@ std::map<std::string, double> exact(const Model& model, double temperature) {
     TreeState state = model.make_state(tree);
     const double p = std::exp2(-model.energy(state) / temperature);
     const auto [at, fresh] = out.emplace(name_of(tree), p);
-    EXPECT_TRUE(fresh) << "the enumeration has a tree twice";
+    EXPECT_TRUE(fresh) << "the enumeration contains a tree twice";
     sum += p;
   }).run();
   for (auto& [name, p] : out) p /= sum;
@@ -121,7 +121,7 @@ double total_variation(const std::map<std::string, double>& probabilities,
   return sum / 2;
 }
 
-/// Names are made once for each stay in a state.
+/// The name is only computed when the state changes.
 std::map<std::string, int64_t> visits(Chain<TreeState>& chain, int64_t steps) {
   std::map<std::string, int64_t> counts;
   Tree last = chain.state().tree;
@@ -146,10 +146,10 @@ std::vector<uint8_t> picture(int width, int height) {
   return out;
 }
 
-// Hot enough that all trees come now and then.
+// Hot enough that all trees are visited.
 constexpr double kTemperature = 12;
 
-/// A toy with all that its chain refers to.
+/// A toy grammar with everything its chain refers to.
 struct Bench {
   explicit Bench(const Toy& toy)
       : rules(rules_of(toy.rules)),
@@ -177,20 +177,18 @@ double distance(const Toy& toy, int64_t steps, Chain<TreeState>::Options options
   return total_variation(exact(bench.model, kTemperature), visits(chain, steps), steps);
 }
 
-TEST(FacadeChain, TreesComeAsOftenAsTheyShould) {
+TEST(FacadeChain, TreesHaveTheirExactFrequencies) {
   for (const Toy& toy : toys()) EXPECT_LT(distance(toy, 1'000'000, {}), 0.03) << toy.name;
 }
 
-TEST(FacadeChain, TheMoreStepsTheNearer) {
-  EXPECT_LT(distance(toys().front(), 10'000'000, {}), 0.006);
-}
+TEST(FacadeChain, MoreStepsConverge) { EXPECT_LT(distance(toys().front(), 10'000'000, {}), 0.006); }
 
-TEST(FacadeChain, WithoutTheRatioOfProposalsTheyDoNot) {
+TEST(FacadeChain, WithoutTheProposalRatioFrequenciesAreWrong) {
   for (const Toy& toy : toys())
     EXPECT_GT(distance(toy, 100'000, {.use_proposal_ratio = false}), 0.3) << toy.name;
 }
 
-/// One of the trees that the move can be made from.
+/// A random tree from which the move is possible.
 TreeState start_for(const Bench& bench, const inference::Move<TreeState>& move,
                     const std::vector<Tree>& trees, RandomStream& stream) {
   Choices forward, back;
@@ -205,12 +203,13 @@ TreeState start_for(const Bench& bench, const inference::Move<TreeState>& move,
         !(next.tree == state.tree))
       return state;
   }
-  ADD_FAILURE() << move.name << " can be made from no tree";
+  ADD_FAILURE() << move.name << " is not possible from any tree";
   return bench.prior.axiom_state();
 }
 
-/// From each tree that a move can be made from, that move alone keeps the prior of what it reaches.
-TEST(FacadeChain, EachMoveAloneKeepsThePrior) {
+/// Started from a tree where it is possible, each move alone preserves the prior of the trees it
+/// reaches.
+TEST(FacadeChain, EachMoveAlonePreservesThePrior) {
   std::map<std::string, int> reached;
   for (const Toy& toy : toys()) {
     const Bench bench(toy);

@@ -1,4 +1,4 @@
-// Random facades of the published grammar, painted, spoilt by noise, and read back.
+// Round trip: random facades of the published grammar are painted, degraded with noise and fitted.
 #include "random_facade.h"
 
 #include <vug/base/median.h>
@@ -23,9 +23,9 @@ Model model_of(const RandomFacade& facade, const Evidence& pixels) {
                make_likelihood("kt", pixels), quick().pixel_weight);
 }
 
-/// Many trees draw the same picture. The truth is the shortest that is known of the picture without
-/// noise: the one that was derived, once its grids are of the cheapest type that draws the same, or
-/// a shorter one that reading finds.
+/// Many trees draw the same picture. The reference is the shortest known tree of the noise-free
+/// picture: the derived one, with each grid changed to the cheapest type that draws the same, or a
+/// shorter one found by fitting.
 Tree shortest(const RandomFacade& facade) {
   const Evidence clean =
       Evidence::from_clusters(facade.width, facade.height, RandomFacade::kClasses, facade.classes);
@@ -45,7 +45,7 @@ std::vector<Rect> windows_of(const Model& model, const Tree& tree) {
   return out;
 }
 
-TEST(ClosedLoop, CountsStructuresAndEdgesComeBack) {
+TEST(ClosedLoop, CountsStructuresAndEdgesAreRecovered) {
   constexpr int kFacades = 30;
   int read_back = 0, counts = 0, structures = 0;
   std::vector<double> off;
@@ -63,7 +63,7 @@ TEST(ClosedLoop, CountsStructuresAndEdgesComeBack) {
     const EdgeHints hints = EdgeHints::from_clusters(pixels);
     TreeState best = model.make_state(truth);
     const double bits = polish({model, hints}, pixels, best).after;
-    // Of trees of one length none is more right than the other.
+    // Trees of the same length are equally right.
     const bool tie = std::fabs(found.report.bits - bits) < 0.05;
     structures += tie || found.report.structure == structure_of(ripperda(), truth) ? 1 : 0;
     const std::vector<Rect> windows = windows_of(model, truth);
@@ -82,7 +82,7 @@ TEST(ClosedLoop, CountsStructuresAndEdgesComeBack) {
   EXPECT_LE(median(off), 2) << "pixels";
 }
 
-TEST(ClosedLoop, ChainsOfOtherSeedsEndInTheSameTree) {
+TEST(ClosedLoop, ChainsWithOtherSeedsFindTheSameTree) {
   const auto facade = random_facade(5);
   ASSERT_TRUE(facade);
   const Evidence pixels = Evidence::from_clusters(
@@ -91,7 +91,7 @@ TEST(ClosedLoop, ChainsOfOtherSeedsEndInTheSameTree) {
   options.sampler.steps = 20'000;
   std::vector<FitResult> found;
   double least = 1e300;
-  std::vector<double> rates(7, 0);  // of each pair of neighbours, over all seeds
+  std::vector<double> rates(7, 0);  // For each pair of neighbours, over all seeds.
   for (uint64_t key = 0; key < 10; ++key) {
     found.push_back(fit_facade(pixels, ripperda(), options, RandomKey(key)));
     least = std::min(least, found.back().report.bits);
@@ -107,7 +107,7 @@ TEST(ClosedLoop, ChainsOfOtherSeedsEndInTheSameTree) {
   EXPECT_GT(mean, 0.2);
   EXPECT_LT(mean, 0.6);
   for (const double rate : rates) {
-    EXPECT_GT(rate, 0.15) << "so few rounds are 0.03 off";
+    EXPECT_GT(rate, 0.15) << "the error with so few rounds is 0.03";
     EXPECT_LT(rate, 0.65);
   }
 }

@@ -1,4 +1,4 @@
-// Pictures made smaller, and the clusters that trees are fitted to.
+// Downsampled pictures, and the cluster images that trees are fitted to.
 #include "painted.h"
 
 #include <vug/base/error.h>
@@ -44,7 +44,7 @@ TEST(WorkingSize, MeansOverParts) {
   EXPECT_THROW(downsampled(line, {0, 1}), Error);
 }
 
-TEST(WorkingSize, MeansAreKept) {
+TEST(WorkingSize, MeansArePreserved) {
   const PaintedFacade facade = painted(1, 121, 163);
   const image::Image small = downsampled(facade.photo, {40, 50});
   const auto mean = [](const image::Image& of) {
@@ -55,7 +55,7 @@ TEST(WorkingSize, MeansAreKept) {
   EXPECT_NEAR(mean(small), mean(facade.photo), 1e-5);
 }
 
-TEST(WorkingSize, GreyPhotosAndPhotosBeyondTheMemory) {
+TEST(WorkingSize, GreyPhotosAndTheMemoryLimit) {
   const auto path = std::filesystem::temp_directory_path() / "vug_grey_photo.png";
   image::Image grey(4, 3, {"Y"});
   for (float& v : grey.pixels) v = 0.25f;
@@ -65,7 +65,7 @@ TEST(WorkingSize, GreyPhotosAndPhotosBeyondTheMemory) {
   for (const float v : read.pixels) EXPECT_NEAR(v, 0.25, 0.01);
   try {
     read_photo(path, 100);
-    FAIL() << "no memory for it";
+    FAIL() << "the memory limit was not enforced";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::too_large);
   }
@@ -78,12 +78,12 @@ std::vector<bool> is(const std::vector<uint8_t>& marks, uint8_t what) {
   return out;
 }
 
-TEST(ClusterImage, TheFirstIsGlassInPhotosOfAnyLight) {
+TEST(ClusterImage, FirstClusterIsGlassUnderAnyLighting) {
   for (const int number : {1, 2, 3}) {
     const PaintedFacade facade = painted(number);
     const ClusterImage found = cluster_image(&facade.photo, nullptr, {}, RandomKey(1));
     EXPECT_EQ(found.clusters, 2);
-    // Less its rows of sky and shop, where contrast fools it.
+    // Without the rows of sky and shop, where contrast misleads it.
     std::vector<bool> glass = is(found.labels, 0), windows = is(facade.classes, kWindow);
     for (size_t i = 0; i < glass.size(); ++i)
       if (facade.classes[i] != kWindow && facade.classes[i] != kStone) glass[i] = false;
@@ -91,7 +91,7 @@ TEST(ClusterImage, TheFirstIsGlassInPhotosOfAnyLight) {
   }
 }
 
-/// Windows 30 cm behind a wall with 2 cm of noise.
+/// Windows 30 cm behind a wall, with 2 cm of noise.
 image::Image depths_of(const PaintedFacade& facade, bool holes) {
   image::Image out(facade.width(), facade.height(), {"Z"});
   RandomStream stream(RandomKey(3));
@@ -108,19 +108,19 @@ TEST(ClusterImage, DepthDecidesAndHolesAreEvidence) {
   for (const bool holes : {false, true}) {
     const image::Image depth = depths_of(facade, holes);
     const ClusterImage found = cluster_image(&facade.photo, &depth, {}, RandomKey(1));
-    EXPECT_EQ(found.clusters, holes ? 3 : 2) << "noise makes no clusters of its own";
+    EXPECT_EQ(found.clusters, holes ? 3 : 2) << "noise does not form clusters";
     std::vector<bool> deep;
     for (const uint8_t of : found.labels) deep.push_back(of <= (holes ? 1 : 0));
     EXPECT_GT(overlap(deep, is(facade.classes, kWindow)), 0.95);
   }
 }
 
-TEST(ClusterImage, PanesAndTheirFramesAreOneDepth) {
+TEST(ClusterImage, PanesAndFramesShareOneDepthCluster) {
   constexpr int kSide = 30;
   image::Image depth(kSide, kSide, {"Z"});
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
-      const int in = std::min({x - 8, 20 - x, y - 8, 20 - y});  // pixels inside the window
+      const int in = std::min({x - 8, 20 - x, y - 8, 20 - y});  // Pixels inside the window.
       depth.at(x, y) = in < 0 ? 20.0f : in < 3 ? 20.2f : 20.24f;
     }
   const ClusterImage found = cluster_image(nullptr, &depth, {.depth_clusters = 5}, RandomKey(1));
@@ -131,7 +131,7 @@ TEST(ClusterImage, PanesAndTheirFramesAreOneDepth) {
                 std::min({x - 8, 20 - x, y - 8, 20 - y}) < 0 ? 1 : 0);
 }
 
-TEST(ClusterImage, FlatDepthsLeaveItToThePhoto) {
+TEST(ClusterImage, PhotoDecidesForFlatDepths) {
   const PaintedFacade facade = painted(1);
   image::Image depth(facade.width(), facade.height(), {"Z"});
   for (float& v : depth.pixels) v = 5;
@@ -157,7 +157,7 @@ TEST(ClusterImage, PlainAndTinyAndBrokenPictures) {
   EXPECT_THROW(cluster_image(nullptr, &depth, {.depth_clusters = 8}, RandomKey(1)), Error);
 }
 
-TEST(ClusterImage, AnyNumberOfThreadsFindsTheSame) {
+TEST(ClusterImage, ResultDoesNotDependOnThreads) {
   const PaintedFacade facade = painted(2);
   std::vector<uint8_t> first;
   for (const int threads : {1, 2, 7}) {

@@ -1,4 +1,4 @@
-// The published grammar, from its file to the sampler.
+// Compilation of the published grammar for the sampler.
 #include <vug/base/error.h>
 #include <vug/fit/model/compile.h>
 #include <vug/fit/model/model.h>
@@ -37,7 +37,7 @@ TEST(Compile, TheWorkedExampleOfTheComplexity) {
   const Rules rules = ripperda();
   const Model model(rules, {}, 500, 700);
   TreeState state = model.axiom_state();
-  const auto way = [&](const std::string& head, const std::string& part) {
+  const auto find_production = [&](const std::string& head, const std::string& part) {
     for (size_t i = 0; i < rules.productions.size(); ++i)
       if (rules.symbol(rules.productions[i].head).name == head &&
           rules.symbol(rules.productions[i].parts[0]).name == part)
@@ -51,8 +51,8 @@ TEST(Compile, TheWorkedExampleOfTheComplexity) {
     grid.top[static_cast<size_t>(i)] = static_cast<int16_t>(30 + 120 * i);
   }
   window.parent_op = static_cast<int8_t>(Op::windows), window.width = 50, window.height = 70;
-  const int first = way("Facade", "RegularIdenticalGrid"),
-            second = way("RegularIdenticalGrid", "window");
+  const int first = find_production("Facade", "RegularIdenticalGrid"),
+            second = find_production("RegularIdenticalGrid", "window");
   grid.symbol = static_cast<int16_t>(rules.production(first).parts[0]);
   window.symbol = static_cast<int16_t>(rules.production(second).parts[0]);
   state.grow(0, first, {grid});
@@ -60,7 +60,7 @@ TEST(Compile, TheWorkedExampleOfTheComplexity) {
   EXPECT_NEAR(model.energy(state), 76.7207, 5e-5);
 }
 
-TEST(Compile, WhatCannotBeFittedIsRefusedWithItsPlace) {
+TEST(Compile, UnsupportedRulesAreRejectedWithTheirLocation) {
   const std::string folder = std::filesystem::temp_directory_path() / "vug-compile-test.vug";
   const std::pair<std::string, std::string> cases[] = {
       {"Facade -> rows(3m, Low, 1, High)\n  Low -> window\n  High -> window", "sizes or counts"},

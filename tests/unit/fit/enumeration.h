@@ -1,4 +1,4 @@
-// Grammars so small that all their trees can be counted.
+// Enumeration of all trees of tiny grammars.
 #pragma once
 
 #include <vug/fit/model/model.h>
@@ -44,10 +44,10 @@ inline Rules rules_of(const std::vector<std::string>& lines) {
     while (words >> part) production.parts.push_back(find_or_add(rules, part));
     rules.productions.push_back(production);
   }
-  return indexed(rules);
+  return with_index(rules);
 }
 
-/// Calls emit(tree) for every tree of the model, by trying all numbers.
+/// Calls emit(tree) for every tree of the model by exhaustive enumeration of the parameters.
 class Enumeration {
  public:
   Enumeration(const Model& model, std::function<void(const Tree&)> emit)
@@ -63,7 +63,7 @@ class Enumeration {
   void decide(const Tree& tree, int i) {
     if (i == tree.size()) return emit_(tree);
     decide(tree, i + 1);
-    for (const int way : model_.rules().productions_of(tree[i].symbol)) expand(tree, i, way);
+    for (const int id : model_.rules().productions_of(tree[i].symbol)) expand(tree, i, id);
   }
 
   Node part(const Production& production, size_t number) const {
@@ -73,14 +73,14 @@ class Enumeration {
     return node;
   }
 
-  void put(const Tree& tree, int i, int way, const std::vector<Node>& parts) {
+  void put(const Tree& tree, int i, int id, const std::vector<Node>& parts) {
     Tree grown = tree;
-    grown.grow(i, way, parts);
+    grown.grow(i, id, parts);
     if (sound(grown)) decide(grown, i + 1);
   }
 
-  void expand(const Tree& tree, int i, int way) {
-    const Production& production = model_.rules().production(way);
+  void expand(const Tree& tree, int i, int id) {
+    const Production& production = model_.rules().production(id);
     const int w = model_.width(), h = model_.height();
     const Limits& limits = model_.limits();
     switch (production.op) {
@@ -88,22 +88,22 @@ class Enumeration {
         for (int row = 1; row < h; ++row) {
           Node low = part(production, 0);
           low.extent = static_cast<int16_t>(row);
-          put(tree, i, way, {low, part(production, 1)});
+          put(tree, i, id, {low, part(production, 1)});
         }
         return;
       case Op::repeat:
         for (int times = 2; times <= limits.max_repeats; ++times) {
           Node node = part(production, 0);
           node.extent = static_cast<int16_t>(times);
-          put(tree, i, way, {node});
+          put(tree, i, id, {node});
         }
         return;
       case Op::mirror:
-        if (production.parts.size() == 1) return put(tree, i, way, {part(production, 0)});
+        if (production.parts.size() == 1) return put(tree, i, id, {part(production, 0)});
         for (int width = 1; width < w; ++width) {
           Node middle = part(production, 1);
           middle.extent = static_cast<int16_t>(width);
-          put(tree, i, way, {part(production, 0), middle});
+          put(tree, i, id, {part(production, 0), middle});
         }
         return;
       case Op::grid:
@@ -112,23 +112,23 @@ class Enumeration {
             Node node = part(production, 0);
             node.columns = static_cast<int16_t>(columns), node.rows = static_cast<int16_t>(rows);
             node.left = left, node.top = top;
-            put(tree, i, way, {node});
+            put(tree, i, id, {node});
           });
         });
         return;
       case Op::elements:
         each_widths({}, w, production,
-                    [&](const std::vector<Node>& parts) { put(tree, i, way, parts); });
+                    [&](const std::vector<Node>& parts) { put(tree, i, id, parts); });
         return;
       case Op::windows:
-        each_kinds({}, tree, i, way, production);
+        each_kinds({}, tree, i, id, production);
         return;
       case Op::terminal:
         each_rect([&](const Node& rect) {
           Node node = rect;
           node.symbol = static_cast<int16_t>(production.parts[0]);
           node.parent_op = static_cast<int8_t>(Op::terminal);
-          put(tree, i, way, {node});
+          put(tree, i, id, {node});
         });
         return;
     }
@@ -175,15 +175,15 @@ class Enumeration {
           }
   }
 
-  void each_kinds(const std::vector<Node>& kinds, const Tree& tree, int i, int way,
+  void each_kinds(const std::vector<Node>& kinds, const Tree& tree, int i, int id,
                   const Production& production) {
     const bool identical = model_.rules().symbol(tree[i].symbol).identical;
     const auto count = static_cast<int>(kinds.size());
     if (count > 0) {
       if (identical)
-        with_door(kinds, tree, i, way, production);
+        with_door(kinds, tree, i, id, production);
       else
-        each_cells(kinds, tree, i, way, production, 0);
+        each_cells(kinds, tree, i, id, production, 0);
     }
     if (count == (identical ? 1 : model_.limits().max_kinds)) return;
     for (int width = 1; width <= model_.width(); ++width)
@@ -192,30 +192,30 @@ class Enumeration {
         more.push_back(part(production, 0));
         more.back().width = static_cast<int16_t>(width);
         more.back().height = static_cast<int16_t>(height);
-        each_kinds(more, tree, i, way, production);
+        each_kinds(more, tree, i, id, production);
       }
   }
 
-  void each_cells(const std::vector<Node>& kinds, const Tree& tree, int i, int way,
+  void each_cells(const std::vector<Node>& kinds, const Tree& tree, int i, int id,
                   const Production& production, int cell) {
     const int columns = tree[i].columns;
-    if (cell == columns * tree[i].rows) return with_door(kinds, tree, i, way, production);
+    if (cell == columns * tree[i].rows) return with_door(kinds, tree, i, id, production);
     Tree next = tree;
     for (int kind = 0; kind <= static_cast<int>(kinds.size()); ++kind) {
       next[i].set_kind(cell % columns, cell / columns, kind);
-      each_cells(kinds, next, i, way, production, cell + 1);
+      each_cells(kinds, next, i, id, production, cell + 1);
     }
   }
 
-  void with_door(const std::vector<Node>& kinds, const Tree& tree, int i, int way,
+  void with_door(const std::vector<Node>& kinds, const Tree& tree, int i, int id,
                  const Production& production) {
-    if (production.parts.size() == 1) return put(tree, i, way, kinds);
+    if (production.parts.size() == 1) return put(tree, i, id, kinds);
     each_rect([&](const Node& rect) {
       std::vector<Node> all = kinds;
       all.push_back(rect);
       all.back().symbol = static_cast<int16_t>(production.parts[1]);
       all.back().parent_op = static_cast<int8_t>(Op::windows);
-      put(tree, i, way, all);
+      put(tree, i, id, all);
     });
   }
 
@@ -223,7 +223,7 @@ class Enumeration {
   std::function<void(const Tree&)> emit_;
 };
 
-/// A tree's nodes as bytes, to count it by.
+/// A tree's nodes as bytes, used as a key.
 inline std::string name_of(const Tree& tree) {
   std::string out;
   const auto add = [&](auto number) {

@@ -1,4 +1,4 @@
-// Features, forests and clusters on pictures that are known.
+// Features, random forests and clusters on synthetic pictures.
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/fit/evidence/clusters.h>
@@ -32,7 +32,7 @@ TEST(Features, LabOfKnownColours) {
     for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(lab.planes[c][pixel], expected[pixel][c], 0.05);
 }
 
-TEST(Features, AreFiniteAndOfOneSizeEvenForOnePixel) {
+TEST(Features, AreFiniteAndComplete) {
   for (const auto& [width, height] : {std::pair{1, 1}, {7, 1}, {40, 330}}) {
     const Planes planes = features(board(width, height));
     EXPECT_EQ(planes.count(), features(board(9, 9)).count());
@@ -45,14 +45,14 @@ TEST(Features, AreFiniteAndOfOneSizeEvenForOnePixel) {
   }
 }
 
-TEST(Features, FlattenedPicturesHaveNoSlopes) {
+TEST(Features, HighPassRemovesSlopes) {
   Planes slope{60, 100, {std::vector<float>(6000)}};
   for (size_t i = 0; i < 6000; ++i) slope.planes[0][i] = static_cast<float>(i / 60);
   const Planes flat = high_pass(slope);
   for (size_t y = 20; y < 80; ++y) EXPECT_NEAR(flat.planes[0][y * 60 + 30], 0, 1e-3);
 }
 
-/// Points whose class is the exclusive or of two signs, which no single threshold tells.
+/// Points whose class is the exclusive or of two signs, which no single threshold separates.
 Examples exclusive(size_t count) {
   Examples out;
   out.features = 3;
@@ -76,7 +76,7 @@ Planes grid_of_points() {
   return out;
 }
 
-TEST(Forest, LearnsWhatNoSingleThresholdTells) {
+TEST(Forest, LearnsExclusiveOr) {
   const Forest forest = Forest::train(exclusive(4000), 2, {}, RandomKey(1));
   const Planes points = grid_of_points(), found = forest.classify(points);
   int right = 0;
@@ -87,13 +87,13 @@ TEST(Forest, LearnsWhatNoSingleThresholdTells) {
     right += (found.planes[1][i] > 0.5f) == odd ? 1 : 0;
   }
   EXPECT_GT(right, 380);
-  // What is written is what is read.
+  // Writing and reading preserve the model.
   const Planes again =
       Forest::from_json(nlohmann::json::parse(forest.to_json().dump())).classify(points);
   EXPECT_EQ(again.planes, found.planes);
 }
 
-TEST(Forest, AnyNumberOfThreadsGrowsTheSame) {
+TEST(Forest, ResultDoesNotDependOnThreads) {
   std::string first;
   for (const int threads : {1, 2, 7}) {
     const ThreadLimit limit(threads);
@@ -104,14 +104,14 @@ TEST(Forest, AnyNumberOfThreadsGrowsTheSame) {
   }
 }
 
-TEST(Forest, WhatCannotBeIsRefused) {
+TEST(Forest, InvalidInputIsRejected) {
   EXPECT_THROW(Forest::train({}, 2, {}, RandomKey(1)), Error);
   EXPECT_THROW(Forest::train(exclusive(10), 1, {}, RandomKey(1)), Error);
   const Forest forest = Forest::train(exclusive(300), 2, {.trees = 1}, RandomKey(1));
   EXPECT_THROW(forest.classify({1, 1, {{0.5f}}}), Error);
   for (const char* text : {"{}", "[]", "{\"classes\": 2, \"features\": 3, \"trees\": []}"})
     EXPECT_THROW(Forest::from_json(nlohmann::json::parse(text)), Error) << text;
-  // Broken in each of its parts.
+  // Damaged in each of its parts.
   const nlohmann::json whole = forest.to_json();
   const auto broken = [&](const char* part, const auto& change) {
     nlohmann::json text = whole;
@@ -131,7 +131,7 @@ TEST(Forest, WhatCannotBeIsRefused) {
   broken("votes", [](auto& list) { list = "many"; });
 }
 
-TEST(Clusters, ColoursOfABoardAreFound) {
+TEST(Clusters, FindTheColoursOfACheckerboard) {
   const Planes lab = to_lab(board(50, 40));
   const std::vector<uint8_t> found = cluster(lab, {.clusters = 2}, RandomKey(1));
   for (int y = 0; y < 40; ++y)
@@ -140,7 +140,7 @@ TEST(Clusters, ColoursOfABoardAreFound) {
           << "the darkest is the first";
 }
 
-TEST(Clusters, HolesInTheDepthStandApart) {
+TEST(Clusters, HolesInTheDepthFormTheirOwnCluster) {
   Planes planes{4, 1, {{50, 50, 50, 50}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1.01f, 0}}};
   planes.planes[3][3] = std::numeric_limits<float>::quiet_NaN();
   const std::vector<uint8_t> found = cluster(planes, {.clusters = 2}, RandomKey(1));
@@ -157,7 +157,7 @@ TEST(Clusters, FewColoursAndWrongCounts) {
   EXPECT_THROW(cluster({0, 0, {}}, {}, RandomKey(1)), Error);
 }
 
-TEST(Clusters, AnyNumberOfThreadsFindsTheSame) {
+TEST(Clusters, ResultDoesNotDependOnThreads) {
   const Planes lab = to_lab(board(133, 97));
   std::vector<uint8_t> first;
   for (const int threads : {1, 2, 7}) {

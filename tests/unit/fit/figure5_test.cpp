@@ -1,6 +1,6 @@
-// Figure 5 of the paper: models of one facade in the order of what it takes to say them. Two of
-// them are split once and differ by a bit, as 0.15 and 0.16 do there: a middle has a width, a
-// ground floor a height, and the picture is a bit higher than wide.
+// Figure 5 of the paper: models of one facade ordered by complexity. Two of them have one split and
+// differ by a bit, like 0.15 and 0.16 in the paper: a middle has a width, a ground floor a height,
+// and the picture is slightly higher than wide.
 #include <vug/fit/model/compile.h>
 #include <vug/fit/model/model.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kWidth = 500, kHeight = 700;
 
-/// Grows trees of the published grammar by the names of their symbols.
+/// Grows trees of the published grammar by symbol names.
 class Figure5 : public ::testing::Test {
  protected:
   Figure5()
@@ -21,7 +21,7 @@ class Figure5 : public ::testing::Test {
         model_(rules_, {}, kWidth, kHeight),
         tree_(model_.axiom_state().tree) {}
 
-  /// The production of `head` into exactly these parts; a test fails where there is none.
+  /// The production of `head` with exactly these parts; fails the test if there is none.
   int production(const std::string& head, const std::vector<std::string>& parts) const {
     for (size_t i = 0; i < rules_.productions.size(); ++i) {
       const Production& each = rules_.productions[i];
@@ -30,21 +30,21 @@ class Figure5 : public ::testing::Test {
         same = rules_.symbol(each.parts[k]).name == parts[k];
       if (same) return static_cast<int>(i);
     }
-    ADD_FAILURE() << "no such rule of " << head;
+    ADD_FAILURE() << "no such rule for " << head;
     return 0;
   }
 
-  /// Rewrites node i; `given` are the parts' numbers.
+  /// Rewrites node i; `given` holds the numbers of the parts.
   void rewrite(int i, const std::vector<std::string>& parts, std::vector<Node> given) {
-    const int way = production(rules_.symbol(tree_[i].symbol).name, parts);
-    const Production& rule = rules_.production(way);
+    const int id = production(rules_.symbol(tree_[i].symbol).name, parts);
+    const Production& rule = rules_.production(id);
     for (size_t k = 0; k < given.size(); ++k) {
       given[k].symbol = static_cast<int16_t>(rule.parts[std::min(k, rule.parts.size() - 1)]);
       given[k].parent_op = static_cast<int8_t>(rule.op);
     }
-    tree_.grow(i, way, given);
+    tree_.grow(i, id, given);
   }
-  /// The first node of that symbol at or behind `from`.
+  /// The first node with that symbol at index `from` or later.
   int find(const std::string& symbol, int from = 0) const {
     for (int i = from; i < tree_.size(); ++i)
       if (rules_.symbol(tree_[i].symbol).name == symbol) return i;
@@ -72,8 +72,8 @@ class Figure5 : public ::testing::Test {
     return node;
   }
 
-  /// A ground floor and the rest, each with a grid of windows; that above of this kind, without the
-  /// window of its lower right corner where grids have a map that can say so.
+  /// A ground floor and an upper part, each with a grid of windows. The upper grid has the given
+  /// type and, if it has cells, lacks the window in its lower right corner.
   void two_grids(const std::string& upper) {
     rewrite(0, {"FacadeRow", "PartFacade"}, {extent(160), Node()});
     rewrite(find("FacadeRow"), {"RegularIdenticalGrid"}, {lines(4, 1, 30, 120, 40, 0)});
@@ -86,7 +86,7 @@ class Figure5 : public ::testing::Test {
     tree_[grid].set_kind(3, 2, 0);
   }
 
-  /// Bits of the tree so far; it is one, and the next begins anew.
+  /// Bits of the current tree, which must be valid; starts the next tree.
   double complexity() {
     TreeState state = model_.make_state(tree_);
     EXPECT_TRUE(model_.compute_areas(state));
@@ -100,7 +100,7 @@ class Figure5 : public ::testing::Test {
   Tree tree_;
 };
 
-TEST_F(Figure5, ComplexitiesHaveThePapersOrder) {
+TEST_F(Figure5, ComplexitiesAreOrderedAsInThePaper) {
   std::vector<double> bits;
   bits.push_back(complexity());
   rewrite(0, {"SymmetricFacadeSide", "SymmetricFacadeMiddle"}, {Node(), extent(100)});
@@ -134,12 +134,12 @@ TEST_F(Figure5, ComplexitiesHaveThePapersOrder) {
   for (size_t i = 1; i < bits.size(); ++i) EXPECT_LT(bits[i - 1], bits[i]) << i;
 }
 
-TEST_F(Figure5, TheFourthAndTheFifthDifferByTheWindowMapAlone) {
+TEST_F(Figure5, FourthAndFifthDifferOnlyInTheWindowMap) {
   two_grids("RegularIdenticalGrid");
   const double fourth = complexity();
   two_grids("RegularGrid");
   const double fifth = complexity();
-  EXPECT_NEAR(fifth - fourth, 4 * 3 * 1, 1e-9) << "a bit for each cell: a window, or none";
+  EXPECT_NEAR(fifth - fourth, 4 * 3 * 1, 1e-9) << "one bit per cell: a window or none";
 }
 
 }  // namespace

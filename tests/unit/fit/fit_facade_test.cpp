@@ -1,4 +1,4 @@
-// The whole chain from evidence to tree.
+// The complete pipeline from evidence to tree.
 #include "enumeration.h"
 
 #include <vug/base/error.h>
@@ -44,7 +44,7 @@ FitOptions quick(const std::string& likelihood) {
   return options;
 }
 
-TEST(Read, WindowsWithEachLikelihood) {
+TEST(FitFacade, FindsWindowsWithEachLikelihood) {
   for (const LikelihoodKind* kind : likelihood_kinds()) {
     const FitResult found = fit_facade(pixels(0.2, kind->info.name == "supervised"), rules(),
                                        quick(kind->info.name), RandomKey(1));
@@ -66,8 +66,8 @@ TEST(Read, WindowsWithEachLikelihood) {
   }
 }
 
-/// Spoilt trees are made good again where no number is further off than a few pixels.
-TEST(Polish, NeverWorseAndBackToWhereItWas) {
+/// Perturbed trees are repaired if no number is off by more than a few pixels.
+TEST(Polish, NeverIncreasesBitsAndRepairsTrees) {
   const Evidence evidence = pixels(0.2, false);
   const Model model(rules(), {}, kWidth, kHeight, &evidence, make_likelihood("kt", evidence));
   const EdgeHints hints = EdgeHints::from_clusters(evidence);
@@ -96,7 +96,7 @@ TEST(Polish, NeverWorseAndBackToWhereItWas) {
   EXPECT_GE(same, 45);
 }
 
-TEST(Read, ToldToStopItGivesTheBestSoFar) {
+TEST(FitFacade, CancelledRunReturnsTheBestSoFar) {
   Progress progress;
   progress.cancel();
   const FitResult found =
@@ -105,13 +105,13 @@ TEST(Read, ToldToStopItGivesTheBestSoFar) {
   EXPECT_EQ(found.elements.size(), 12u) << "the seed";
 }
 
-TEST(Read, EvidenceThatDoesNotSuitIsRefused) {
+TEST(FitFacade, UnsuitableEvidenceIsRejected) {
   EXPECT_THROW(fit_facade(pixels(0, false), rules(), quick("kl"), RandomKey(1)), Error);
   const Evidence two = Evidence::from_clusters(2, 1, 2, {0, 1});
   EXPECT_THROW(fit_facade(two, rules(), quick("supervised"), RandomKey(1)), Error);
 }
 
-TEST(Read, ReportsHowItWasFound) {
+TEST(FitFacade, ReportsDiagnostics) {
   FitOptions options = quick("kt");
   options.runs = 3;
   const Report report = fit_facade(pixels(0.3, false), rules(), options, RandomKey(1)).report;
@@ -123,7 +123,7 @@ TEST(Read, ReportsHowItWasFound) {
   }
   EXPECT_NEAR(shares, 1, 0.05);
   EXPECT_EQ(report.traces.size(), 3u);
-  EXPECT_LT(report.scale_reduction, 1.2) << "runs from their own seeds agree";
+  EXPECT_LT(report.scale_reduction, 1.2) << "independent runs agree";
   EXPECT_GT(report.effective_size, 20);
   EXPECT_LT(std::abs(report.geweke), 5);
   EXPECT_EQ(report.swap_rates.size() + 1, report.temperatures.size());
@@ -143,8 +143,8 @@ TEST(Read, ReportsHowItWasFound) {
   EXPECT_NE(drawing.find(report.moves.back().name), std::string::npos);
 }
 
-/// Pictures without anything to read are walls.
-TEST(Read, OnePixelAndOneColour) {
+/// Pictures without content are walls.
+TEST(FitFacade, OnePixelAndOneColour) {
   for (const int side : {1, 40}) {
     const Evidence plain = Evidence::from_clusters(
         side, side, 2, std::vector<uint8_t>(static_cast<size_t>(side * side), 1));

@@ -1,4 +1,4 @@
-// Labelled pictures are read, and what is wrong with them is told.
+// Reading of labelled pictures and its error messages.
 #include "painted.h"
 
 #include <vug/base/atomic_file.h>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 const Classes kClasses{{"door", "shop", "window", "stone", "sky"}};
 const image::ViewOptions kData = image::plain_view();
 
-/// What the error says; "" where there is none.
+/// The error message; "" without an error.
 std::string fault_of(const std::function<void()>& work) {
   try {
     work();
@@ -40,7 +40,7 @@ void write_pair(const fs::path& folder, const std::string& name, const PaintedFa
                facade.height());
 }
 
-TEST(Classes, AreReadByNumberAndHaveLooks) {
+TEST(Classes, AreReadByNumberAndHaveRegionTypes) {
   const Classes found =
       classes_from_json(nlohmann::json::parse(R"({"1": "window", "0": "balcony", "2": "shop"})"));
   EXPECT_EQ(found.names, (std::vector<std::string>{"balcony", "window", "shop"}));
@@ -52,7 +52,7 @@ TEST(Classes, AreReadByNumberAndHaveLooks) {
   EXPECT_EQ(classes_from_json(to_json(found)), found);
 }
 
-TEST(Classes, WhatCannotBeIsRefused) {
+TEST(Classes, InvalidInputIsRejected) {
   const auto read = [](const char* text) { classes_from_json(nlohmann::json::parse(text)); };
   EXPECT_FAULT(read("[]"), "an object");
   EXPECT_FAULT(read("{}"), "an object");
@@ -71,7 +71,7 @@ TEST(Classes, WhatCannotBeIsRefused) {
   EXPECT_FAULT(read_classes(folder.path() / "none.json"), "none.json");
 }
 
-TEST(LabelledImage, AFolderInTheOrderOfNumbers) {
+TEST(LabelledImage, FoldersAreReadInNaturalOrder) {
   const ScratchFolder folder("vug_labels");
   for (const char* name : {"facade_10", "facade_9", "facade_1"})
     write_pair(folder.path(), name, painted(1, 40, 60, 2, 2));
@@ -86,7 +86,7 @@ TEST(LabelledImage, AFolderInTheOrderOfNumbers) {
     EXPECT_NEAR(found[0].photo.pixels[i], std::clamp(facade.photo.pixels[i], 0.0f, 1.0f), 0.01);
 }
 
-TEST(LabelledImage, LargePicturesAreMadeSmaller) {
+TEST(LabelledImage, LargePicturesAreDownsampled) {
   const ScratchFolder folder("vug_labels");
   write_pair(folder.path(), "a", painted(1, 40, 60, 2, 2));
   const std::vector<LabelledImage> found =
@@ -95,7 +95,7 @@ TEST(LabelledImage, LargePicturesAreMadeSmaller) {
   EXPECT_EQ(found[0].labels.size(), 600U);
 }
 
-TEST(LabelledImage, WhatDoesNotFitIsTold) {
+TEST(LabelledImage, MismatchesAreReported) {
   const PaintedFacade facade = painted(1, 40, 60, 2, 2);
   const ScratchFolder folder("vug_labels");
   const fs::path& root = folder.path();
@@ -111,7 +111,8 @@ TEST(LabelledImage, WhatDoesNotFitIsTold) {
                "which has no name");
   EXPECT_FAULT(read_labelled_image(photo, labels, kClasses, {}, 1000), "more than the limit");
   write_labels(labels, std::vector<uint8_t>(39 * 60, kUnlabelled), 39, 60);
-  EXPECT_FAULT(read_labelled_image(photo, labels, kClasses), "40 x 60 pixels, but its labels have 39 x 60");
+  EXPECT_FAULT(read_labelled_image(photo, labels, kClasses),
+               "40 x 60 pixels, but its labels have 39 x 60");
   fs::remove(labels);
   EXPECT_FAULT(read_labelled_folder(root, kClasses), "has no labels");
   fs::rename(photo, root / "labels/c.png");

@@ -1,4 +1,4 @@
-// Code lengths against their closed forms.
+// Code lengths compared with closed forms.
 #include "enumeration.h"
 
 #include <vug/fit/move.h>
@@ -11,12 +11,12 @@
 namespace vug::fit {
 namespace {
 
-/// Rules with as many symbols as the published grammar has.
+/// Rules with the number of symbols of the published grammar.
 Rules fifteen_symbols() {
   Rules rules =
       rules_of({"Facade grid RegularIdenticalGrid", "RegularIdenticalGrid windows Window"});
   while (rules.symbols.size() < 15) find_or_add(rules, std::to_string(rules.symbols.size()));
-  return indexed(rules);
+  return with_index(rules);
 }
 
 TEST(Model, ComplexityOfTheWorkedExample) {
@@ -77,12 +77,12 @@ TEST(Model, AMirrorImageHasTheSameScore) {
         EXPECT_EQ(rect, (mirrored ? Rect{7, 20, 15, 30} : Rect{26, 20, 34, 30}));
       }
     });
-    EXPECT_EQ(windows, 3) << "the door is where the fourth was";
+    EXPECT_EQ(windows, 3) << "the door replaces the fourth";
   }
   EXPECT_NEAR(energies[0], energies[1], 1e-9);
 }
 
-TEST(Model, RepetitionsCostTheModelOnceAndThePixelsEachTime) {
+TEST(Model, RepetitionsCostParametersOnceAndPixelsEachTime) {
   constexpr int kTimes = 4, kWidth = 20 * kTimes, kHeight = 30;
   const Rules rules =
       rules_of({"Facade repeat Part", "Facade mirror Side", "Part grid RegularIdenticalGrid",
@@ -112,7 +112,7 @@ TEST(Model, RepetitionsCostTheModelOnceAndThePixelsEachTime) {
   EXPECT_NEAR(model.energy(state), complexity + bits, 1e-9);
 }
 
-TEST(Model, AnElementLeftEmptyCostsAsMuchAsOneWithSomething) {
+TEST(Model, EmptyElementsCostAsMuchAsFilledOnes) {
   const Rules rules =
       rules_of({"Row elements Element", "Element terminal Window", "Element terminal Door"});
   const Model model(rules, {}, 40, 20);
@@ -130,7 +130,7 @@ TEST(Model, AnElementLeftEmptyCostsAsMuchAsOneWithSomething) {
   EXPECT_NEAR(model.energy(full), 3 * std::log2(4) + 6 + 2 * (std::log2(4) + 2 * (6 + 5)), 1e-12);
 }
 
-TEST(Model, WindowsOfAPartThatComesAgainDoNotTouchThemselves) {
+TEST(Model, WindowsOfRepeatedPartsDoNotTouchTheirCopies) {
   const Rules rules = rules_of({"Facade mirror Side", "Facade grid IdenticalGrid",
                                 "Side grid IdenticalGrid", "IdenticalGrid windows Window"});
   const Model model(rules, {}, 40, 20);
@@ -153,7 +153,7 @@ TEST(Model, WindowsOfAPartThatComesAgainDoNotTouchThemselves) {
   EXPECT_TRUE(std::isfinite(energy(false, 34))) << "at the picture's border";
 }
 
-TEST(Likelihoods, KtIsTheClosedForm) {
+TEST(Likelihoods, KtMatchesTheClosedForm) {
   const Evidence pixels = Evidence::from_clusters(2, 2, 2, {0, 0, 1, 0});
   EXPECT_NEAR(make_likelihood("kt", pixels)->bits(RegionType::wall, pixels.sums(0, 0, 2, 2)),
               std::log2(128.0 / 5), 1e-12);
@@ -169,13 +169,13 @@ TEST(Likelihoods, KtIsTheClosedForm) {
   EXPECT_NEAR(make_likelihood("kt", many)->bits(RegionType::wall, sums), -ln / std::log(2), 1e-7);
 }
 
-TEST(Likelihoods, PaperCountsWhatIsNotOfTheMainCluster) {
+TEST(Likelihoods, PaperCountsPixelsOutsideTheMainCluster) {
   const Evidence pixels = Evidence::from_clusters(3, 2, 4, {0, 1, 0, 3, 0, 2});
   EXPECT_DOUBLE_EQ(
       make_likelihood("paper", pixels)->bits(RegionType::wall, pixels.sums(0, 0, 3, 2)), 3 * 2);
 }
 
-TEST(Likelihoods, SupervisedAddsUpTheLookOfTheRegion) {
+TEST(Likelihoods, SupervisedSumsTheLaneOfTheRegionType) {
   std::vector<uint32_t> bits;
   for (uint32_t i = 0; i < 6; ++i)
     for (uint32_t type = 0; type < 4; ++type) bits.push_back(64 * (type + i));
@@ -186,7 +186,7 @@ TEST(Likelihoods, SupervisedAddsUpTheLookOfTheRegion) {
   EXPECT_THROW(make_likelihood("kl", maps), Error);
 }
 
-TEST(Evidence, SumsAreThoseOfEachPixel) {
+TEST(Evidence, SumsMatchPixelByPixelSums) {
   constexpr int kWidth = 23, kHeight = 17;
   std::vector<uint32_t> values;
   RandomStream stream{RandomKey(6)};

@@ -1,4 +1,5 @@
-// Every move leads back by the choices it tells, with the probabilities it tells, bit for bit.
+// Every move is reversible by the choices it scores, with the probabilities it reports, bit for
+// bit.
 #include "enumeration.h"
 #include "random_walk.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 using inference::Chain;
 
-/// All operations, in few productions.
+/// All operations in a few productions.
 Rules all_rules() {
   return rules_of({"Facade rows Row Part",
                    "Facade mirror Side",
@@ -67,11 +68,11 @@ std::vector<uint8_t> noise(int count, int clusters) {
   return out;
 }
 
-/// A grid of windows that is said once of several parts of the facade.
+/// A grid of windows in a part that is mirrored or repeated.
 TreeState folded(const Model& model, Op op) {
   const Rules& rules = model.rules();
   TreeState state = model.axiom_state();
-  const auto way = [&](int i, Op wanted, const std::string& part) {
+  const auto find_production = [&](int i, Op wanted, const std::string& part) {
     for (const int at : rules.productions_of(state.tree[i].symbol))
       if (rules.production(at).op == wanted && rules.production(at).parts.size() == 1 &&
           rules.symbol(rules.production(at).parts[0]).name == part)
@@ -87,14 +88,14 @@ TreeState folded(const Model& model, Op op) {
   part.extent = op == Op::repeat ? 3 : 0;
   grid.columns = 2, grid.rows = 1, grid.left = {3, 11}, grid.top = {5};
   window.width = 6, window.height = 9;
-  grow(0, way(0, op, op == Op::repeat ? "Part" : "Side"), part);
-  grow(1, way(1, Op::grid, "IdenticalGrid"), grid);
-  grow(2, way(2, Op::windows, "Window"), window);
+  grow(0, find_production(0, op, op == Op::repeat ? "Part" : "Side"), part);
+  grow(1, find_production(1, Op::grid, "IdenticalGrid"), grid);
+  grow(2, find_production(2, Op::windows, "Window"), window);
   EXPECT_TRUE(std::isfinite(model.energy(state)));
   return state;
 }
 
-TEST(Moves, LeadBackByTheChoicesTheyTell) {
+TEST(Moves, AreReversedByTheChoicesTheyScore) {
   constexpr int kWidth = 61, kHeight = 47;
   const Rules rules = all_rules();
   Limits limits;
@@ -130,7 +131,7 @@ TEST(Moves, LeadBackByTheChoicesTheyTell) {
     ASSERT_NEAR(returned.ln_probability(), forward.ln_probability(), 1e-12) << move.name;
     ASSERT_NEAR(inference::ln_ratio(forward, back) + inference::ln_ratio(again, returned), 0,
                 1e-12);
-    // A walk that would rather grow, so that large trees come too.
+    // A walk with a preference for growth, so that large trees occur too.
     if (state.tree.size() >= here.tree.size() || stream.uniform() < 0.3) here = state;
     if (here.tree.size() > 30 || tries % 500 == 0) {
       here = tries % 1500 == 0   ? folded(model, Op::mirror)
@@ -143,7 +144,7 @@ TEST(Moves, LeadBackByTheChoicesTheyTell) {
     EXPECT_GT(done[kind->info.name], 20) << kind->info.name << " was hardly tried";
 }
 
-TEST(Moves, WhatIsKeptOfAStateHoldsAlways) {
+TEST(Moves, CachedValuesAreAlwaysValid) {
   constexpr int kWidth = 64, kHeight = 48;
   const Rules rules = all_rules();
   Limits limits;
@@ -153,7 +154,7 @@ TEST(Moves, WhatIsKeptOfAStateHoldsAlways) {
   const EdgeHints hints = lumpy_hints(kWidth, kHeight);
   const MoveContext context{model, hints};
   const inference::Moves<TreeState> all = moves(context);
-  // Of each proposal, also of those that are refused, what is kept and what is computed anew.
+  // Compares cached and recomputed energies of every proposal, including rejected ones.
   int64_t scored = 0, wrong = 0;
   const auto energy = [&](TreeState& state) {
     const double kept = model.energy(state);
@@ -168,12 +169,12 @@ TEST(Moves, WhatIsKeptOfAStateHoldsAlways) {
     chain.step();
     if (scored % 1000 != 0) continue;
     TreeState fresh = model.make_state(chain.state().tree);
-    ASSERT_NEAR(model.energy(fresh), chain.energy(), 1e-9) << "after a refusal too";
+    ASSERT_NEAR(model.energy(fresh), chain.energy(), 1e-9) << "after a rejection too";
   }
   EXPECT_EQ(wrong, 0) << "of " << scored;
 }
 
-/// Every pixel's region, painted; -1 where none is.
+/// The region index of every pixel; -1 for none.
 std::vector<int> regions_of(const Model& model, const TreeState& state) {
   std::vector<int> out(static_cast<size_t>(model.width() * model.height()), -1);
   const Rules& rules = model.rules();
@@ -182,7 +183,7 @@ std::vector<int> regions_of(const Model& model, const TreeState& state) {
     for (int y = r.y0; y < r.y1; ++y)
       for (int x = r.x0; x < r.x1; ++x) out[static_cast<size_t>(y * model.width() + x)] = region;
   };
-  // Parents come first, so that parts lie on top of what is left over of them.
+  // Parents come first, so that children overwrite their remainder.
   for (int i = 0; i < tree.size(); ++i) {
     if (rules.symbol(tree[i].symbol).terminal) continue;
     const Area& area = state.area(i);
@@ -190,7 +191,7 @@ std::vector<int> regions_of(const Model& model, const TreeState& state) {
       paint(Model::in_picture(area, state.instance(area, place), 0, 0, area.width, area.height), i);
   }
   model.each_terminal(state, [&](RegionType type, int node, const Rect& r) {
-    // Windows of a grid are one region, whichever their kind.
+    // Windows of a grid are one region, regardless of their kind.
     paint(r,
           1000 + (type == RegionType::window && model.in_grid(tree[node]) ? tree.parent(node) * 1000
                                                                           : node));
@@ -198,7 +199,7 @@ std::vector<int> regions_of(const Model& model, const TreeState& state) {
   return out;
 }
 
-TEST(Model, BitsAreThoseOfEveryPixelCounted) {
+TEST(Model, BitsMatchPixelByPixelCounts) {
   constexpr int kWidth = 57, kHeight = 43, kClusters = 3;
   const Rules rules = all_rules();
   Limits limits;

@@ -1,4 +1,4 @@
-// Facades painted for tests: sky, stone with noise, windows of glass in rows, a shop below.
+// Synthetic facades: sky, stone with noise, rows of glass windows, a shop below.
 #pragma once
 
 #include <vug/base/rng.h>
@@ -21,7 +21,7 @@ struct PaintedFacade {
   int height() const { return photo.height; }
 };
 
-/// Windows in `columns` x `rows`; `number` chooses light, places and noise.
+/// Windows in `columns` x `rows`; `number` selects lighting, positions and noise.
 inline PaintedFacade painted(int number, int width = 120, int height = 160, int columns = 4,
                              int rows = 3) {
   RandomStream stream(RandomKey(7).at(static_cast<uint64_t>(number)));
@@ -47,7 +47,7 @@ inline PaintedFacade painted(int number, int width = 120, int height = 160, int 
       out.windows.push_back({x, y, x + wide, y + high});
       fill(out.windows.back(), kWindow);
     }
-  // Linear light of each class.
+  // Linear colour of each class.
   constexpr float kColours[5][3] = {{0.10f, 0.05f, 0.02f},
                                     {0.20f, 0.06f, 0.05f},
                                     {0.10f, 0.13f, 0.18f},
@@ -64,7 +64,7 @@ inline PaintedFacade painted(int number, int width = 120, int height = 160, int 
   return out;
 }
 
-/// How much two sets of pixels share of what either has.
+/// Intersection over union of two pixel sets.
 inline double overlap(const std::vector<bool>& a, const std::vector<bool>& b) {
   double both = 0, any = 0;
   for (size_t i = 0; i < a.size(); ++i) {

@@ -1,4 +1,4 @@
-// Looks that are trained on painted facades.
+// Pixel classifiers trained on synthetic facades.
 #include "painted.h"
 
 #include <vug/base/atomic_file.h>
@@ -38,7 +38,7 @@ PixelClassifier trained(const std::vector<LabelledImage>& pictures) {
   return PixelClassifier::train(all, kClasses, {}, kSmall, RandomKey(1));
 }
 
-TEST(PixelClassifier, KnowsFacadesThatItHasNotSeen) {
+TEST(PixelClassifier, GeneralisesToUnseenFacades) {
   ConfusionMatrix table(kClasses.count());
   const std::vector<LabelledImage> pictures = facades(6);
   std::vector<int> seen(pictures.size(), 0);
@@ -54,7 +54,7 @@ TEST(PixelClassifier, KnowsFacadesThatItHasNotSeen) {
   EXPECT_THROW(cross_validate(pictures, kClasses, {}, kSmall, 7, RandomKey(1), {}), Error);
 }
 
-TEST(PixelClassifier, IsReadAsItIsWritten) {
+TEST(PixelClassifier, RoundTripPreservesTheModel) {
   const std::vector<LabelledImage> pictures = facades(2);
   const PixelClassifier model = trained(pictures);
   const ScratchFolder folder("vug_labels");
@@ -64,7 +64,7 @@ TEST(PixelClassifier, IsReadAsItIsWritten) {
   EXPECT_EQ(again.classify(pictures[0].photo).planes, model.classify(pictures[0].photo).planes);
 }
 
-TEST(PixelClassifier, AnyNumberOfThreadsTrainsTheSame) {
+TEST(PixelClassifier, TrainingDoesNotDependOnThreads) {
   const std::vector<LabelledImage> pictures = facades(3);
   std::string first;
   for (const int threads : {1, 2, 7}) {
@@ -75,7 +75,7 @@ TEST(PixelClassifier, AnyNumberOfThreadsTrainsTheSame) {
   }
 }
 
-TEST(PixelClassifier, DamagedFilesAreRefused) {
+TEST(PixelClassifier, DamagedFilesAreRejected) {
   const nlohmann::json whole = trained(facades(1)).to_json();
   const auto refused = [&](const char* part, const nlohmann::json& value) {
     nlohmann::json text = whole;
@@ -98,7 +98,7 @@ TEST(PixelClassifier, TinyPlainAndUnlabelledPictures) {
   LabelledImage pixel{"pixel", image::Image(1, 1, {"R", "G", "B"}), {kWindow}};
   const PixelClassifier model = trained({pixel});
   EXPECT_EQ(most_likely_classes(model.classify(pixel.photo)), std::vector<uint8_t>{kWindow});
-  // Large ones are looked at in their working size.
+  // Large pictures are classified at their working size.
   const Planes maps = model.classify(image::Image(30, 720, {"R", "G", "B"}));
   EXPECT_EQ(maps.height, 360);
   EXPECT_EQ(maps.width, 15);
@@ -111,7 +111,7 @@ TEST(PixelClassifier, TinyPlainAndUnlabelledPictures) {
   EXPECT_THROW(PixelClassifier::train({&pictures[0]}, kClasses, {}, options, RandomKey(1)), Error);
 }
 
-TEST(LookEvidence, BitsOfEachLook) {
+TEST(ClassifierEvidence, BitsOfEachRegionType) {
   // A quarter door, a quarter window, the rest stone or sky.
   const Planes maps{1, 1, {{0.25f}, {0}, {0.25f}, {0.25f}, {0.25f}}};
   const auto bits = [&](RegionType type, const ClassifierEvidenceOptions& options) {
@@ -123,7 +123,7 @@ TEST(LookEvidence, BitsOfEachLook) {
   EXPECT_EQ(bits(RegionType::window, plain), 2);
   EXPECT_EQ(bits(RegionType::door, plain), 2);
   EXPECT_EQ(bits(RegionType::shop, plain), 6) << "the least";
-  // Windows thrice as likely: 0.5, 0.75 and 0.25 of 1.5.
+  // Windows three times as likely: 0.5, 0.75 and 0.25 of 1.5.
   EXPECT_EQ(bits(RegionType::window, {.windows = 3, .unnamed = 0}), 1);
   // All of the door may be wall: 0.75 of 1.25.
   EXPECT_NEAR(bits(RegionType::wall, {.windows = 1, .unnamed = 1}), std::log2(1.25 / 0.75),
@@ -131,9 +131,9 @@ TEST(LookEvidence, BitsOfEachLook) {
   EXPECT_THROW(classifier_evidence(maps, Classes{{"window"}}), Error);
 }
 
-TEST(Labelling, TreesTipTheBalance) {
+TEST(Labelling, TreesDecideUncertainPixels) {
   const Classes classes{{"wall", "window", "balcony", "door"}};
-  // Four pixels: surely wall, perhaps a window, perhaps wall, perhaps a balcony.
+  // Four pixels: certainly wall, maybe a window, maybe wall, maybe a balcony.
   const Planes maps{4,
                     1,
                     {{0.9f, 0.4f, 0.5f, 0.2f},
@@ -151,7 +151,7 @@ TEST(Labelling, TreesTipTheBalance) {
   EXPECT_THROW(label_pixels(maps, Classes{{"window"}}, {}), Error);
 }
 
-TEST(Labelling, LaterPartsCoverEarlierOnes) {
+TEST(Labelling, LaterElementsOverwriteEarlierOnes) {
   EXPECT_EQ(region_map({{RegionType::window, 0, {0, 0, 3, 1}}, {RegionType::door, 1, {1, 0, 2, 9}}},
                        4, 1),
             (std::vector<uint8_t>{1, 2, 1, 0}));

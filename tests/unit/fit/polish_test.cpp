@@ -27,7 +27,7 @@ Evidence evidence_of_columns() {
 
 class GridPolish : public testing::Test {
  protected:
-  /// A grid whose columns have `kinds` kinds of windows in turn, some a pixel too wide if `off`.
+  /// A grid whose columns use `kinds` kinds of windows in turn, some a pixel too wide if `off`.
   TreeState with(int kinds, bool off) const {
     Node grid;
     grid.symbol = 1, grid.parent_op = static_cast<int8_t>(Op::grid);
@@ -60,18 +60,18 @@ class GridPolish : public testing::Test {
   const MoveContext context_{model_, hints_};
 };
 
-/// Each column has windows of its own kind, some a pixel off, where there are two sizes: four bits
-/// for each cell until only three kinds are left.
-TEST_F(GridPolish, KindsAreJoinedWhereOnlyAllOfItSaves) {
+/// Each column has its own window kind, some a pixel off, although there are only two sizes; cells
+/// take four bits each until only three kinds are left.
+TEST_F(GridPolish, KindsAreMergedEvenIfOnlyTheTotalSaves) {
   TreeState best = with(2, false), spoilt = with(8, true);
   EXPECT_TRUE(polish_kinds(context_, evidence_, spoilt, 0));
   EXPECT_NEAR(model_.energy(spoilt), model_.energy(best), 1e-9);
-  EXPECT_FALSE(polish_kinds(context_, evidence_, best, 0)) << "nothing is left to be done";
+  EXPECT_FALSE(polish_kinds(context_, evidence_, best, 0)) << "already optimal";
 }
 
 /// A column of wide windows five pixels too far to the right, where narrow ones gain more: neither
-/// its place nor its kinds alone are what is wrong.
-TEST_F(GridPolish, LinesMoveWithTheKindsOfTheirCells) {
+/// its position nor its kinds alone are wrong.
+TEST_F(GridPolish, LinesMoveTogetherWithTheKindsOfTheirCells) {
   TreeState best = with(2, false), spoilt = best;
   Node& grid = spoilt.tree[1];
   grid.left[3] = static_cast<int16_t>(grid.left[3] + 5);
@@ -86,7 +86,7 @@ TEST_F(GridPolish, LinesMoveWithTheKindsOfTheirCells) {
   EXPECT_GE(model_.energy(other_kinds), bits);
   EXPECT_TRUE(polish_cells(context_, evidence_, spoilt, 0));
   EXPECT_EQ(spoilt.tree, best.tree);
-  EXPECT_FALSE(polish_cells(context_, evidence_, best, 0)) << "nothing is left to be done";
+  EXPECT_FALSE(polish_cells(context_, evidence_, best, 0)) << "already optimal";
 }
 
 }  // namespace

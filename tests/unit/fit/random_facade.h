@@ -1,4 +1,4 @@
-// Random facades of the published grammar as pictures whose trees are known.
+// Random facades of the published grammar as pictures with known trees.
 #pragma once
 
 #include <vug/facade/derive.h>
@@ -16,13 +16,13 @@
 
 namespace vug::fit {
 
-/// A derivation as the sampler has trees: metres rounded to pixels, y downwards.
+/// Converts a derivation to a tree of the sampler: metres rounded to pixels, y down.
 class PixelTree {
  public:
   PixelTree(const facade::Tree& from, const Rules& rules, double scale)
       : from_(from), rules_(rules), scale_(scale) {}
 
-  /// Nothing where it does not fit into the model's limits.
+  /// Empty if it exceeds the model's limits.
   std::optional<Tree> tree(const Model& model) {
     TreeState out = model.axiom_state();
     if (!add(model, out, 0, 0) || !std::isfinite(model.energy(out))) return std::nullopt;
@@ -30,7 +30,7 @@ class PixelTree {
   }
   int px(double metres) const { return static_cast<int>(std::lround(metres * scale_)); }
 
-  /// An element in whole pixels, y downwards.
+  /// An element in whole pixels, y down.
   struct Painted {
     std::string kind;
     Rect rect;
@@ -59,7 +59,7 @@ class PixelTree {
     return -1;
   }
 
-  /// Symbols of the node's parts, each once but for elements.
+  /// Symbols of the node's children, without duplicates unless `each`.
   std::vector<int> parts(const facade::Node& node, bool each) const {
     std::vector<int> out;
     for (const int child : node.children) {
@@ -86,13 +86,13 @@ class PixelTree {
     Op op = op_of(node, rules_, symbols[0]);
     if (rules_.symbol(out.tree[i].symbol).name == "FacadeRow" && node.split == "repeat")
       op = Op::elements;
-    int way = -1;
+    int id = -1;
     for (const int at : rules_.productions_of(out.tree[i].symbol)) {
       std::vector<int> wanted = symbols, have = rules_.production(at).parts;
       std::sort(wanted.begin(), wanted.end()), std::sort(have.begin(), have.end());
-      if (rules_.production(at).op == op && wanted == have) way = at;
+      if (rules_.production(at).op == op && wanted == have) id = at;
     }
-    if (way < 0) return false;  // a door alone
+    if (id < 0) return false;  // A door alone.
     std::vector<Node> nodes;
     std::vector<int> sources;
     const auto put = [&](int child, Node one) {
@@ -144,7 +144,7 @@ class PixelTree {
       }
       if (!rules_.symbol(out.tree[i].symbol).identical)
         out.tree[i].cells = out.tree[i].full_cells();
-      out.grow(i, way, nodes);
+      out.grow(i, id, nodes);
       return model.compute_areas(out);
     } else {
       for (const int child : node.children) {
@@ -160,7 +160,7 @@ class PixelTree {
         put(child, one);
       }
     }
-    out.grow(i, way, nodes);
+    out.grow(i, id, nodes);
     for (size_t k = sources.size(); k-- > 0;)
       if (!add(model, out, out.tree.child(i, static_cast<int>(k)), sources[k])) return false;
     return true;
@@ -211,7 +211,7 @@ inline const Rules& ripperda() {
   return all;
 }
 
-/// Nothing where something is too small to be seen, or a grid has more lines than are sampled.
+/// Empty if a part is too small to be visible, or a grid has more lines than the sampler allows.
 inline std::optional<RandomFacade> random_facade(uint64_t seed, double scale = 20,
                                                  double width = 12, double height = 9,
                                                  int least = 6) {

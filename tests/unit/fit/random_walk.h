@@ -1,4 +1,4 @@
-// Walks through the trees of a model, for tests that want large ones.
+// Random walks through the trees of a model, for tests that need large trees.
 #pragma once
 
 #include <vug/fit/move.h>
@@ -7,8 +7,8 @@
 
 namespace vug::fit {
 
-/// Tries one of the moves; trees that become smaller are taken less often. Whether `here`, whose
-/// energy is known, has changed.
+/// Tries one of the moves; moves that shrink the tree are accepted less often. Returns whether
+/// `here`, whose energy is valid, has changed.
 inline bool step_up(const Model& model, const inference::Moves<TreeState>& moves,
                     RandomStream& stream, TreeState& here) {
   TreeState next = here;

@@ -1,4 +1,4 @@
-// What chains begin with, and what they find, on pictures whose windows are known.
+// Seeds and chains on pictures with known windows.
 #include "enumeration.h"
 
 #include <vug/base/parallel.h>
@@ -13,7 +13,7 @@
 namespace vug::fit {
 namespace {
 
-/// The most that segments from place `from` on gain, by trying all of them.
+/// Largest gain of segments from position `from` on, by exhaustive search.
 double brute_force(const std::vector<double>& before, const SegmentLimits& limits, int from,
                    int left) {
   double best = 0;
@@ -26,7 +26,7 @@ double brute_force(const std::vector<double>& before, const SegmentLimits& limit
   return best;
 }
 
-TEST(Segments, AreTheBestOfAll) {
+TEST(Segments, MatchExhaustiveSearch) {
   RandomStream stream{RandomKey(3)};
   for (int trial = 0; trial < 200; ++trial) {
     std::vector<double> before = {0};
@@ -46,14 +46,14 @@ TEST(Segments, AreTheBestOfAll) {
   }
 }
 
-TEST(Segments, NoneWhereNothingGains) {
+TEST(Segments, EmptyIfNothingGains) {
   EXPECT_TRUE(best_segments({0, -1, -2, -3}, {1, 3, 4, 0}).empty());
   EXPECT_TRUE(best_segments({0}, {1, 3, 4, 0}).empty());
 }
 
 constexpr int kWidth = 90, kHeight = 80;
 
-/// Windows of two widths in four columns and three rows above a wall, one of them walled up.
+/// Windows of two widths in four columns and three rows above a wall, one of them bricked up.
 bool is_window(int x, int y) {
   const int lefts[] = {8, 28, 50, 70}, widths[] = {10, 14, 10, 14}, tops[] = {6, 28, 50};
   for (int column = 0; column < 4; ++column)
@@ -83,7 +83,7 @@ Rules some_rules() {
                    "IdenticalGrid windows Window"});
 }
 
-/// Pixels that are seen as windows and are, by those that are either.
+/// Intersection over union of detected and true window pixels.
 double overlap(const Model& model, const TreeState& state) {
   std::vector<bool> seen(kWidth * kHeight, false);
   model.each_terminal(state, [&](RegionType type, int, const Rect& r) {
@@ -99,7 +99,7 @@ double overlap(const Model& model, const TreeState& state) {
   return both / either;
 }
 
-/// Clusters that tell windows from wall but for noise, and what chains need of them.
+/// Noisy clusters of windows and wall, and everything that chains need.
 struct Site {
   explicit Site(double noise)
       : evidence(Evidence::from_clusters(kWidth, kHeight, 3, picture(noise))) {}
@@ -110,7 +110,7 @@ struct Site {
   const MoveContext context{model, hints};
 };
 
-TEST(Seeds, ColumnsAndRowsOfTheirOwnSizesAreFound) {
+TEST(Seeds, FindColumnsAndRowsOfDifferentSizes) {
   const Site site(0.2);
   const std::vector<TreeState> found = seeds(site.context, site.evidence, false);
   ASSERT_FALSE(found.empty());
@@ -119,15 +119,15 @@ TEST(Seeds, ColumnsAndRowsOfTheirOwnSizesAreFound) {
   for (TreeState state : found) {
     const double bits = site.model.energy(state);
     EXPECT_TRUE(std::isfinite(bits));
-    EXPECT_GE(bits, last) << "the best come first";
+    EXPECT_GE(bits, last) << "best first";
     last = bits;
   }
 }
 
-TEST(Sampler, FindsItsWayBackFromASeedThatWasSpoilt) {
+TEST(Sampler, RecoversFromAPerturbedSeed) {
   const Site site(0.2);
   TreeState best = seeds(site.context, site.evidence, false).front(), seed = best;
-  for (int column = 0; column < 4; ++column)  // windows are off by some pixels
+  for (int column = 0; column < 4; ++column)  // Shifts windows by a few pixels.
     seed.tree[1].left[static_cast<size_t>(column)] = static_cast<int16_t>(
         seed.tree[1].left[static_cast<size_t>(column)] + (column % 2 ? 3 : -2));
   seed.invalidate_bits(1);
@@ -143,7 +143,7 @@ TEST(Sampler, FindsItsWayBackFromASeedThatWasSpoilt) {
   EXPECT_EQ(found.structures.front().text.substr(0, 7), "Facade(");
 }
 
-TEST(Sampler, AnyNumberOfThreadsFindsTheSame) {
+TEST(Sampler, ResultDoesNotDependOnThreads) {
   const Site site(0.3);
   SamplerOptions options;
   options.steps = 3'000;
@@ -160,7 +160,7 @@ TEST(Sampler, AnyNumberOfThreadsFindsTheSame) {
   EXPECT_EQ(bits[0], bits[2]);
 }
 
-TEST(Sampler, ToldToStopItGivesTheBestSoFar) {
+TEST(Sampler, CancelledRunReturnsTheBestSoFar) {
   const Site site(0.2);
   Progress progress;
   progress.cancel();

@@ -18,7 +18,7 @@ SizeGains random_gains(uint64_t seed, size_t cells) {
   return out;
 }
 
-/// What all cells gain when each has the best of the sizes.
+/// Total gain if each cell has the best of the sizes.
 double gain_of(const SizeGains& gains, const std::vector<size_t>& sizes) {
   double out = 0;
   for (const std::vector<double>& cell : gains.cells) {
@@ -37,7 +37,7 @@ std::vector<size_t> places(const SizeGains& gains, const SizeChoice& choice) {
   return out;
 }
 
-TEST(Sizes, CellsHaveTheBestOfThemAndTheGainIsTheirs) {
+TEST(Sizes, CellsHaveTheirBestSizeAndTheGainIsConsistent) {
   const SizeGains gains = random_gains(1, 20);
   const std::vector<SizeChoice> choices = choose_sizes(gains, 5, 0);
   ASSERT_EQ(choices.size(), 5u);
@@ -54,8 +54,8 @@ TEST(Sizes, CellsHaveTheBestOfThemAndTheGainIsTheirs) {
   }
 }
 
-/// Pairs are as good as the best of all pairs nearly always, and no exchange of one is better.
-TEST(Sizes, PairsAreMostlyTheBestOfAll) {
+/// Pairs are nearly always optimal, and no exchange of one size is better.
+TEST(Sizes, PairsAreMostlyOptimal) {
   int best = 0;
   constexpr int kTimes = 100;
   for (uint64_t seed = 0; seed < kTimes; ++seed) {
@@ -77,7 +77,7 @@ TEST(Sizes, PairsAreMostlyTheBestOfAll) {
   EXPECT_GE(best, 75);
 }
 
-TEST(Sizes, EndWhereAnotherCannotPay) {
+TEST(Sizes, StopWhenAnotherSizeDoesNotPay) {
   SizeGains gains = random_gains(1, 3);
   for (std::vector<double>& cell : gains.cells) {
     std::fill(cell.begin(), cell.end(), 0.0);

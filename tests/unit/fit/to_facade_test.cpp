@@ -15,12 +15,12 @@ namespace {
 
 using Instance = std::tuple<std::string, long, long, long, long>;
 
-/// In pixels, the top row being 0.
+/// In pixels, row 0 being the top row.
 Instance place_of(const std::string& name, double x, double y, double width, double height) {
   return {name, std::lround(x), std::lround(y), std::lround(width), std::lround(height)};
 }
 
-/// What stands in the picture, as the sampler says and as the facade does.
+/// Compares the elements of the sampler's tree with those of the facade tree.
 void expect_same_places(const facade::Rules& text, const Model& model, const TreeState& state) {
   const Vec2d kPixel(0.05, 0.06);
   const facade::Tree tree = to_facade_tree(text, model, state, kPixel);
@@ -36,7 +36,7 @@ void expect_same_places(const facade::Rules& text, const Model& model, const Tre
   EXPECT_EQ(seen, stands) << theta(tree);
 }
 
-TEST(AsFacade, EverythingStandsWhereTheSamplerSeesIt) {
+TEST(ToFacadeTree, PreservesThePositionsOfAllElements) {
   const facade::Rules text = facade::load_rules(VUG_DATA "/facades/ripperda.vug");
   const Rules rules = compile(text);
   const Model model(rules, {}, 211, 307);

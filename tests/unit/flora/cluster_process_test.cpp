@@ -1,4 +1,4 @@
-// Cluster processes against the K functions that theory gives them.
+// Cluster processes compared with their theoretical K functions.
 #include "stands.h"
 
 #include <gtest/gtest.h>
@@ -13,17 +13,17 @@ constexpr double kClumps = kDensity / kPerClump;
 constexpr int kRuns = 200;
 const std::vector<double> kRadii = {0.25, 0.5, 1, 1.5, 2};
 
-/// A plot, and a part of it that is as far from its border as the largest radius.
+/// A plot, and a window in it whose distance from the border is the largest radius.
 struct Window {
   Corners plot;
-  Vec2d from, to;  ///< Corners of that part.
+  Vec2d from, to;  ///< Corners of the window.
 };
 const Window kSquare{square(kSide), {2, 2}, {kSide - 2, kSide - 2}};
-/// With a dent at (12, 12).
+/// Concave at (12, 12).
 const Window kBent{{{0, 0}, {24, 0}, {24, 12}, {12, 12}, {12, 24}, {0, 24}}, {2, 2}, {10, 22}};
 
-/// Ripley's K by the known density, of all runs together: how many others lie within r of a point
-/// of the window, so that all of them are there.
+/// Ripley's K with the known density, over all runs: the number of other points within r of a point
+/// of the window, all of which are inside the plot.
 std::vector<double> k_function(const std::string& name, const NamedValues& parameters,
                                const Window& window = kSquare) {
   std::vector<double> pairs(kRadii.size());
@@ -44,7 +44,7 @@ std::vector<double> k_function(const std::string& name, const NamedValues& param
   return pairs;
 }
 
-TEST(Clusters, ThomasHasTheKFunctionOfTheory) {
+TEST(Clusters, ThomasHasItsTheoreticalKFunction) {
   const double spread = 0.5;
   const auto found = k_function("thomas", {{"per_clump", kPerClump}, {"spread", spread}});
   for (size_t i = 0; i < kRadii.size(); ++i) {
@@ -54,7 +54,7 @@ TEST(Clusters, ThomasHasTheKFunctionOfTheory) {
   }
 }
 
-TEST(Clusters, KeepTheirKFunctionInAPlotWithADent) {
+TEST(Clusters, KeepTheirKFunctionInAConcavePlot) {
   const double spread = 0.35, per_clump = 4, clumps = kDensity / per_clump;
   const auto found = k_function("thomas", {{"per_clump", per_clump}, {"spread", spread}}, kBent);
   for (size_t i = 0; i < kRadii.size(); ++i) {
@@ -64,7 +64,7 @@ TEST(Clusters, KeepTheirKFunctionInAPlotWithADent) {
   }
 }
 
-/// Chance that two even points of a disk are nearer than z times its diameter.
+/// Probability that two uniform points of a disk are closer than z times its diameter.
 double chance_in_disk(double z) {
   if (z >= 1) return 1;
   const double rest = std::sqrt(1 - z * z);
@@ -73,7 +73,7 @@ double chance_in_disk(double z) {
                  kPi;
 }
 
-TEST(Clusters, MaternHasTheKFunctionOfTheory) {
+TEST(Clusters, MaternHasItsTheoreticalKFunction) {
   const double radius = 0.9;
   const auto found = k_function("matern", {{"per_clump", kPerClump}, {"radius", radius}});
   for (size_t i = 0; i < kRadii.size(); ++i) {
@@ -83,7 +83,7 @@ TEST(Clusters, MaternHasTheKFunctionOfTheory) {
   }
 }
 
-TEST(Clusters, AreAsDenseAtTheBorderAsWithin) {
+TEST(Clusters, HaveNoEdgeEffect) {
   for (const char* name : {"thomas", "matern"}) {
     double at_border = 0, all = 0;
     const double border = 1;
@@ -98,7 +98,7 @@ TEST(Clusters, AreAsDenseAtTheBorderAsWithin) {
   }
 }
 
-TEST(Clusters, MorePlantsLeaveTheFirstWhereTheyAre) {
+TEST(Clusters, HigherDensityKeepsExistingPoints) {
   const std::vector<Vec2d> few = draw("thomas", {}, square(30), 0.3);
   const std::vector<Vec2d> more = draw("thomas", {}, square(30), 0.6);
   ASSERT_GT(more.size(), few.size());

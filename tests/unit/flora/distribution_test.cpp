@@ -1,4 +1,4 @@
-// What all distributions promise, and the statistics of those without interaction.
+// Guarantees of all distributions, and the statistics of those without interaction.
 #include "stands.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace vug::flora {
 namespace {
 
-/// Pearson's over 4 x 4 cells of a unit square against even chances.
+/// Pearson's statistic over 4 x 4 cells of a unit square against equal probabilities.
 double chi_square(const std::vector<Vec2d>& points) {
   std::array<double, 16> in{};
   for (const Vec2d& p : points) {
@@ -23,7 +23,7 @@ double chi_square(const std::vector<Vec2d>& points) {
   return sum;
 }
 
-/// Share of the points in the polygon of half the size about the origin.
+/// Share of the points in the polygon scaled by one half about the origin.
 double share_in_half(const Corners& corners, const std::vector<Vec2d>& points) {
   Corners small = corners;
   for (Vec2d& corner : small) corner /= 2;
@@ -34,7 +34,7 @@ double share_in_half(const Corners& corners, const std::vector<Vec2d>& points) {
 }
 
 TEST(Distributions, ChiSquareAcceptsUniformAndRejectsThePaper) {
-  constexpr double kOneInAThousand = 37.70;  // of chi-square with 15 degrees of freedom
+  constexpr double kOneInAThousand = 37.70;  // Chi-square with 15 degrees of freedom.
   for (const uint64_t seed : {1U, 2U, 3U})
     EXPECT_LT(chi_square(draw("uniform", {}, square(1), 10000, seed)), kOneInAThousand);
   EXPECT_GT(chi_square(draw("paper", {}, square(1), 10000)), 1000);
@@ -45,7 +45,7 @@ TEST(Distributions, AQuarterOfUniformPointsIsInTheHalfScalePolygon) {
   const std::vector<Vec2d> even = draw("uniform", {}, hexagon(), density);
   EXPECT_EQ(even.size(), 1000000u);
   EXPECT_NEAR(share_in_half(hexagon(), even), 0.25, 0.005);
-  // The paper's crowd in the middle.
+  // The paper's points crowd in the middle.
   EXPECT_NEAR(share_in_half(hexagon(), draw("paper", {}, hexagon(), density / 10)), 0.95, 0.01);
 }
 
@@ -57,7 +57,7 @@ TEST(Distributions, ThePapersPointIsTheWeightedMean) {
   EXPECT_THROW(weighted_point({{0, 0}, {4, 0}, {0, 8}}, {1, 1}), Error);
 }
 
-TEST(Distributions, ThePaperRefusesWeightsBelowZeroAndDents) {
+TEST(Distributions, ThePaperRejectsNegativeWeightsAndConcavePolygons) {
   const auto weights = [](double low, double high) {
     return NamedValues{{"weights", List{Value(low), Value(high)}}};
   };
@@ -69,8 +69,8 @@ TEST(Distributions, ThePaperRefusesWeightsBelowZeroAndDents) {
             std::string::npos);
 }
 
-// 0.825 stems on a square metre: 1 / (2 sqrt(density)).
-TEST(Distributions, NearestNeighboursOfAPoissonStandAreAsFarAsTheorySays) {
+// 0.825 stems per square metre: 1 / (2 sqrt(density)).
+TEST(Distributions, PoissonStandHasTheoreticalNearestNeighbourDistances) {
   const double side = 100, density = 0.825, border = 5;
   const std::vector<Vec2d> points = draw("uniform", {{"exact", false}}, square(side), density);
   double sum = 0, count = 0;
@@ -84,7 +84,7 @@ TEST(Distributions, NearestNeighboursOfAPoissonStandAreAsFarAsTheorySays) {
   EXPECT_NEAR(sum / count, 0.551, 0.03 * 0.551);
 }
 
-TEST(Distributions, PoissonNumbersHaveMeanAndVarianceAlike) {
+TEST(Distributions, PoissonDeviatesHaveEqualMeanAndVariance) {
   for (const double mean : {0.3, 4.0, 900.0}) {
     constexpr int kCount = 20000;
     double sum = 0, squares = 0;
@@ -99,7 +99,7 @@ TEST(Distributions, PoissonNumbersHaveMeanAndVarianceAlike) {
   }
 }
 
-TEST(Distributions, AllKeepWithinThePlotAndKeepTheirNumber) {
+TEST(Distributions, AllStayInThePlotAndHaveTheRequestedNumber) {
   const Corners bent = {{0, 0}, {40, 0}, {40, 20}, {20, 20}, {20, 40}, {0, 40}};
   const Plot plot(bent);
   for (const DistributionKind* kind : distributions()) {
@@ -111,13 +111,13 @@ TEST(Distributions, AllKeepWithinThePlotAndKeepTheirNumber) {
         ++count;
         ASSERT_TRUE(name == "paper" || plot.contains(p)) << name << to_string(p);
       }
-    // Of clumps of 12 about a hundred, twenty times.
+    // About a hundred clumps of 12, twenty times.
     const double expected = 20 * 0.5 * Plot(corners).area();
     EXPECT_NEAR(count / expected, 1, 5 * std::sqrt(13 / expected)) << name;
   }
 }
 
-TEST(Distributions, AreTheSameForTheSameKeyOnly) {
+TEST(Distributions, DependOnTheKey) {
   for (const DistributionKind* kind : distributions()) {
     const std::string& name = kind->info.name;
     const std::vector<Vec2d> first = draw(name, {}, square(30), 0.4, 7);
@@ -127,7 +127,7 @@ TEST(Distributions, AreTheSameForTheSameKeyOnly) {
   }
 }
 
-TEST(Distributions, RefuseDensitiesThatAreNone) {
+TEST(Distributions, RejectInvalidDensities) {
   for (const DistributionKind* kind : distributions())
     for (const double density : {-1.0, static_cast<double>(NAN), kInfinity, 1e12})
       EXPECT_NE(fault_of(kind->info.name, {}, square(30), density), "") << kind->info.name;

@@ -1,4 +1,4 @@
-// Stems on ground, without those that cannot grow.
+// Stems on the ground, filtered by growing conditions.
 #include "stands.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ GroveOptions options(double density) {
   return o;
 }
 
-TEST(Ground, OfAFieldIsMetByRoundingAndFacesUp) {
+TEST(Ground, OfAFieldIsExactAndFacesUp) {
   const Ground dome = ground_of(ball({1, 0, 2}, 3));
   for (const Vec2d& off : {Vec2d(0, 0), Vec2d(1, 2), Vec2d(-2.9, 0.1)}) {
     const auto foot = dome(Vec2d(1, 2) + off);
@@ -43,7 +43,7 @@ TEST(Ground, OfAFieldIsMetByRoundingAndFacesUp) {
   EXPECT_FALSE(dome({4.2, 2}));
 }
 
-TEST(Ground, IsLookedForBeneathARoof) {
+TEST(Ground, IsFoundBelowARoof) {
   const Field floor_and_roof = field::make(
       "union", {{"of", List{field::as_value(ground_at(0)), field::as_value(ball({0, 6, 0}, 2))}}});
   GroundOptions under;
@@ -60,10 +60,10 @@ TEST(Ground, IsLookedForBeneathARoof) {
   within.from = 6;
   EXPECT_FALSE(ground_of(floor_and_roof, within)({0, 0}));
   EXPECT_THROW(ground_of(field::make("complement", {{"field", field::as_value(ground_at(0))}})),
-               Error);  // no end above
+               Error);  // No upper bound.
 }
 
-TEST(Ground, OfAMeshIsThatOfTheTriangles) {
+TEST(Ground, OfAMeshIsOnItsTriangles) {
   const auto box =
       std::make_shared<const mesh::Mesh>(mesh::box_mesh(Box3d(Vec3d(0, -1, 0), Vec3d(4, 2, 4))));
   const auto foot = ground_of(box)({1.3, 2.1});
@@ -76,7 +76,7 @@ TEST(Ground, OfAMeshIsThatOfTheTriangles) {
   EXPECT_NEAR(ground_of(box, below)({1, 1})->clearance, 3, 1e-6);
 }
 
-TEST(Grove, StandsOnTheGroundWithoutSteepPlaces) {
+TEST(Grove, StandsOnTheGroundExceptOnSteepSlopes) {
   GroveOptions o = options(4);
   o.ground = ground_of(ball({0, 0, 0}, 5));
   o.steepest = 40 * kPi / 180;
@@ -90,7 +90,7 @@ TEST(Grove, StandsOnTheGroundWithoutSteepPlaces) {
   }
 }
 
-TEST(Grove, NoneStandsInRockOrGrowsIntoIt) {
+TEST(Grove, StemsAvoidRock) {
   GroveOptions o = options(4);
   const Field rock = ball({5, 0, 5}, 2), high = ball({2, 5, 2}, 1.5);
   o.avoid = {rock, high};
@@ -108,13 +108,13 @@ TEST(Grove, NoneStandsInRockOrGrowsIntoIt) {
     some_under = some_under || !clear(stem, {2, 2}, 1.9);
   }
   EXPECT_TRUE(some_under);
-  for (const Stem& stem : tall) EXPECT_TRUE(clear(stem, {2, 2}, 1.98));  // steps of 1 cm
+  for (const Stem& stem : tall) EXPECT_TRUE(clear(stem, {2, 2}, 1.98));  // Steps of 1 cm.
   const double expected = 4 * (100 - kPi * 2.5 * 2.5);
   EXPECT_NEAR(static_cast<double>(low.size()), expected, 5 * std::sqrt(expected));
   EXPECT_LT(tall.size(), low.size());
 }
 
-TEST(Grove, KeepsADistanceAndTheFirstStays) {
+TEST(Grove, KeepsTheSpacingAndTheEarlierStem) {
   GroveOptions o = options(2);
   const std::vector<Stem> all = grove(Plot(square(30)), o);
   o.spacing = 0.6;
@@ -139,21 +139,21 @@ TEST(Grove, DiametersAreNormalWithinTheirBounds) {
   }
   const auto n = static_cast<double>(stems.size());
   EXPECT_NEAR(sum / n, 0.1, 5 * 0.02 / std::sqrt(n));
-  // The variance of a normal deviate that is cut at 2.5 deviations is 0.911 of the whole.
+  // The variance of a normal deviate truncated at 2.5 deviations is 0.911 of the untruncated one.
   EXPECT_NEAR((squares / n - sum / n * sum / n) / (0.02 * 0.02), 0.911, 0.05);
 }
 
-TEST(Grove, TheNextDiameterIsTaken) {
+TEST(Grove, TheNearestDiameterIsChosen) {
   const std::vector<double> of = {0.05, 0.1, 0.1, 0.2};
   EXPECT_EQ(nearest_diameter(of, 0.06, RandomKey(1)), 0u);
-  EXPECT_EQ(nearest_diameter(of, 0.15, RandomKey(1)), 3u);  // by ratio
+  EXPECT_EQ(nearest_diameter(of, 0.15, RandomKey(1)), 3u);  // By ratio.
   std::array<int, 4> taken{};
   for (uint64_t i = 0; i < 1000; ++i) ++taken[nearest_diameter(of, 0.11, RandomKey(i))];
   EXPECT_EQ(taken[0] + taken[3], 0);
   EXPECT_NEAR(taken[1], 500, 80);
 }
 
-TEST(Grove, IsTheSameForAnyNumberOfThreads) {
+TEST(Grove, DoesNotDependOnThreads) {
   const auto run = [](int threads) {
     const ThreadLimit limit(threads);
     GroveOptions o = options(3);

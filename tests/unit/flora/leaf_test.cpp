@@ -10,7 +10,7 @@
 namespace vug::flora {
 namespace {
 
-/// Area of the mesh, square metres.
+/// Area of the mesh in square metres.
 double area(const mesh::Mesh& mesh) {
   double sum = 0;
   for (size_t i = 0; i < mesh.triangles.size(); ++i)
@@ -18,7 +18,7 @@ double area(const mesh::Mesh& mesh) {
   return sum;
 }
 
-TEST(Leaf, AFlatOneHasItsLengthWidthAndArea) {
+TEST(Leaf, FlatLeafHasItsLengthWidthAndArea) {
   LeafOptions o;
   o.length = 0.2, o.width = 0.03, o.bend = 0, o.fold = 0, o.rows = 400;
   const mesh::Mesh flat = leaf(o);
@@ -26,7 +26,7 @@ TEST(Leaf, AFlatOneHasItsLengthWidthAndArea) {
   EXPECT_NEAR(box.max.y, 0.2, 1e-6);
   EXPECT_NEAR(box.size().x, 0.03, 1e-5);
   EXPECT_EQ(box.size().z, 0);
-  // The outline by the midpoint rule.
+  // Integral of the outline by the midpoint rule.
   double expected = 0;
   for (int i = 0; i < 4000; ++i) {
     const double t = (i + 0.5) / 4000;
@@ -36,7 +36,7 @@ TEST(Leaf, AFlatOneHasItsLengthWidthAndArea) {
   for (const Vec3f& normal : flat.normals) EXPECT_EQ(normal, Vec3f(0, 0, 1));
 }
 
-TEST(Leaf, TheMidribKeepsItsLengthAndTurnsDown) {
+TEST(Leaf, MidribKeepsItsLengthAndBendsDown) {
   LeafOptions o;
   o.bend = 1.2, o.rows = 200;
   const mesh::Mesh bent = leaf(o);
@@ -53,11 +53,11 @@ TEST(Leaf, TheMidribKeepsItsLengthAndTurnsDown) {
   EXPECT_LT(end.z, 0);
 }
 
-TEST(Leaf, HalvesStandUpFromTheMidrib) {
+TEST(Leaf, HalvesRiseFromTheMidrib) {
   LeafOptions o;
   o.bend = 0, o.fold = 0.4;
   const mesh::Mesh folded = leaf(o);
-  // Rows of left, middle, right.
+  // Rows of left, middle and right vertices.
   for (uint32_t row = 0; row + 3 < folded.positions.size(); row += 3) {
     const Vec3f left = folded.positions[row] - folded.positions[row + 1];
     const Vec3f right = folded.positions[row + 2] - folded.positions[row + 1];
@@ -67,7 +67,7 @@ TEST(Leaf, HalvesStandUpFromTheMidrib) {
   }
 }
 
-TEST(Leaf, IsOneSheetThatFacesUpWithoutHoles) {
+TEST(Leaf, IsOneUpwardFacingSheetWithoutHoles) {
   for (const bool card : {false, true}) {
     LeafOptions o;
     o.card = card, o.twist = 0.5;
@@ -87,7 +87,7 @@ TEST(Leaf, IsOneSheetThatFacesUpWithoutHoles) {
   EXPECT_THROW(leaf(none), Error);
 }
 
-TEST(Leaf, OutlineIsWidestWhereItSaysAndVeinsRunAlongIt) {
+TEST(Leaf, OutlineIsWidestAsSpecifiedAndVeinsFollowIt) {
   const paint::LeafOutline outline{0.35, 1.3};
   EXPECT_NEAR(outline.half_width(0.35), 1, 1e-12);
   for (const double t : {0.01, 0.2, 0.34, 0.36, 0.7, 0.99}) EXPECT_LT(outline.half_width(t), 1);
@@ -95,13 +95,13 @@ TEST(Leaf, OutlineIsWidestWhereItSaysAndVeinsRunAlongIt) {
   EXPECT_FALSE(outline.contains({0.9, 0.9}));
   const paint::LeafVeins veins{5, 0.06, 0};
   EXPECT_EQ(paint::vein_at({0, 0.5}, outline, veins), 1);
-  // The second vein: two lanes of five and a half, wherever it is looked at.
+  // The second vein: two lanes of five and a half, at any position.
   for (const double t : {0.2, 0.5, 0.8})
     EXPECT_NEAR(paint::vein_at({outline.half_width(t) * 2 / 5.5, t}, outline, veins), 0.5, 1e-9);
   EXPECT_EQ(paint::vein_at({outline.half_width(0.5) * 2.5 / 5.5, 0.5}, outline, veins), 0);
 }
 
-TEST(Spray, HasItsLeavesOnBothSidesAndIsKeyed) {
+TEST(Spray, HasLeavesOnBothSidesAndDependsOnItsKey) {
   SprayOptions o;
   o.leaves = 5, o.key = RandomKey(4);
   const mesh::Mesh twig = spray(o), one = leaf(o.leaf);

@@ -19,7 +19,7 @@ mesh::Mesh block() {
   return box;
 }
 
-TEST(Merged, CopiesKeepShapeAndAttributesAndAreToldApart) {
+TEST(MergeInstances, KeepsShapesAndAttributesAndNumbersInstances) {
   const Transform turned =
       Transform::translation({5, 0, 0}) * Transform::rotation({0, 1, 0}, kPi / 2);
   const Transform mirrored = Transform::translation({-5, 0, 0}) * Transform::scaling({1, 2, -1});
@@ -33,7 +33,7 @@ TEST(Merged, CopiesKeepShapeAndAttributesAndAreToldApart) {
     const auto [a, b, c] = mesh::corners(all, i);
     volume += a.dot(b.cross(c)) / 6;
   }
-  EXPECT_NEAR(volume, 6 + 12, 1e-5);  // outward, the mirrored one too
+  EXPECT_NEAR(volume, 6 + 12, 1e-5);  // Oriented outwards, including the mirrored instance.
   const size_t half = all.positions.size() / 2;
   std::set<float> copies;
   for (size_t v = 0; v < all.positions.size(); ++v) {
@@ -45,7 +45,7 @@ TEST(Merged, CopiesKeepShapeAndAttributesAndAreToldApart) {
   EXPECT_EQ(copies.size(), 2u);
 }
 
-TEST(Merged, LeavesOutWhatOnlySomeCarryAndIsTheSameForAnyThreads) {
+TEST(MergeInstances, KeepsCommonAttributesOnlyForAnyNumberOfThreads) {
   const mesh::Mesh plain = mesh::sphere_mesh(Vec3d(0), 1, 2);
   std::vector<MeshInstance> copies;
   for (uint64_t i = 0; i < 1000; ++i)

@@ -18,10 +18,10 @@ std::string fault_of(const Corners& corners) {
   }
 }
 
-/// An L: the square of side 2 without its quarter of large x and y.
+/// An L: a square of side 2 without the quarter of large x and y.
 const Corners kBent = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
 
-TEST(Plot, KnowsItsAreaAndWhatLiesInIt) {
+TEST(Plot, HasItsAreaAndContainsItsPoints) {
   const Plot plot(kBent);
   EXPECT_NEAR(plot.area(), 3, 1e-15);
   EXPECT_EQ(plot.low(), Vec2d(0, 0));
@@ -37,10 +37,10 @@ TEST(Plot, KnowsItsAreaAndWhatLiesInIt) {
   EXPECT_NEAR(Plot(turned).area(), 3, 1e-15);
   EXPECT_EQ(Plot(turned).first_reflex_corner(), 2);
   EXPECT_EQ(Plot({{0, 0}, {1, 0}, {2, 0}, {1, 1}}).first_reflex_corner(),
-            -1);  // in line is no dent
+            -1);  // Collinear corners are not concave.
 }
 
-TEST(Plot, SpreadsPointsEvenlyOverItsParts) {
+TEST(Plot, SamplesUniformly) {
   const Plot plot(kBent);
   constexpr int kCount = 300000;
   std::array<int, 3> in{};
@@ -53,7 +53,7 @@ TEST(Plot, SpreadsPointsEvenlyOverItsParts) {
   for (const int count : in) EXPECT_NEAR(count, kCount / 3.0, 5 * std::sqrt(kCount * 2.0 / 9));
 }
 
-TEST(Plot, RefusesWhatIsNoSimplePolygonAndSaysWhere) {
+TEST(Plot, RejectsNonSimplePolygonsWithTheLocation) {
   EXPECT_EQ(fault_of({{0, 0}, {1, 0}}), "a polygon needs at least 3 corners, not 2");
   EXPECT_EQ(fault_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}}),
             "sides 1 and 3 of the polygon cross or touch at (1, 1)");
@@ -70,20 +70,20 @@ TEST(Plot, RefusesWhatIsNoSimplePolygonAndSaysWhere) {
   EXPECT_EQ(fault_of(kBent), "");
 }
 
-TEST(Plot, TouchingIsToldExactly) {
-  // The dent's corner on the long side, and next to it by the last digit either way.
+TEST(Plot, TouchingIsExact) {
+  // The concave corner on the long side, and next to it by the last digit in both directions.
   const auto dented = [](double y) {
     return Corners{{0, 0}, {1000, 0}, {1000, 1}, {300, y}, {0, 1}};
   };
   EXPECT_EQ(fault_of(dented(0)), "sides 1 and 4 of the polygon cross or touch at (300, 0)");
   EXPECT_EQ(fault_of(dented(5e-324)), "");
   EXPECT_NE(fault_of(dented(-5e-324)), "");
-  // Sides along one another, which have no one crossing.
+  // Overlapping sides, which have no single intersection.
   EXPECT_EQ(fault_of({{0, 0}, {4, 0}, {4, 2}, {3, 2}, {3, 0}, {1, 0}, {1, 2}, {0, 2}}),
             "sides 1 and 5 of the polygon cross or touch at (3, 0)");
 }
 
-TEST(Plot, TakesWhatIsThinSmallAndLarge) {
+TEST(Plot, AcceptsThinSmallAndLargePolygons) {
   const auto turned = [](const Corners& corners, double angle) {
     Corners out;
     for (const Vec2d& p : corners)
@@ -91,7 +91,7 @@ TEST(Plot, TakesWhatIsThinSmallAndLarge) {
                        p.x * std::sin(angle) + p.y * std::cos(angle));
     return out;
   };
-  // A millimetre across, 10 km long, a bend of a millimetre in 10 km, corners in line.
+  // A millimetre wide, 10 km long, a bend of a millimetre in 10 km, collinear corners.
   for (const double angle : {0.0, 0.3, 1.0})
     for (const double across : {1e-3, 1.0}) {
       const Corners thin = {{0, 0},        {2500, 0},      {5000, 0},
@@ -101,7 +101,8 @@ TEST(Plot, TakesWhatIsThinSmallAndLarge) {
       RandomStream random(RandomKey(3));
       for (int i = 0; i < 200; ++i) EXPECT_LT(plot.border_distance(plot.point(random)), across);
     }
-  // What was in line before it was turned is no dent, what is bent by a hair is.
+  // Corners that were collinear before a rotation do not count as concave; slightly concave ones
+  // do.
   const auto bent = [](double by) {
     return Corners{{0, 0}, {1, by}, {2, by}, {3, 0}, {3, 1}, {1.5, 1}, {0, 1}};
   };
@@ -116,7 +117,7 @@ TEST(Plot, TakesWhatIsThinSmallAndLarge) {
   EXPECT_NEAR(Plot(turned({{0, 0}, {1e4, 0}, {1e4, 1e4}, {0, 1e4}}, 0.3)).area(), 1e8, 1e-4);
 }
 
-TEST(Plot, TakesPolygonsThatAreFarAwayAndSmall) {
+TEST(Plot, AcceptsSmallPolygonsFarAway) {
   const Vec2d far(123456.5, -654321.25);
   const Plot plot({far, far + Vec2d(0.01, 0), far + Vec2d(0.01, 0.02), far + Vec2d(0, 0.02)});
   EXPECT_NEAR(plot.area(), 2e-4, 1e-10);

@@ -15,7 +15,7 @@ double nearest_pair(const std::vector<Vec2d>& points) {
   return nearest;
 }
 
-TEST(PoissonDisk, NoTwoAreNearAndNoPlaceIsLeft) {
+TEST(PoissonDisk, KeepsTheDistanceAndIsMaximal) {
   const Corners bent = {{0, 0}, {30, 0}, {30, 15}, {15, 15}, {15, 30}, {0, 30}};
   const Plot plot(bent);
   const double r = 0.8;
@@ -30,23 +30,22 @@ TEST(PoissonDisk, NoTwoAreNearAndNoPlaceIsLeft) {
   }
 }
 
-// Disks of diameter r that come one after the other jam at a cover of 0.5471 of the plane.
-TEST(PoissonDisk, JamsWhereDisksThatComeByChanceDo) {
+// Random sequential disks of diameter r jam at a coverage of 0.5471 of the plane.
+TEST(PoissonDisk, JamsAtTheDensityOfRandomSequentialDisks) {
   const double r = 1, side = 150;
   const auto count =
       static_cast<double>(draw("poisson_disk", {{"distance", r}}, square(side), 0).size());
-  // Those at the border have room outside: the plot is half a distance wider, about.
+  // Disks at the border extend outside: the plot is about half a distance wider.
   const double cover = count * kPi * r * r / 4 / ((side + r / 2) * (side + r / 2));
   EXPECT_NEAR(cover, 0.5471, 0.005);
 }
 
-TEST(PoissonDisk, StopsAtADensityAndSaysWhereItCannotBe) {
+TEST(PoissonDisk, StopsAtADensityAndRejectsImpossibleOnes) {
   const std::vector<Vec2d> points = draw("poisson_disk", {{"distance", 0.5}}, square(20), 1.5);
   EXPECT_EQ(points.size(), 600u);
   EXPECT_GE(nearest_pair(points), 0.5 * (1 - 1e-12));
   const std::string fault = fault_of("poisson_disk", {{"distance", 1.0}}, square(20), 1.5);
-  EXPECT_NE(fault.find("600 plants 1 m apart do not fit: the plot only takes "),
-            std::string::npos)
+  EXPECT_NE(fault.find("600 plants 1 m apart do not fit: the plot only takes "), std::string::npos)
       << fault;
   EXPECT_NE(fault_of("poisson_disk", {{"distance", 1e-6}}, square(100), 0), "");
 }

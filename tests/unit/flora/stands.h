@@ -1,4 +1,4 @@
-// Plots and draws that several tests of point processes use.
+// Plots and samples shared by tests of point processes.
 #pragma once
 
 #include <vug/flora/distribution.h>
@@ -7,7 +7,7 @@ namespace vug::flora {
 
 inline Corners square(double side) { return {{0, 0}, {side, 0}, {side, side}, {0, side}}; }
 
-/// Of circumradius 1.
+/// With circumradius 1.
 inline Corners hexagon() {
   const double h = std::sqrt(0.75);
   return {{1, 0}, {0.5, h}, {-0.5, h}, {-1, 0}, {-0.5, -h}, {0.5, -h}};
@@ -20,7 +20,7 @@ inline std::vector<Vec2d> draw(const std::string& name, const NamedValues& param
       ->points(plot, density, RandomKey(seed), Progress::none());
 }
 
-/// What is thrown when it is drawn; empty where nothing is.
+/// The error message of sampling; empty without an error.
 inline std::string fault_of(const std::string& name, const NamedValues& parameters,
                             const Corners& corners, double density) {
   try {

@@ -1,4 +1,4 @@
-// Stems that tests of sweeps look at.
+// Stems for tests of sweeps.
 #pragma once
 
 #include <vug/base/bezier.h>
@@ -6,7 +6,7 @@
 
 namespace vug::flora {
 
-/// A culm of `nodes` internodes along a Bezier curve that gravity bends, with two branches at each
+/// A culm of `nodes` internodes along a Bezier curve bent by gravity, with two branches at each
 /// node of the upper half, on alternating sides.
 inline lsystem::Axis bent_culm(double height = 3, double radius = 0.04, int nodes = 10,
                                double tip = 1.2) {
@@ -31,7 +31,7 @@ inline lsystem::Axis bent_culm(double height = 3, double radius = 0.04, int node
   return axis;
 }
 
-/// A folded branch: straight between bends of 25 degrees.
+/// A branch with mitred bends: straight between bends of 25 degrees.
 inline lsystem::Axis folded_branch() {
   lsystem::Axis axis;
   axis.order = 1;
@@ -48,7 +48,7 @@ inline lsystem::Axis folded_branch() {
 
 inline SweepOptions plain_sweep() { return {}; }
 
-/// Hollow and cut: an internode and a half between open ends.
+/// Hollow and cut: one and a half internodes between open ends.
 inline SweepOptions open_sweep() {
   SweepOptions options;
   options.wall = 0.25;

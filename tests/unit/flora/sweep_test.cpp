@@ -1,4 +1,4 @@
-// The two ways a swept stem is shown must show the same surface, and keep what they promise.
+// The field and the mesh of a swept stem show the same surface and keep their guarantees.
 #include "stems.h"
 
 #include <vug/base/parallel.h>
@@ -18,7 +18,7 @@ namespace {
 struct Case {
   const char* name;
   std::vector<Tube> tubes;
-  double voxel;  ///< That a set would be made with, metres.
+  double voxel;  ///< Voxel size in metres that a scene would use.
   size_t pieces;
 };
 
@@ -27,8 +27,8 @@ std::vector<Case> cases() {
   both.axes = {bent_culm(), folded_branch()};
   lsystem::Drawing cut;
   cut.axes = {bent_culm(0.9, 0.05, 3, 0.2)};
-  cut.axes[0].nodes.erase(cut.axes[0].nodes.begin());  // cut between nodes at both ends
-  lsystem::Drawing ends;                               // nothing of the chambers beyond shows
+  cut.axes[0].nodes.erase(cut.axes[0].nodes.begin());  // Cut between nodes at both ends.
+  lsystem::Drawing ends;                               // The open chambers are not visible.
   ends.axes = {bent_culm(0.9, 0.05, 3, 0.2)};
   ends.axes[0].nodes[2].along = 0.898;
   lsystem::Drawing pipe = cut;
@@ -74,7 +74,7 @@ TEST(Sweep, FieldAndMeshDifferByLessThanHalfAVoxel) {
       const Vec3d middle = (a + b + d) / 3;
       ASSERT_LE(std::fabs(field.value(middle)) * slope, 0.5 * c.voxel) << c.name << " " << middle;
     }
-    // And where the field says that the surface is.
+    // And at the zero set of the field.
     RandomStream random(RandomKey(3).at(c.name));
     int met = 0;
     for (int ray = 0; ray < 20000 && met < 400; ++ray) {
@@ -95,9 +95,9 @@ TEST(Sweep, FieldAndMeshDifferByLessThanHalfAVoxel) {
   }
 }
 
-TEST(Sweep, SignIsThatOfTheMesh) {
+TEST(Sweep, SignMatchesTheMesh) {
   for (const Case& c : cases()) {
-    if (c.tubes.size() > 1) continue;  // stems that overlap make no one closed mesh
+    if (c.tubes.size() > 1) continue;  // Overlapping stems do not form one closed mesh.
     const mesh::Mesh mesh = swept_mesh(c.tubes);
     const field::Field field = swept(c.tubes);
     const mesh::MeshDistance distance(mesh);
@@ -116,13 +116,13 @@ TEST(Sweep, SignIsThatOfTheMesh) {
   }
 }
 
-TEST(Sweep, FieldChangesNoFasterThanPromised) {
+TEST(Sweep, FieldRespectsItsLipschitzBound) {
   for (const Case& c : cases()) {
     const field::Field field = swept(c.tubes);
     RandomStream random(RandomKey(5).at(c.name));
     const mesh::Mesh mesh = swept_mesh(c.tubes);
     for (int i = 0; i < 20000; ++i) {
-      // Near the surface, where relief, folds and walls are.
+      // Near the surface, around displacement, mitred bends and walls.
       const auto v = random.below(static_cast<uint32_t>(mesh.positions.size()));
       const double reach = i % 3 == 0 ? 0.3 : i % 3 == 1 ? 0.03 : 0.004;
       const Vec3d p = Vec3d(mesh.positions[v]) + random_in({Vec3d(-reach), Vec3d(reach)}, random);
@@ -133,7 +133,7 @@ TEST(Sweep, FieldChangesNoFasterThanPromised) {
   }
 }
 
-TEST(Sweep, GradientIsThatOfTheValue) {
+TEST(Sweep, GradientMatchesDifferences) {
   for (const Case& c : cases()) {
     const field::Field field = swept(c.tubes);
     RandomStream random(RandomKey(7).at(c.name));
@@ -146,7 +146,7 @@ TEST(Sweep, GradientIsThatOfTheValue) {
       const Vec3d p = Vec3d(mesh.positions[v]) + random_in({Vec3d(-reach), Vec3d(reach)}, random);
       const field::Gradient told = field.gradient(p);
       ASSERT_EQ(told.value, field.value(p)) << c.name << " at " << p;
-      // Differences to both sides; where these are not alike there is a crease between.
+      // One-sided differences; if they disagree there is a crease between them.
       constexpr double kStep = 1e-7;
       double off = 0, bend = 0;
       for (int axis = 0; axis < 3; ++axis) {
@@ -184,7 +184,7 @@ TEST(Sweep, GrowsBeyondItsBox) {
   }
 }
 
-TEST(Sweep, BoundingBoxIsNeverExceeded) {
+TEST(Sweep, StaysInItsBoundingBox) {
   for (const Case& c : cases()) {
     Box3d box;
     for (const Tube& tube : c.tubes) box = united(box, tube.bounds());
@@ -193,15 +193,15 @@ TEST(Sweep, BoundingBoxIsNeverExceeded) {
       EXPECT_GE(shown.min[axis], box.min[axis] - 1e-6) << c.name;
       EXPECT_LE(shown.max[axis], box.max[axis] + 1e-6) << c.name;
     }
-    // And it is no tent: within a tenth of what is shown.
+    // And the box is tight to a tenth of the mesh's size.
     EXPECT_LT((box.size() - shown.size()).length(), 0.1 * shown.size().length()) << c.name;
   }
 }
 
-TEST(Sweep, RidgesAreAsHighAsTheReliefSays) {
+TEST(Sweep, RidgesHaveTheirHeight) {
   lsystem::Drawing drawing;
   drawing.axes = {bent_culm()};
-  drawing.axes[0].nodes.front().along = 0.1;  // all of them whole
+  drawing.axes[0].nodes.front().along = 0.1;  // Keeps all nodes whole.
   const SweepOptions options = plain_sweep();
   const Tube tube = tubes(drawing, options).front();
   const mesh::Mesh mesh = swept_mesh({tube});
@@ -214,8 +214,9 @@ TEST(Sweep, RidgesAreAsHighAsTheReliefSays) {
       EXPECT_NEAR(tube.displaced(along, 2), wanted, 1e-12);
       double most = 0;
       for (size_t i = 0; i < mesh.positions.size(); ++i) {
-        const Tube::Coordinates place = tube.coordinates(Vec3d(mesh.positions[i]), 0);
-        if (std::fabs(place.along - along) < 0.01 * node.radius) most = std::max(most, place.out);
+        const Tube::Coordinates coords = tube.coordinates(Vec3d(mesh.positions[i]), 0);
+        if (std::fabs(coords.along - along) < 0.01 * node.radius)
+          most = std::max(most, coords.radial);
       }
       EXPECT_NEAR(most, wanted, 0.02 * wanted);
     }
@@ -228,9 +229,9 @@ TEST(Sweep, RidgesAreAsHighAsTheReliefSays) {
   }
 }
 
-TEST(Sweep, WallsAreAShareOfTheRadiusAndAtLeastSoThick) {
+TEST(Sweep, WallsHaveTheirRelativeAndMinimumThickness) {
   lsystem::Drawing drawing;
-  drawing.axes = {bent_culm()};  // from 4 cm to 4 mm
+  drawing.axes = {bent_culm()};  // From 4 cm to 4 mm.
   SweepOptions options;
   options.wall = 0.25;
   options.min_wall = 0.009;
@@ -243,10 +244,10 @@ TEST(Sweep, WallsAreAShareOfTheRadiusAndAtLeastSoThick) {
   EXPECT_NE(options.fault(), "");
 }
 
-// Wang et al.: on a planar curve the plane's normal is carried to itself; also where it bends back.
-TEST(Sweep, FramesOfACulmWithInflectionsDoNotTwist) {
+// Wang et al.: on a planar curve the plane's normal is transported to itself, also at reversals.
+TEST(Sweep, FramesDoNotTwistAtInflections) {
   for (const double sway : {0.3, -0.8}) {
-    // Three bends, each back again, in the plane of x and y, turned somehow in space.
+    // Three bends with reversals in the x-y plane, rotated arbitrarily in space.
     const Vec3d axis = Vec3d(0.3, 0.8, -0.5).normalized();
     const auto put = [&](const Vec3d& v) { return rotated(v, axis, 1.1); };
     lsystem::Axis culm;
@@ -276,7 +277,7 @@ TEST(Sweep, FramesOfACulmWithInflectionsDoNotTwist) {
   }
 }
 
-TEST(Sweep, AttributesTellWhereOnThePlant) {
+TEST(Sweep, AttributesGiveThePositionOnThePlant) {
   lsystem::Drawing drawing;
   drawing.axes = {bent_culm()};
   const Tube tube = tubes(drawing, plain_sweep()).front();
@@ -298,7 +299,7 @@ TEST(Sweep, AttributesTellWhereOnThePlant) {
   }
 }
 
-TEST(Sweep, MeshIsTheSameForAnyNumberOfThreads) {
+TEST(Sweep, MeshDoesNotDependOnThreads) {
   for (const Case& c : cases()) {
     const Digest alone = mesh::digest(swept_mesh(c.tubes));
     for (const int threads : {1, 2, 7}) {
@@ -308,7 +309,7 @@ TEST(Sweep, MeshIsTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(Sweep, NothingIsTheEmptyField) {
+TEST(Sweep, NoTubesGiveTheEmptyField) {
   EXPECT_TRUE(swept({}).bounds().isEmpty());
   EXPECT_TRUE(swept_mesh({}).positions.empty());
 }

@@ -1,4 +1,4 @@
-// Facades to model, for tests.
+// Facades and helpers for tests of the modeller.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -31,13 +31,13 @@ inline FacadeState blank(double width = 12, double height = 9) {
   return {ripperda(), {.width = width, .height = height}};
 }
 
-/// The state after edits as lines of text.
+/// The state after edits given as lines of text.
 inline FacadeState after(FacadeState state, const std::vector<std::string>& edits) {
   for (const std::string& each : edits) state = perform_edit(state, parse_edit(each));
   return state;
 }
 
-/// "key: message (hint)" of an edit that is refused.
+/// "key: message (hint)" of a rejected edit.
 inline std::string refusal(const FacadeState& state, const std::string& edit) {
   try {
     perform_edit(state, parse_edit(edit));
@@ -48,10 +48,10 @@ inline std::string refusal(const FacadeState& state, const std::string& edit) {
   return "";
 }
 
-/// Everything that is made of a state.
+/// All results of a state as text.
 inline std::string bytes(const FacadeState& state) { return facade::tree_json(state.tree()); }
 
-/// Places of all elements, from the left, then from the bottom.
+/// Rectangles of all elements, sorted from the left, then from the bottom.
 inline std::vector<facade::Rect> rects(const FacadeState& state,
                                        const std::string& kind = "window") {
   std::vector<facade::Rect> out;

@@ -8,7 +8,8 @@ namespace vug::modeller {
 namespace {
 
 TEST(Edit, FigureTwoOfThePaper) {
-  // A symmetric facade; its side of different windows, its middle of alike ones with a door.
+  // A symmetric facade with different windows on the sides and equal ones with a door in the
+  // middle.
   const FacadeState state = after(
       blank(10, 12), {"apply 0 mirror(SymmetricFacadeSide, SymmetricFacadeMiddle) width=3m",
                       "act 0.0 RegularGrid columns=1 rows=4 x=1 width=1.5 y=1 height=1.5 dy=2.75",
@@ -23,8 +24,8 @@ TEST(Edit, FigureTwoOfThePaper) {
 }
 
 TEST(Edit, EveryRuleOfThePaperCanBeApplied) {
-  // Ways from the facade to each symbol.
-  const std::vector<std::pair<std::string, std::vector<std::string>>> ways = {
+  // Edits from the facade to each symbol.
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases = {
       {"0", {}},
       {"0.0", {"apply 0 rows"}},
       {"0.1", {"apply 0 rows"}},
@@ -37,13 +38,13 @@ TEST(Edit, EveryRuleOfThePaperCanBeApplied) {
       {"0.0", {"apply 0 RegularIdenticalGrid"}},
       {"0.0.1", {"apply 0 rows", "apply 0.0 repeat(FacadeElement)"}}};
   int applied = 0;
-  for (const auto& [node, way] : ways) {
-    const FacadeState state = after(blank(), way);
+  for (const auto& [node, edits] : cases) {
+    const FacadeState state = after(blank(), edits);
     const Style& style = state.style();
     for (const int rule : style.rules_of(state.node(state.find(node)).symbol)) {
       const FacadeState done = perform_edit(state, {"apply", node, style.rule_name(rule), {}});
       EXPECT_EQ(done.rule(done.find(node)), rule);
-      // Taken away again, the bytes are as before.
+      // Retracting restores the previous bytes.
       EXPECT_EQ(bytes(perform_edit(done, {"retract", node, "", {}})), bytes(state));
       ++applied;
     }
@@ -51,7 +52,7 @@ TEST(Edit, EveryRuleOfThePaperCanBeApplied) {
   EXPECT_EQ(applied, 45);
 }
 
-TEST(Edit, RefusalsSayWhatAndWhy) {
+TEST(Edit, RejectionsNameTheFaultAndTheReason) {
   const FacadeState state =
       after(blank(), {"apply 0 rows heights=3", "act 0.1 Grid columns=3 rows=2"});
   EXPECT_EQ(refusal(state, "apply 0 Grid"),
@@ -90,7 +91,7 @@ TEST(Edit, RefusalsSayWhatAndWhy) {
   EXPECT_THROW(parse_edit("set 0 rows x=3"), Error);
 }
 
-TEST(Edit, TextThereAndBack) {
+TEST(Edit, TextRoundTrip) {
   for (const char* text :
        {"apply 0 rows(FacadeRow, PartFacade) heights=3.2", "retract 0.1", "set 0.0 dx=2.1,2.4 x=1",
         "toggle Facade.Grid column=2 row=0", "set 0 dx="})
@@ -143,7 +144,7 @@ TEST(Edit, GridTypesChangeAndKeepTheirNumbers) {
   const FacadeState regular = after(grid, {"change 0 RegularGrid"});
   EXPECT_EQ(regular.node(1).symbol, "RegularGrid");
   EXPECT_EQ(rects(regular).size(), 6u);
-  EXPECT_EQ(rects(regular)[4].x, 8) << "the mean of both distances";
+  EXPECT_EQ(rects(regular)[4].x, 8) << "the mean of both spacings";
   EXPECT_EQ(rects(regular)[2].x, 4.5);
   const FacadeState identical = after(regular, {"change 0 RegularIdenticalGrid"});
   EXPECT_EQ(identical.tree().nodes.size(), 3u) << "one window for all";
@@ -155,16 +156,16 @@ TEST(Edit, GridTypesChangeAndKeepTheirNumbers) {
   EXPECT_EQ(rects(door).size(), 5u);
   EXPECT_EQ(rects(door, "door")[0].x, 4.5);
   EXPECT_EQ(bytes(after(door, {"change 0.0 grid(window)"})), bytes(back));
-  // What is told with the change is not left out.
+  // Numbers given with the change are kept.
   EXPECT_EQ(refusal(grid, "change 0 RegularGrid dx=1,2").substr(0, 11), "numbers/dx:");
 }
 
-TEST(Edit, CountsForgetTheirDistances) {
+TEST(Edit, ChangedCountsResetTheirSpacings) {
   const FacadeState grid = after(blank(), {"act 0 Grid columns=3 rows=1 x=1 width=1 dx=3,4"});
   const FacadeState four = after(grid, {"set 0.0 columns=4"});
   ASSERT_EQ(rects(four).size(), 4u);
   EXPECT_EQ(rects(four)[0].x, 1);
-  EXPECT_NEAR(rects(four)[3].x, 10, 1e-9) << "as much on the right as on the left";
+  EXPECT_NEAR(rects(four)[3].x, 10, 1e-9) << "equal margins";
   const FacadeState told = after(grid, {"set 0.0 columns=4 dx=2,3,2"});
   EXPECT_EQ(rects(told)[3].x, 8);
   EXPECT_EQ(rects(after(told, {"set 0.0 dx="})).size(), 4u);
@@ -178,7 +179,7 @@ TEST(Edit, CellsOfAGrid) {
   EXPECT_EQ(off.node(off.find("0.0.window[1,1]")).rect,
             grid.node(grid.find("0.0.window[1,1]")).rect);
   EXPECT_EQ(bytes(after(off, {"toggle 0.0 column=1 row=0"})), bytes(grid));
-  // They stay off under another count, and come back as they were.
+  // Cells stay off under another count and come back unchanged.
   const FacadeState fewer = after(off, {"set 0.0 columns=1", "set 0.0 columns=3"});
   EXPECT_EQ(bytes(fewer), bytes(off));
   const FacadeState alike = after(blank(), {"act 0 RegularIdenticalGrid columns=3 rows=2"});
@@ -190,7 +191,7 @@ TEST(Edit, CellsOfAGrid) {
   EXPECT_NE(refusal(one, "toggle 0.0 column=1 row=0").find("last cell"), std::string::npos);
 }
 
-TEST(Edit, EditsOfASideGoToItsImage) {
+TEST(Edit, EditsOfASideAffectItsMirrorImage) {
   const FacadeState side = after(blank(), {"apply 0 mirror(SymmetricFacadeSide)",
                                            "act 0.0 Grid columns=2 rows=1 x=1 width=1 dx=3"});
   const auto mirrored = [](const FacadeState& state) {
@@ -206,20 +207,20 @@ TEST(Edit, EditsOfASideGoToItsImage) {
   for (const char* edit : {"move 0.0.0 line=0 to=0.3", "set 0.0.0 width=1.4", "set 0.0.0 columns=3",
                            "toggle 0.0.0 column=0 row=0", "change 0.0.0 grid(window, door) door=0"})
     EXPECT_TRUE(mirrored(after(side, {edit}))) << edit;
-  // Broken, everything stands where it stood; then each side is by itself.
+  // After separation everything keeps its position; then each side is independent.
   const FacadeState broken = after(side, {"separate 0"});
   const std::vector<facade::Rect> was = rects(side), is = rects(broken);
   ASSERT_EQ(is.size(), was.size());
   for (size_t i = 0; i < is.size(); ++i) EXPECT_NEAR(is[i].x, was[i].x, 1e-12);
   EXPECT_FALSE(mirrored(after(broken, {"toggle 0.0.0 column=0 row=0"})));
   EXPECT_EQ(rects(after(broken, {"toggle 0.0.0 column=0 row=0"})).size(), 3u);
-  // In the image lines run from the right: the same move there keeps the symmetry.
+  // In the mirror image lines run from the right: the same move there preserves the symmetry.
   EXPECT_TRUE(mirrored(after(broken, {"move 0.0.0 line=0 to=0.3", "move 0.1.0 line=0 to=0.3"})));
   const FacadeState joined = after(broken, {"toggle 0.1.0 column=0 row=0", "join 0"});
   EXPECT_EQ(bytes(joined), bytes(side));
 }
 
-TEST(Edit, RepeatedPartsAreSeparatedWithAllBelow) {
+TEST(Edit, RepeatedPartsAreSeparatedWithTheirDescendants) {
   const FacadeState bays =
       after(blank(), {"apply 0 repeat count=3", "apply 0.0 mirror(SymmetricFacadeSide)",
                       "act 0.0.0 RegularIdenticalGrid columns=1 rows=3"});
@@ -247,14 +248,14 @@ TEST(Edit, AnyGrammarOfKindFacade) {
   EXPECT_EQ(style->usual_width(), 9);
   EXPECT_FALSE(style->usual_height());
   const FacadeState start(style, {.width = 9, .height = 12});
-  EXPECT_EQ(start.tree().nodes.size(), 2u) << "the axiom's split is no choice";
+  EXPECT_EQ(start.tree().nodes.size(), 2u) << "the axiom's split is not a choice";
   EXPECT_EQ(refusal(start, "apply 0 shop").substr(0, 45),
             "rule: the condition of 'Base -> shop' is fals");
   const FacadeState done = after(start, {"apply 0 columns", "apply 0.0 inset", "apply 0.2 inset",
                                          "apply 1 repeat", "apply 1.0 rows", "apply 1.1 grid"});
   EXPECT_EQ(done.open().size(), 1u);
   EXPECT_NE(refusal(done, "apply 1.2 rows"), "");
-  // The split within a split has free numbers of its own.
+  // The nested split has free numbers of its own.
   const int inner = done.find("1.0.1");
   EXPECT_EQ(done.node(inner).symbol, "columns");
   const FacadeState moved = after(done, {"move 1.0.1 line=0 to=2"});

@@ -5,7 +5,7 @@
 namespace vug::modeller {
 namespace {
 
-TEST(FacadeState, BeginsWithTheAxiomAlone) {
+TEST(FacadeState, StartsWithTheAxiomOnly) {
   const FacadeState state = blank();
   ASSERT_EQ(state.tree().nodes.size(), 1u);
   EXPECT_TRUE(state.node(0).stuck);
@@ -60,7 +60,7 @@ TEST(FacadeState, RulesByName) {
     EXPECT_EQ(style.find_rule(head, head + " -> " + style.rule_name(rule)), rule);
   }
   EXPECT_EQ(style.rule_name(style.find_rule("Facade", "rows")), "rows(FacadeRow, PartFacade)");
-  EXPECT_THROW(style.find_rule("Facade", "mirror"), Error) << "two begin so";
+  EXPECT_THROW(style.find_rule("Facade", "mirror"), Error) << "ambiguous first word";
   EXPECT_THROW(style.find_rule("Facade", ""), Error);
   const StylePtr twins = style_of(
       "grammar f: facade {\n axiom A\n A if height > 3m -> window\n A if height <= 3m -> "
@@ -86,7 +86,7 @@ TEST(FacadeState, HistoryGoesBothWays) {
   history.restore("grid");
   EXPECT_EQ(bytes(history.now()), third);
   history.restore("rows");
-  // A refused edit leaves everything, what can be done again too.
+  // A rejected edit changes nothing, including the edits that can be redone.
   EXPECT_THROW(history.apply(parse_edit("apply 0.1 Gridd")), RejectedEdit);
   EXPECT_EQ(bytes(history.now()), second);
   EXPECT_EQ(history.redo(), 1u);
@@ -94,7 +94,7 @@ TEST(FacadeState, HistoryGoesBothWays) {
   history.apply(parse_edit("act 0.1 IdenticalGrid"));
   EXPECT_EQ(history.redo(), 0u);
   EXPECT_EQ(history.edits().size(), 2u);
-  EXPECT_EQ(history.checkpoints().size(), 1u) << "what was undone took its checkpoint along";
+  EXPECT_EQ(history.checkpoints().size(), 1u) << "discarded edits remove their checkpoints";
   EXPECT_THROW(history.restore("grid"), Error);
   EXPECT_THROW(history.set_checkpoint(""), Error);
 }

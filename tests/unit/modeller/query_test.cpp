@@ -18,10 +18,10 @@ TEST(Query, TheEightActionsOfThePaper) {
                        "rows(FacadeRow, PartFacade)", "repeat(RepeatedFacade)",
                        "mirror(SymmetricFacadeSide)", "Grid", "RegularGrid", "IdenticalGrid",
                        "RegularIdenticalGrid", "repeat(FacadeElement)"}));
-  EXPECT_EQ(rules, 45u - 12u) << "all but those that end in elements, which follow";
+  EXPECT_EQ(rules, 45u - 12u) << "all except those that end in elements, which are implied";
 }
 
-TEST(Query, ActionsAreGreyWhereTheSymbolIsAnother) {
+TEST(Query, ActionsAreInapplicableToOtherSymbols) {
   const FacadeState state = after(blank(), {"apply 0 rows"});
   const auto enabled = [&](const std::string& node) {
     std::vector<std::string> out;
@@ -52,7 +52,7 @@ TEST(Query, EveryRuleWithItsReason) {
     EXPECT_EQ(each.reason, Reason::divided);
     EXPECT_EQ(each.applied, each.rule == 0);
   }
-  // Defaults fit, and are what a rule comes to without numbers.
+  // Defaults fit, and equal the result of the rule without numbers.
   const RuleChoice grid = evaluate_rule(after(start, {"apply 0 Grid"}), 1,
                                         ripperda()->find_rule("Grid", "grid(window, door)"));
   std::vector<std::string> names;
@@ -91,7 +91,7 @@ TEST(Query, ArgumentsMatter) {
   EXPECT_EQ(evaluate_rule(state, 0, 1).reason, Reason::wrong_arguments);
 }
 
-TEST(Query, WhatLiesUnderThePoint) {
+TEST(Query, NodesUnderAPoint) {
   const FacadeState state =
       after(blank(), {"apply 0 repeat count=2", "apply 0.0 mirror(SymmetricFacadeSide)",
                       "act 0.0.0 Grid columns=1 rows=1 x=0.5 width=1 y=1 height=2"});
@@ -108,9 +108,9 @@ TEST(Query, WhatLiesUnderThePoint) {
     EXPECT_NEAR(found->y, 1, 1e-12);
     EXPECT_EQ(found->placement.mirrored, point.mirrored);
   }
-  EXPECT_EQ(state.path(hit(state, 0.1, 8)->node), "0.0.0.0") << "beside the window";
+  EXPECT_EQ(state.path(hit(state, 0.1, 8)->node), "0.0.0.0") << "next to the window";
   EXPECT_FALSE(hit(state, 13, 1));
-  // In an image that stands by itself the frame is turned.
+  // In a separated mirror image the frame is reversed.
   const FacadeState apart = after(state, {"separate 0.0"});
   const auto found = hit(apart, 5.25, 2);
   ASSERT_TRUE(found);

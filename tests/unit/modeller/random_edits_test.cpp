@@ -1,5 +1,5 @@
-// Random walks of edits: each edit gives a state that is whole or refuses and leaves what was, undo
-// gives the bytes of before, and the same edits once more give the same bytes.
+// Random sequences of edits: each edit yields a valid state or is rejected without effect, undo
+// restores the previous bytes, and replaying the edits reproduces the bytes.
 #include "desk.h"
 
 #include <vug/base/rng.h>
@@ -13,14 +13,14 @@
 namespace vug::modeller {
 namespace {
 
-/// An edit of any kind at any node; often one that cannot be done.
+/// A random edit of any kind at any node, often an invalid one.
 Edit any_edit(const FacadeState& state, RandomStream& random) {
   const auto below = [&](size_t count) {
     return static_cast<int>(random.below(static_cast<uint32_t>(count)));
   };
   Edit out;
   const auto& kinds = edit_kinds();
-  // Most often something is applied, so that walks go far.
+  // Rules are applied most often, so that trees grow.
   out.kind = random.uniform() < 0.4 ? (random.uniform() < 0.5 ? "apply" : "act")
                                     : kinds[static_cast<size_t>(below(kinds.size()))]->name;
   const std::vector<int> open = state.open();
@@ -53,7 +53,7 @@ Edit any_edit(const FacadeState& state, RandomStream& random) {
   return out;
 }
 
-/// What must hold of every state.
+/// Invariants of every state.
 void expect_whole(const FacadeState& state) {
   const facade::Tree& tree = state.tree();
   for (size_t i = 0; i < tree.nodes.size(); ++i) {
@@ -75,7 +75,7 @@ void expect_whole(const FacadeState& state) {
   }
 }
 
-TEST(Walk, UndoAfterEveryEditAndReplayAtTheEnd) {
+TEST(RandomEdits, UndoAfterEveryEditAndReplayAtTheEnd) {
   std::set<std::string> done_kinds, refused_kinds;
   for (uint64_t seed = 0; seed < 40; ++seed) {
     RandomStream random(RandomKey(seed).at("walk"));
@@ -109,11 +109,11 @@ TEST(Walk, UndoAfterEveryEditAndReplayAtTheEnd) {
       again = perform_edit(again, parse_edit(to_string(history.edits()[i])));
     ASSERT_EQ(bytes(again), bytes(history.now()));
   }
-  EXPECT_EQ(done_kinds.size(), edit_kinds().size()) << "every kind is done";
+  EXPECT_EQ(done_kinds.size(), edit_kinds().size()) << "every kind succeeds at least once";
   EXPECT_EQ(refused_kinds.size(), edit_kinds().size()) << "and refused";
 }
 
-TEST(Walk, WhatIsOfferedCanBeDone) {
+TEST(RandomEdits, OfferedRulesCanBeApplied) {
   for (uint64_t seed = 0; seed < 12; ++seed) {
     RandomStream random(RandomKey(seed).at("offers"));
     FacadeState state = blank(18, 14);

@@ -33,7 +33,7 @@ std::string fault_of(const std::string& text) {
   return "";
 }
 
-TEST(Session, ThereAndBack) {
+TEST(Session, RoundTrip) {
   Session session = new_session({.grammar = "ripperda.vug", .width = 12, .height = 9}, loader());
   for (const char* edit :
        {"apply 0 rows heights=3.1", "act 0.1 Grid columns=4 dx=2.5,3,2.6",
@@ -52,7 +52,7 @@ TEST(Session, ThereAndBack) {
 }
 
 TEST(Session, ReplayGivesTheSameTree) {
-  // Numbers of all sizes come back bit for bit.
+  // Numbers of all magnitudes are restored bit for bit.
   RandomStream random(RandomKey(5));
   for (int trial = 0; trial < 50; ++trial) {
     Session session = new_session({.grammar = "ripperda.vug",
@@ -70,7 +70,7 @@ TEST(Session, ReplayGivesTheSameTree) {
   }
 }
 
-TEST(Session, PhotosTellTheSize) {
+TEST(Session, PhotosDetermineTheSize) {
   const std::string text =
       "{\"format\": \"vug facade session\", \"version\": 1, \"grammar\": \"ripperda.vug\",\n"
       "\"photo\": {\"file\": \"front.png\", \"pixels\": [600, 450], \"scale\": 0.02}, \"edits\": "
@@ -85,7 +85,7 @@ TEST(Session, PhotosTellTheSize) {
   EXPECT_EQ(wide.metres_per_pixel(), 0.02);
 }
 
-TEST(Session, FaultsHaveAPlaceAndAHint) {
+TEST(Session, ErrorsHaveALocationAndAHint) {
   const auto edits = [](const std::string& all) {
     return kStart + "  \"edits\": [\n" + all + "\n]}";
   };

@@ -1,4 +1,5 @@
-// Real facades whose files tell what they hold: one file a door, a group of windows or the wall.
+// Scanned facades with ground truth in their file names: one file per door, group of windows, or
+// wall.
 #pragma once
 
 #include <vug/scan/openings.h>
@@ -12,9 +13,9 @@
 namespace vug::scan {
 
 struct Building {
-  std::vector<std::string> names;  ///< Of doors and groups of windows.
+  std::vector<std::string> names;  ///< Names of doors and window groups.
   std::vector<PointCloud> elements;
-  PointCloud cloud;  ///< All files.
+  PointCloud cloud;  ///< Points of all files.
 };
 
 inline Building read_building(const std::filesystem::path& folder) {
@@ -33,7 +34,8 @@ inline Building read_building(const std::filesystem::path& folder) {
   return out;
 }
 
-/// Around each element's points on the plane, without the outermost half per cent on each side.
+/// Bounding box of each element's points on the plane, without the outermost half per cent per
+/// side.
 inline std::vector<Box> true_boxes(const Building& building, const PlaneFrame& frame) {
   std::vector<Box> out;
   for (const PointCloud& element : building.elements) {

@@ -1,4 +1,4 @@
-// Clouds of facades that are known.
+// Synthetic point clouds of known facades.
 #pragma once
 
 #include <vug/base/maths.h>
@@ -9,10 +9,10 @@
 
 namespace vug::scan {
 
-/// A rectangle of a made facade, in metres from its lower left corner.
+/// A rectangle of a synthetic facade in metres from its lower left corner.
 struct Hole {
   double x = 0, y = 0, width = 1, height = 1;
-  double behind = 0;  ///< Metres; 0: nothing comes back from there.
+  double behind = 0;  ///< Distance behind the wall in metres; 0: no returns.
 
   bool holds(double px, double py) const {
     return px >= x && px < x + width && py >= y && py < y + height;
@@ -22,14 +22,14 @@ struct Hole {
 struct SyntheticFacade {
   double width = 12, height = 8;
   double step = 0.04;       ///< Metres between points.
-  double noise = 0.005;     ///< Standard deviation along the plane's normal, in metres.
-  double outliers = 0;      ///< Stray points, as a part of the others.
-  double yaw = 0.7;         ///< Of the facade about z, in radians.
-  double bow = 0;           ///< Metres by which the middle stands before the ends.
-  Vec3d corner{10, 20, 3};  ///< Lower left one, as seen from before.
+  double noise = 0.005;     ///< Standard deviation along the plane's normal, metres.
+  double outliers = 0;      ///< Stray points relative to the other points.
+  double yaw = 0.7;         ///< Rotation of the facade about z, radians.
+  double bow = 0;           ///< Metres by which the middle is in front of the ends.
+  Vec3d corner{10, 20, 3};  ///< Lower left corner seen from the front.
   std::vector<Hole> holes = {};
 
-  /// Right-handed, z up in the cloud's own axes.
+  /// Right-handed, z up in the cloud's axes.
   PlaneFrame frame() const {
     const Vec3d x(maths::cos(yaw), maths::sin(yaw), 0), y(0, 0, 1);
     return {corner, x, y, x.cross(y)};

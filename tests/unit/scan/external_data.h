@@ -1,4 +1,4 @@
-// Data from outside that tests may have.
+// Optional external test data.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-/// The folder that the environment variable VUG_EXTERNAL_DATA names, or shared/data beside the
-/// sources; empty where there is none.
+/// The folder named by the environment variable VUG_EXTERNAL_DATA, or shared/data next to the
+/// sources; empty if there is none.
 inline std::filesystem::path external_data() {
   const char* told = std::getenv("VUG_EXTERNAL_DATA");
   const std::filesystem::path folder = told && *told

@@ -18,7 +18,7 @@ Mask mask_of(const std::vector<std::string>& rows) {
   return out;
 }
 
-/// All pixels for which `inside` holds, as the only group.
+/// All pixels for which `inside` holds, as the only component.
 Component group_of(int width, int height, const std::function<bool(int, int)>& inside) {
   Mask mask(width, height);
   for (int y = 0; y < height; ++y)
@@ -53,7 +53,7 @@ TEST(Mask, ClosesGapsAndOpensNecks) {
             mask_of({"####..", "####..", "####..", "####.."}).on);
 }
 
-TEST(Mask, GroupsTouchAlongSides) {
+TEST(Mask, ComponentsAreConnectedAlongSides) {
   const std::vector<Component> groups = components_of(mask_of({"#.#.", "###.", "...#", "#..."}));
   ASSERT_EQ(groups.size(), 3U);
   EXPECT_EQ(groups[0].box, (PixelBox{0, 0, 3, 2}));
@@ -65,7 +65,7 @@ TEST(Mask, GroupsTouchAlongSides) {
   EXPECT_TRUE(components_of(Mask()).empty());
 }
 
-TEST(Split, TakesTwoDoorsUnderASignApart) {
+TEST(Split, SeparatesTwoDoorsUnderASign) {
   const std::vector<FilledBox> pieces = split(group_of(
       80, 40, [](int x, int y) { return y < 10 || (x >= 5 && x < 30) || (x >= 50 && x < 75); }));
   ASSERT_EQ(pieces.size(), 3U);
@@ -75,7 +75,7 @@ TEST(Split, TakesTwoDoorsUnderASignApart) {
   EXPECT_EQ(pieces[1].pixels, 25 * 30);
 }
 
-TEST(Split, CutsSidewaysToo) {
+TEST(Split, CutsBetweenColumnsToo) {
   const std::vector<FilledBox> pieces = split(group_of(
       60, 100, [](int x, int y) { return x < 20 || (y >= 10 && y < 40) || (y >= 60 && y < 90); }));
   ASSERT_EQ(pieces.size(), 3U);
@@ -83,7 +83,7 @@ TEST(Split, CutsSidewaysToo) {
   EXPECT_EQ(pieces[2].box, (PixelBox{20, 60, 60, 90}));
 }
 
-TEST(Split, LeavesTrianglesArchesAndRaggedBoxesWhole) {
+TEST(Split, KeepsTrianglesArchesAndRaggedBoxesWhole) {
   const auto whole = [](const Component& group) { return split(group).size() == 1; };
   EXPECT_TRUE(whole(group_of(60, 40, [](int x, int y) { return 40 * x < 60 * (y + 1); })));
   EXPECT_TRUE(whole(group_of(

@@ -41,7 +41,7 @@ std::vector<Box> boxes_of(const std::vector<Hole>& holes) {
   return out;
 }
 
-/// Panes that swallow pulses above, set back ones in the middle, a door and a shop below.
+/// Panes without returns above, set back panes in the middle, a door and a shop below.
 SyntheticFacade made_facade() {
   SyntheticFacade made{.bow = 0.2};
   for (int i = 0; i < 4; ++i) {
@@ -53,7 +53,7 @@ SyntheticFacade made_facade() {
   return made;
 }
 
-TEST(Wall, FollowsABowUnderItsOpenings) {
+TEST(Wall, FollowsABowUnderOpenings) {
   const SyntheticFacade made = made_facade();
   const Seen seen = see(made.cloud());
   EXPECT_NEAR(seen.map.wall.rms, made.noise, 0.005);
@@ -75,7 +75,7 @@ TEST(Wall, FlatOnesArePlanes) {
   EXPECT_THROW(fit_wall(seen.range, {.noise = std::nan("")}), Error);
   EXPECT_THROW(surface_map(seen.range, {.hull = -1}), Error);
   seen.range.depth.assign(seen.range.depth.size(), std::numeric_limits<float>::quiet_NaN());
-  EXPECT_THROW(surface_map(seen.range), Error);  // there is no wall
+  EXPECT_THROW(surface_map(seen.range), Error);  // No wall.
 }
 
 TEST(Openings, AreFoundWithTheirKinds) {
@@ -116,7 +116,7 @@ TEST(Openings, PlainMethodsFindHolesInFlatWalls) {
   }
 }
 
-TEST(Openings, SignsThatHideAWallAreNoPartOfTheWindowBelow) {
+TEST(Openings, SignsAreNotPartOfTheWindowBelow) {
   const SyntheticFacade made{.holes = {{3, 1, 3, 2, 0.15}, {3, 3, 3, 0.8, 0}}};
   const Seen seen = see(made.cloud());
   const Scores scores =
@@ -125,8 +125,8 @@ TEST(Openings, SignsThatHideAWallAreNoPartOfTheWindowBelow) {
   EXPECT_GT(scores.truth[1].best, 0.75);
 }
 
-TEST(Openings, OutsideIsNone) {
-  // A gable, and a low building beside it.
+TEST(Openings, OutsideIsNotAnOpening) {
+  // A gable, and a low building next to it.
   PointCloud cloud;
   const SyntheticFacade made{};
   for (const Vec3d& p : made.cloud().positions) {
@@ -138,7 +138,7 @@ TEST(Openings, OutsideIsNone) {
   EXPECT_TRUE(openings_by_triangles(seen.cloud, seen.range, seen.map).empty());
 }
 
-TEST(Openings, OfNextToNothing) {
+TEST(Openings, TinyInputs) {
   Seen seen;
   seen.range = {1, 1, 0.01, {}, {0.0F}, {1}};
   seen.map = surface_map(seen.range);
@@ -149,7 +149,7 @@ TEST(Openings, OfNextToNothing) {
   EXPECT_THROW(openings_by_raster(seen.range, seen.map, {.max_size = kInfinity}), Error);
 }
 
-TEST(Openings, AreTheSameForAnyNumberOfThreads) {
+TEST(Openings, DoNotDependOnThreads) {
   const PointCloud cloud = made_facade().cloud();
   std::vector<std::vector<Box>> all;
   for (const int threads : {1, 2, 7}) {
@@ -189,7 +189,7 @@ TEST_F(RealScan, EveryDoorAndGroupOfWindowsIsFound) {
     const Scores triangles = score(boxes_of(openings_by_triangles(real.cloud, range, map)), truth);
     EXPECT_EQ(triangles.recall, 1) << name;
     EXPECT_GE(triangles.precision, 0.6) << name;
-    // The wall's own surface is what finds them.
+    // Requires the fitted surface of the wall.
     const SurfaceMap flat = surface_map(range, {.bent = false});
     const OpeningOptions plain{.tidy = false};
     EXPECT_LT(score(boxes_of(openings_by_raster(range, flat, plain)), truth).recall, 0.8);

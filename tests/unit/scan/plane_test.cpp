@@ -35,7 +35,7 @@ TEST(Plane, IsFoundAmongStrayPoints) {
   }
 }
 
-TEST(Plane, KeepsItsPlaceFarFromTheOrigin) {
+TEST(Plane, IsExactFarFromTheOrigin) {
   SyntheticFacade made{.outliers = 0.2, .holes = {{2, 2, 2, 3, 0.2}}};
   made.corner = {32549123.457, 5804321.001, 54.3};
   const PlaneFit found = fit(made.cloud(), {.tolerance = 0.03});
@@ -43,7 +43,7 @@ TEST(Plane, KeepsItsPlaceFarFromTheOrigin) {
 }
 
 TEST(Plane, FrontIsWhereTheScannerStood) {
-  const SyntheticFacade made{.step = 0.1, .noise = 0.002};  // nothing tells the front
+  const SyntheticFacade made{.step = 0.1, .noise = 0.002};  // No information about the front.
   const PlaneFrame frame = made.frame();
   PointCloud cloud = made.cloud();
   for (const double side : {1.0, -1.0}) {
@@ -58,16 +58,16 @@ TEST(Plane, FrontIsWhereTheScannerStood) {
   }
 }
 
-TEST(Plane, UprightOnesAreChosenBeforeTheGround) {
+TEST(Plane, UprightPlanesArePreferredToTheGround) {
   PointCloud cloud = SyntheticFacade{.step = 0.1}.cloud();
   RandomStream stream{RandomKey(3)};
-  for (int i = 0; i < 30000; ++i)  // three times the facade's
+  for (int i = 0; i < 30000; ++i)  // Three times as many points as the facade.
     cloud.positions.emplace_back(stream.uniform(-20, 40), stream.uniform(-20, 40), 3);
   EXPECT_LT(fit(cloud).lean, 1 * kDegree);
   EXPECT_GT(fit(cloud, {.max_lean = kPi / 2}).lean, 89 * kDegree);
 }
 
-TEST(Plane, LeansNoFartherThanAllowed) {
+TEST(Plane, RespectsTheMaximumLean) {
   PointCloud cloud;
   RandomStream stream{RandomKey(3)};
   for (int i = 0; i < 5000; ++i) {
@@ -78,7 +78,7 @@ TEST(Plane, LeansNoFartherThanAllowed) {
   EXPECT_NEAR(fit(cloud, {.max_lean = 0}).lean, 0, 1e-7);
 }
 
-TEST(Plane, IsTheSameForAnyNumberOfThreads) {
+TEST(Plane, DoesNotDependOnThreads) {
   const PointCloud cloud = SyntheticFacade{.outliers = 0.3, .holes = {{2, 2, 2, 3, 0.15}}}.cloud();
   std::vector<PlaneFit> fits;
   for (const int threads : {1, 2, 7}) {
@@ -92,12 +92,12 @@ TEST(Plane, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(Plane, UselessCloudsAreRefused) {
+TEST(Plane, UnusableCloudsAreRejected) {
   PointCloud line;
   EXPECT_THROW(fit(line), Error);
   line.positions.emplace_back(1, 2, 3);
   EXPECT_THROW(fit(line), Error);
-  line.positions.assign(100, {1, 2, 3});  // again and again the same point
+  line.positions.assign(100, {1, 2, 3});  // The same point repeatedly.
   EXPECT_THROW(fit(line), Error);
   for (size_t i = 0; i < 100; ++i) line.positions[i] = Vec3d(1, 2, 3) * static_cast<double>(i);
   EXPECT_THROW(fit(line), Error);

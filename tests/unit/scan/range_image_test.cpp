@@ -28,7 +28,8 @@ TEST(RangeImage, TakesTheMedianOrTheNearest) {
   ASSERT_EQ(median.width, 2);
   ASSERT_EQ(median.height, 4);
   EXPECT_EQ(median.depth[median.index(0, 3)], 0.01F);
-  EXPECT_EQ(median.count[median.index(0, 3)], 3);  // the point 0.9 m before the plane is left out
+  // The point 0.9 m in front of the plane is ignored.
+  EXPECT_EQ(median.count[median.index(0, 3)], 3);
   EXPECT_EQ(median.depth[median.index(1, 3)], 0.0F);
   EXPECT_EQ(median.depth[median.index(0, 0)], 0.02F);
   EXPECT_TRUE(std::isnan(median.depth[median.index(1, 1)]));
@@ -48,7 +49,7 @@ TEST(RangeImage, LiesInItsFrame) {
   EXPECT_NEAR(image.pixel_center(0, 13).y, 0.05, 1e-12);
 }
 
-TEST(RangeImage, LeavesOutWhatHangsTogetherWithNothing) {
+TEST(RangeImage, IgnoresDisconnectedPoints) {
   std::vector<Vec3d> points = {{-500, 0, 0}, {80, 1, 0}, {1e200, 3, 0}};
   for (int i = 0; i < 50; ++i) points.emplace_back(0.1 * i, 0.05 * i, 0);
   const RangeImage image = image_of(points, {.pixel = 0.1, .inpaint_radius = 0});
@@ -63,8 +64,8 @@ TEST(RangeImage, OfOnePointIsOnePixel) {
   EXPECT_EQ(image_of({{3, 4, 0}, {3, 4, 0}, {3, 4, 0}}, {}).count[0], 3);
 }
 
-/// Brute force of what fill() promises.
-TEST(RangeImage, FillsFromTheNearestPixel) {
+/// Brute force reference of inpaint().
+TEST(RangeImage, InpaintsFromTheNearestPixel) {
   RandomStream stream{RandomKey(5)};
   std::vector<Vec3d> points = {{0, 0, 0}, {0.395, 0.295, 0}};
   for (int i = 0; i < 60; ++i)
@@ -74,7 +75,7 @@ TEST(RangeImage, FillsFromTheNearestPixel) {
   size_t holes = 0;
   for (int y = 0; y < bare.height; ++y)
     for (int x = 0; x < bare.width; ++x) {
-      int nearest = 10;  // of squared distances up to 3 * 3
+      int nearest = 10;  // Over squared distances up to 3 * 3.
       bool right = false;
       for (int v = 0; v < bare.height; ++v)
         for (int u = 0; u < bare.width; ++u) {
@@ -92,7 +93,7 @@ TEST(RangeImage, FillsFromTheNearestPixel) {
   EXPECT_EQ(bare.count, filled.count);
 }
 
-TEST(RangeImage, HolesStayAndSparseWallsAreFilled) {
+TEST(RangeImage, HolesRemainAndSparseWallsAreInpainted) {
   const SyntheticFacade made{.step = 0.08, .noise = 0.002, .holes = {{2, 2, 2, 3, 0}}};
   const PointCloud cloud = made.cloud();
   PlaneFit plane;
@@ -108,7 +109,7 @@ TEST(RangeImage, HolesStayAndSparseWallsAreFilled) {
   EXPECT_EQ(points, cloud.size());
 }
 
-TEST(RangeImage, IsTheSameForAnyNumberOfThreads) {
+TEST(RangeImage, DoesNotDependOnThreads) {
   const PointCloud cloud = SyntheticFacade{.outliers = 0.2, .holes = {{2, 2, 2, 3, 0.1}}}.cloud();
   std::vector<RangeImage> images;
   for (const int threads : {1, 2, 7}) {
@@ -123,7 +124,7 @@ TEST(RangeImage, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(RangeImage, MemoryIsToldBeforehand) {
+TEST(RangeImage, MemoryIsCheckedInAdvance) {
   const auto code_of = [](const RangeOptions& options) {
     try {
       image_of({{0, 0, 0}, {0.5, 0.5, 0}, {0.9, 0.9, 0}, {1.8, 1.8, 0}}, options);
@@ -139,10 +140,10 @@ TEST(RangeImage, MemoryIsToldBeforehand) {
     EXPECT_EQ(code_of({.pixel = pixel}), ErrorCode::bad_input);
   EXPECT_EQ(code_of({.before = -1}), ErrorCode::bad_input);
   EXPECT_EQ(code_of({.inpaint_radius = std::nan("")}), ErrorCode::bad_input);
-  EXPECT_THROW(image_of({{0, 0, 7}}, {}), Error);  // nothing near the plane
+  EXPECT_THROW(image_of({{0, 0, 7}}, {}), Error);  // No points near the plane.
 }
 
-TEST(RangeImage, ComesBackFromItsFile) {
+TEST(RangeImage, FileRoundTrip) {
   const PointCloud cloud = SyntheticFacade{.step = 0.2}.cloud();
   const RangeImage image = range_image(cloud, fit_plane(cloud, {}, RandomKey(1)), {.pixel = 0.07});
   const std::string path = testing::TempDir() + "vug_range.exr";

@@ -29,7 +29,7 @@ Error fault_of(const std::string& bytes, const ReadOptions& options = {}) {
   return Error(ErrorCode::internal, "was read");
 }
 
-TEST(Xyz, TakesBlanksCommasAndSemicolons) {
+TEST(Xyz, AcceptsBlanksCommasAndSemicolons) {
   for (const char* text :
        {"1 2 3\n4 5 6\n", "1,2,3\r\n4,5,6", "1;2;3\n\n  4 ; 5 ; 6\n",
         "# comment\n1\t2\t+3\n// another\n4 5 6e0", "x y z\n1 2 3\n4 5 6\n", "2\n1 2 3\n4 5 6\n",
@@ -41,7 +41,7 @@ TEST(Xyz, TakesBlanksCommasAndSemicolons) {
   }
 }
 
-TEST(Xyz, KnowsColumnsByTheirNumber) {
+TEST(Xyz, InfersColumnsFromTheirNumber) {
   EXPECT_EQ(read("1 2 3 0.5\n1 2 3 1e-400\n").intensities, (std::vector<float>{0.5F, 0}));
   EXPECT_EQ(read("1 2 3 255 0 51\n").colours, (std::vector<Vec3f>{{1, 0, 0.2F}}));
   EXPECT_EQ(read("1 2 3 0.5 0 1\n").colours, (std::vector<Vec3f>{{0.5F, 0, 1}}));
@@ -55,13 +55,13 @@ TEST(Xyz, KeepsMillimetresOfLargeCoordinates) {
             Vec3d(32549123.457, 5804321.001, 54.321));
 }
 
-TEST(Xyz, DropsAndCountsPointsThatAreNowhere) {
+TEST(Xyz, DropsAndCountsNonFinitePoints) {
   const PointCloud cloud = read("1 2 nan\n1 2 3\ninf 0 0\n1e999 0 0\n");
   EXPECT_EQ(cloud.size(), 1U);
   EXPECT_EQ(cloud.dropped, 3U);
 }
 
-TEST(Xyz, FaultsNameTheirPlace) {
+TEST(Xyz, ErrorsHaveALocation) {
   struct Case {
     const char* text;
     int line, column;
@@ -120,7 +120,7 @@ TEST(PlyCloud, ReadsAllEncodingsInAnyOrder) {
   }
 }
 
-TEST(PlyCloud, FaultsAreRefused) {
+TEST(PlyCloud, InvalidFilesAreRejected) {
   const std::string head = "ply\nformat ascii 1.0\nelement vertex ";
   EXPECT_THAT(fault_of(head + "1\nproperty float x\nend_header\n0\n").what(),
               HasSubstr("have no x, y or z"));
@@ -133,7 +133,7 @@ TEST(PlyCloud, FaultsAreRefused) {
   EXPECT_THAT(fault_of("ply\nformat ascii 1.0\nend_header\n").what(), HasSubstr("no vertices"));
 }
 
-TEST(Clouds, MemoryIsToldBeforehand) {
+TEST(Clouds, MemoryIsCheckedInAdvance) {
   std::string text;
   for (int i = 0; i < 1000; ++i) text += "1 2 3\n";
   const Error error = fault_of(text, {.memory = 10000});
@@ -141,10 +141,10 @@ TEST(Clouds, MemoryIsToldBeforehand) {
   EXPECT_THAT(error.what(), HasSubstr("the cloud of x would take"));
 }
 
-TEST(Clouds, PicturesThatWereRenderedAreScans) {
+TEST(Clouds, RenderedPicturesAreScans) {
   image::Image picture(3, 1, {"R", "G", "B", "Z", "N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z"});
-  picture.pixels = {1, 1, 1, 5,     0, 0, 1, 1, 2, 3,  // a wall
-                    1, 1, 1, 1e10f, 0, 0, 0, 0, 0, 0,  // the sky
+  picture.pixels = {1, 1, 1, 5,     0, 0, 1, 1, 2, 3,  // A wall.
+                    1, 1, 1, 1e10f, 0, 0, 0, 0, 0, 0,  // The sky.
                     1, 1, 1, 6,     0, 1, 0, 4, 5, NAN};
   const auto folder = std::filesystem::path(testing::TempDir());
   image::write_exr(folder / "scan.exr", picture);
@@ -164,7 +164,7 @@ TEST(Clouds, PicturesThatWereRenderedAreScans) {
   }
 }
 
-TEST(Clouds, JoinedKeepWhatBothHave) {
+TEST(Clouds, ConcatenationKeepsCommonAttributes) {
   const PointCloud both = concatenated(read("1 2 3 7\nnan 0 0 0\n"), read("4 5 6 8\n"));
   EXPECT_EQ(both.intensities, (std::vector<float>{7, 8}));
   EXPECT_EQ(both.dropped, 1U);

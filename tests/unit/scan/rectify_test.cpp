@@ -9,15 +9,15 @@
 namespace vug::scan {
 namespace {
 
-/// A view of a rectangle of width x height metres by a camera of square pixels; its upper left
-/// corner first.
+/// A view of a rectangle of width x height metres by a camera with square pixels; the corners start
+/// with the upper left one.
 struct View {
   double focal = 900;  ///< Pixels.
   double yaw = 0.5, pitch = 0.2;
   double away = 14;  ///< Metres.
   int width = 1200, height = 800;
 
-  Vec2d operator()(double x, double y) const {  // metres from the rectangle's middle, y up
+  Vec2d operator()(double x, double y) const {  // Metres from the rectangle's centre, y up.
     const double u = x * std::cos(yaw), v = x * std::sin(yaw);
     const double b = y * std::cos(pitch) - v * std::sin(pitch);
     const double c = y * std::sin(pitch) + v * std::cos(pitch) + away;
@@ -29,7 +29,7 @@ struct View {
   }
 };
 
-TEST(Homography, TakesFourPointsToFour) {
+TEST(Homography, MapsFourPointsToFour) {
   RandomStream stream{RandomKey(9)};
   for (int i = 0; i < 200; ++i) {
     FourPoints from = {Vec2d(0, 0), {4000, 0}, {4000, 3000}, {0, 3000}}, to = from;
@@ -44,7 +44,7 @@ TEST(Homography, TakesFourPointsToFour) {
   }
 }
 
-TEST(Homography, OfPointsOnALineIsNone) {
+TEST(Homography, CollinearPointsAreRejected) {
   const FourPoints square = {Vec2d(0, 0), {1, 0}, {1, 1}, {0, 1}};
   for (const FourPoints& bad : {FourPoints{Vec2d(0, 0), {1, 0}, {2, 0}, {0, 1}},
                                 FourPoints{Vec2d(0, 0), {0, 0}, {1, 1}, {0, 1}},
@@ -54,7 +54,7 @@ TEST(Homography, OfPointsOnALineIsNone) {
   }
 }
 
-TEST(Rectify, AspectFollowsFromAView) {
+TEST(Rectify, EstimatesTheAspectFromAView) {
   for (const double yaw : {0.5, -0.8, 0.3})
     for (const double aspect : {0.5, 1.0, 1.6}) {
       const View view{.yaw = yaw};
@@ -66,7 +66,7 @@ TEST(Rectify, AspectFollowsFromAView) {
               1e-9);
 }
 
-/// A board of squares of one metre, 8 x 6 of them.
+/// A checkerboard of 8 x 6 squares of one metre.
 double board(double x, double y) {
   return (static_cast<int>(std::floor(x + 100)) + static_cast<int>(std::floor(y + 100))) % 2;
 }
@@ -88,7 +88,7 @@ image::Image photo_of_board(const View& view) {
 }
 
 TEST(Rectify, ViewsOfABoardBecomeTheBoard) {
-  for (const double away : {9.0, 14.0, 40.0}) {  // magnified, alike and shrunk
+  for (const double away : {9.0, 14.0, 40.0}) {  // Magnified, at the same scale, and reduced.
     const View view{.away = away};
     const RectifiedPhoto out =
         rectify(photo_of_board(view), view.corners(8, 6), {.width = 8, .height = 6, .pixel = 0.05});
@@ -106,8 +106,8 @@ TEST(Rectify, ViewsOfABoardBecomeTheBoard) {
   }
 }
 
-/// Stripes finer than the target's pixels become grey instead of others that are not there.
-TEST(Rectify, ShrinksWithoutAliases) {
+/// Stripes finer than the target's pixels become grey instead of aliasing.
+TEST(Rectify, DownsamplesWithoutAliasing) {
   image::Image stripes(900, 900, {"R", "G", "B"});
   for (int y = 0; y < 900; ++y)
     for (int x = 0; x < 900; ++x)
@@ -118,7 +118,7 @@ TEST(Rectify, ShrinksWithoutAliases) {
     for (int x = 5; x < 95; ++x) EXPECT_NEAR(out.picture.at(x, y), 0.5, 0.1) << x << ' ' << y;
 }
 
-TEST(Rectify, IsAsFineAsThePhotoUnlessTold) {
+TEST(Rectify, DefaultsToTheResolutionOfThePhoto) {
   const image::Image photo(400, 300, {"Y"});
   const FourPoints all = {Vec2d(0, 0), {400, 0}, {400, 300}, {0, 300}};
   const RectifiedPhoto same = rectify(photo, all);
@@ -131,7 +131,7 @@ TEST(Rectify, IsAsFineAsThePhotoUnlessTold) {
             1U);
 }
 
-TEST(Rectify, FaultsAreRefused) {
+TEST(Rectify, InvalidInputIsRejected) {
   const image::Image photo(400, 300, {"Y"});
   const FourPoints good = {Vec2d(10, 10), {390, 20}, {380, 280}, {20, 290}};
   const auto message = [&](const FourPoints& corners, const RectifyOptions& options) {
@@ -160,7 +160,7 @@ TEST(Rectify, FaultsAreRefused) {
   }
 }
 
-TEST(Rectify, PhotosLieOverRangeImages) {
+TEST(Rectify, OverlaysPhotosOnRangeImages) {
   RangeImage range{160, 120, 0.05, {}, {}, {}};
   for (size_t p = 0; p < 160 * 120; ++p) {
     range.depth.push_back(static_cast<float>(p % 7));

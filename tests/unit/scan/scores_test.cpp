@@ -18,7 +18,7 @@ TEST(Scores, IouOfKnownBoxes) {
   EXPECT_EQ(iou(Box(), box(0, 0, 1, 1)), 0);
 }
 
-TEST(Scores, CoveredCountsCommonPartsOnce) {
+TEST(Scores, UnionAreaCountsOverlapsOnce) {
   EXPECT_EQ(union_area({}), 0);
   EXPECT_EQ(union_area({box(0, 0, 2, 2), box(1, 1, 3, 3), box(1, 1, 3, 3), Box()}), 7);
   std::vector<Box> boxes;
@@ -38,14 +38,14 @@ TEST(Scores, CoveredCountsCommonPartsOnce) {
 
 TEST(Scores, EachObjectCountsOnce) {
   const std::vector<Box> truth = {box(0, 0, 2, 2), box(4, 0, 6, 2), box(8, 0, 10, 2)};
-  // Two fit the first one, none the second well enough; one stands in the air.
+  // Two match the first object, none the second well enough; one is a false positive.
   const std::vector<Box> found = {box(0, 0, 2, 1.5), box(0, 0, 2, 2), box(4, 0, 5, 2),
                                   box(8, 0, 10, 2.5), box(0, 5, 1, 6)};
   const Scores scores = score(found, truth);
   EXPECT_EQ(scores.matched, 2U);
   EXPECT_EQ(scores.truth[0].found, 1U);
   EXPECT_FALSE(scores.truth[1].found);
-  EXPECT_EQ(scores.truth[1].best, 0.5);  // as much as is not enough
+  EXPECT_EQ(scores.truth[1].best, 0.5);  // Equal to the threshold, which is not enough.
   EXPECT_EQ(scores.truth[2].best, 0.8);
   EXPECT_DOUBLE_EQ(scores.precision, 0.4);
   EXPECT_DOUBLE_EQ(scores.recall, 2.0 / 3);
@@ -54,7 +54,7 @@ TEST(Scores, EachObjectCountsOnce) {
   EXPECT_EQ(none.precision + none.recall + none.area_iou, 0);
 }
 
-TEST(Scores, MapsOfRectanglesScoreAsTheRectangles) {
+TEST(Scores, MapsOfRectanglesScoreLikeTheRectangles) {
   const std::vector<Box> truth = {box(1, 1, 3, 3), box(4, 0, 6, 2)};
   const std::vector<Box> found = {box(1, 1, 3, 2.5), box(3.5, 0.5, 6.5, 2), box(-1, 3, 0.5, 9)};
   ObjectMap map{20, 12, 0.5, std::vector<uint32_t>(240, 0)};

@@ -7,7 +7,7 @@ namespace vug::fit {
 namespace {
 
 template <class Value>
-Plane made(int width, int height, const Value& value) {
+Plane generate(int width, int height, const Value& value) {
   Plane out;
   out.reserve(static_cast<size_t>(width) * static_cast<size_t>(height));
   for (int y = 0; y < height; ++y)
@@ -32,7 +32,7 @@ BoxFilter::BoxFilter(int width, int height, const Plane& plane)
 }
 
 Plane BoxFilter::mean(int half_x, int half_y) const {
-  return made(width_, height_, [&](int x, int y) {
+  return generate(width_, height_, [&](int x, int y) {
     const int x0 = std::max(0, x - half_x), x1 = std::min(width_, x + half_x + 1);
     const int y0 = std::max(0, y - half_y), y1 = std::min(height_, y + half_y + 1);
     return (table_[index(x1, y1)] - table_[index(x0, y1)] - table_[index(x1, y0)] +
@@ -57,7 +57,7 @@ Plane central_differences(int width, int height, const Plane& plane, bool along_
   const auto at = [&](int x, int y) {
     return plane[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)];
   };
-  return made(width, height, [&](int x, int y) {
+  return generate(width, height, [&](int x, int y) {
     const int x0 = along_x ? std::max(0, x - 1) : x, y0 = along_x ? y : std::max(0, y - 1);
     const int x1 = along_x ? std::min(width - 1, x + 1) : x;
     const int y1 = along_x ? y : std::min(height - 1, y + 1);

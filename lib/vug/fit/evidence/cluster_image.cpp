@@ -43,7 +43,7 @@ float middle(Plane values) {
   return median(std::move(values));
 }
 
-ClusterImage made(int width, int height, std::vector<uint8_t> labels) {
+ClusterImage make_cluster_image(int width, int height, std::vector<uint8_t> labels) {
   const int clusters = 1 + *std::max_element(labels.begin(), labels.end());
   return {width, height, clusters, std::move(labels)};
 }
@@ -62,8 +62,8 @@ void join(const Plane& values, double step, std::vector<uint8_t>& labels) {
 }
 
 /// Clusters by depth, deepest first; holes, if any, form the first cluster.
-std::vector<uint8_t> of_depths(const Plane& depths, const ClusterImageOptions& options,
-                               RandomKey key) {
+std::vector<uint8_t> clusters_of_depths(const Plane& depths, const ClusterImageOptions& options,
+                                        RandomKey key) {
   if (options.depth_clusters < 2 || options.depth_clusters >= kMaxLanes)
     throw Error(ErrorCode::bad_input, "invalid number of depth clusters: must be 2 to 7");
   const float from = middle(depths), most = static_cast<float>(options.depth_range);
@@ -119,10 +119,11 @@ ClusterImage cluster_image(const image::Image* linear, const image::Image* depth
                       std::all_of(depth->pixels.begin(), depth->pixels.end(),
                                   [](float v) { return std::isfinite(v); });
     if (!flat || !linear)
-      return made(any.width, any.height, of_depths(depth->pixels, options, key));
+      return make_cluster_image(any.width, any.height,
+                                clusters_of_depths(depth->pixels, options, key));
   }
-  return made(any.width, any.height,
-              cluster(glass_cue(*linear), {.clusters = options.photo_clusters}, key));
+  return make_cluster_image(any.width, any.height,
+                            cluster(glass_cue(*linear), {.clusters = options.photo_clusters}, key));
 }
 
 }  // namespace vug::fit

@@ -32,16 +32,16 @@ std::vector<Point> points_of(const Planes& planes, double depth_scale) {
   return out;
 }
 
-size_t nearest(const std::vector<Point>& centres, const Point& point) {
+size_t nearest(const std::vector<Point>& centers, const Point& point) {
   size_t best = 0;
-  for (size_t k = 1; k < centres.size(); ++k)
-    if (distance(centres[k], point) < distance(centres[best], point)) best = k;
+  for (size_t k = 1; k < centers.size(); ++k)
+    if (distance(centers[k], point) < distance(centers[best], point)) best = k;
   return best;
 }
 
 /// k-means++: each new centre is drawn with a probability proportional to the squared distance from
 /// the nearest existing one.
-std::vector<Point> starts(const std::vector<Point>& points, int count, RandomKey key) {
+std::vector<Point> initial_centers(const std::vector<Point>& points, int count, RandomKey key) {
   RandomStream stream(key);
   std::vector<Point> out = {points[stream.below(static_cast<uint32_t>(points.size()))]};
   std::vector<double> away(points.size(), std::numeric_limits<double>::infinity());
@@ -62,14 +62,14 @@ std::vector<Point> starts(const std::vector<Point>& points, int count, RandomKey
 }
 
 struct Clustering {
-  std::vector<Point> centres;
+  std::vector<Point> centers;
   double error = 0;  ///< Sum of the squared distances of the pixels from their centres.
 };
 
 /// k-means from one set of start centres; reduced row by row, so that sums do not depend on the
 /// threads.
-Clustering refined(const std::vector<Point>& points, size_t width, int rounds,
-                   std::vector<Point> centres) {
+Clustering k_means(const std::vector<Point>& points, size_t width, int rounds,
+                   std::vector<Point> centers) {
   struct Sum {
     std::array<std::array<double, 5>, kMaxLanes> of{};  ///< Four coordinates and a count.
     double error = 0;
@@ -87,21 +87,21 @@ Clustering refined(const std::vector<Point>& points, size_t width, int rounds,
         [&](size_t y) {
           Sum row;
           for (size_t i = y * width; i < (y + 1) * width; ++i) {
-            const size_t at = nearest(centres, points[i]);
+            const size_t at = nearest(centers, points[i]);
             auto& of = row.of[at];
             for (size_t c = 0; c < 4; ++c) of[c] += points[i][c];
             ++of[4];
-            row.error += distance(centres[at], points[i]);
+            row.error += distance(centers[at], points[i]);
           }
           return row;
         },
         add, 16);
-    for (size_t k = 0; k < centres.size(); ++k)
+    for (size_t k = 0; k < centers.size(); ++k)
       for (size_t c = 0; c < 4 && sum.of[k][4] > 0; ++c)
-        centres[k][c] = static_cast<float>(sum.of[k][c] / sum.of[k][4]);
+        centers[k][c] = static_cast<float>(sum.of[k][c] / sum.of[k][4]);
     out.error = sum.error;
   }
-  out.centres = std::move(centres);
+  out.centers = std::move(centers);
   return out;
 }
 
@@ -115,16 +115,16 @@ std::vector<uint8_t> cluster(const Planes& planes, const ClusterOptions& options
   Clustering best;
   for (int attempt = 0; attempt < std::max(1, options.attempts); ++attempt) {
     Clustering found =
-        refined(points, static_cast<size_t>(planes.width), options.rounds,
-                starts(points, options.clusters, key.at(static_cast<uint64_t>(attempt))));
+        k_means(points, static_cast<size_t>(planes.width), options.rounds,
+                initial_centers(points, options.clusters, key.at(static_cast<uint64_t>(attempt))));
     if (attempt == 0 || found.error < best.error) best = std::move(found);
   }
-  std::vector<Point>& centres = best.centres;
-  std::stable_sort(centres.begin(), centres.end(),
+  std::vector<Point>& centers = best.centers;
+  std::stable_sort(centers.begin(), centers.end(),
                    [](const Point& a, const Point& b) { return a[0] < b[0]; });
   std::vector<uint8_t> out(points.size());
   parallel_for(
-      points.size(), [&](size_t i) { out[i] = static_cast<uint8_t>(nearest(centres, points[i])); },
+      points.size(), [&](size_t i) { out[i] = static_cast<uint8_t>(nearest(centers, points[i])); },
       4096);
   return out;
 }

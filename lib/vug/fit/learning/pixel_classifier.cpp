@@ -18,7 +18,7 @@ constexpr int kVersion = 1;
 /// Upper limits of the working size, since each pixel has more than a hundred features.
 constexpr int kMaxRows = 4096, kMaxPixels = 4'000'000;
 
-Planes joined(Planes a, const Planes& b) {
+Planes concatenated(Planes a, const Planes& b) {
   a.planes.insert(a.planes.end(), b.planes.begin(), b.planes.end());
   return a;
 }
@@ -28,7 +28,7 @@ Planes joined(Planes a, const Planes& b) {
 Planes PixelClassifier::classify(const image::Image& linear) const {
   const Planes seen =
       features(downsampled(linear, working_size(linear.width, linear.height, limits_)));
-  return second_.classify(joined(seen, context_features(first_.classify(seen))));
+  return second_.classify(concatenated(seen, context_features(first_.classify(seen))));
 }
 
 nlohmann::json PixelClassifier::to_json() const {

@@ -19,13 +19,13 @@ namespace {
 constexpr double kMaxVotes = 250;
 
 /// The value after writing it with five digits.
-double written(float value) {
+double rounded(float value) {
   const std::string text = fmt::format("{:.5g}", value);
   double out = 0;
   std::from_chars(text.data(), text.data() + text.size(), out);
   return out;
 }
-float short_number(float value) { return static_cast<float>(written(value)); }
+float short_number(float value) { return static_cast<float>(rounded(value)); }
 
 }  // namespace
 
@@ -221,7 +221,7 @@ nlohmann::json Forest::to_json() const {
     nlohmann::json features = nlohmann::json::array(), thresholds = nlohmann::json::array();
     for (const Split& split : tree.splits) {
       features.push_back(split.feature);
-      if (split.feature >= 0) thresholds.push_back(written(split.threshold));
+      if (split.feature >= 0) thresholds.push_back(rounded(split.threshold));
     }
     trees.push_back({{"features", features}, {"thresholds", thresholds}, {"votes", tree.votes}});
   }

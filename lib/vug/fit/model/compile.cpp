@@ -42,7 +42,7 @@ class Compiler {
       throw Error(ErrorCode::bad_input, "the axiom of a grammar to be fitted must be one symbol",
                   from_.where);
     out_.axiom = symbol(from_.axiom[0]);
-    return indexed(std::move(out_));
+    return with_index(std::move(out_));
   }
 
  private:

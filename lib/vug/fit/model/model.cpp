@@ -59,9 +59,9 @@ Model::Model(const Rules& rules, const Limits& limits, int width, int height,
   if (limits.min_size < 1 || limits.max_lines > kMaxLines || limits.max_kinds > kMaxKinds)
     throw Error(ErrorCode::bad_input, "the limits of facade trees are out of range");
   for (size_t symbol = 0; symbol < rules.symbols.size(); ++symbol) {
-    const std::vector<int>& ways = rules.by_head[symbol];
-    elements_.push_back(!ways.empty() && std::all_of(ways.begin(), ways.end(), [&](int way) {
-      return rules.production(way).op == Op::terminal;
+    const std::vector<int>& ids = rules.by_head[symbol];
+    elements_.push_back(!ids.empty() && std::all_of(ids.begin(), ids.end(), [&](int id) {
+      return rules.production(id).op == Op::terminal;
     }));
   }
   if (!(pixel_weight > 0))

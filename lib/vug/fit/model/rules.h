@@ -48,7 +48,7 @@ struct Rules {
 };
 
 /// Fills `by_head`.
-Rules indexed(Rules rules);
+Rules with_index(Rules rules);
 
 /// Limits of the space of trees.
 struct Limits {

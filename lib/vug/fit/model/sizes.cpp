@@ -19,7 +19,7 @@ std::vector<double> best_of(const SizeGains& gains, const std::vector<size_t>& s
 }
 
 /// The size that adds most to sizes with the gains `others`, and the resulting total gain.
-std::pair<size_t, double> best_beside(const SizeGains& gains, const std::vector<double>& others) {
+std::pair<size_t, double> best_addition(const SizeGains& gains, const std::vector<double>& others) {
   std::vector<double> together(gains.count(), 0);
   for (size_t cell = 0; cell < others.size(); ++cell) {
     const double least = others[cell];
@@ -39,7 +39,7 @@ double exchange(const SizeGains& gains, std::vector<size_t>& sizes, double gain)
       std::vector<size_t> others;
       for (const size_t& other : sizes)
         if (&other != &size) others.push_back(other);
-      const auto [at, most] = best_beside(gains, best_of(gains, others));
+      const auto [at, most] = best_addition(gains, best_of(gains, others));
       if (!(most > gain + kTiny)) continue;
       size = at, gain = most, better = true;
     }
@@ -64,7 +64,7 @@ std::vector<SizeChoice> choose_sizes(const SizeGains& gains, int most, double co
   std::vector<size_t> sizes;
   double gain = 0;
   while (static_cast<int>(sizes.size()) < most && (sizes.empty() || limit - gain > cost)) {
-    const auto [size, with] = best_beside(gains, best_of(gains, sizes));
+    const auto [size, with] = best_addition(gains, best_of(gains, sizes));
     if (!sizes.empty() && !(with > gain + kTiny)) break;
     sizes.push_back(size);
     gain = exchange(gains, sizes, with);

@@ -8,7 +8,7 @@ namespace {
 constexpr int kMaxStep = 12;  // Maximum difference of sizes in pixels.
 
 /// Whether the kind occurs in cells of that line only.
-bool only_there(const GridAxis& axis, int line, int kind) {
+bool occurs_only_in(const GridAxis& axis, int line, int kind) {
   bool there = false;
   for (int at = 0; at < axis.count; ++at)
     for (int other = 0; other < axis.across(); ++other) {
@@ -19,7 +19,7 @@ bool only_there(const GridAxis& axis, int line, int kind) {
   return there;
 }
 
-bool is_there(const GridAxis& axis, int line, int kind) {
+bool occurs_in(const GridAxis& axis, int line, int kind) {
   for (int other = 0; other < axis.across(); ++other)
     if (axis.kind(line, other) == kind) return true;
   return false;
@@ -44,7 +44,7 @@ bool differ(const MoveContext& context, TreeState& state, Choices& forward, Choi
     if (axis.kinds >= context.model.limits().max_kinds) return false;
     const int kind = 1 + forward.below(axis.kinds), fresh = axis.kinds + 1;
     back.below(axis.kinds, kind - 1);
-    if (!is_there(axis, line, kind)) return false;
+    if (!occurs_in(axis, line, kind)) return false;
     replace(axis, line, kind, fresh);
     Node window = state.tree[i + kind];
     const int wider = forward.between(-kMaxStep, kMaxStep);
@@ -56,7 +56,7 @@ bool differ(const MoveContext& context, TreeState& state, Choices& forward, Choi
   }
   if (axis.kinds < 2) return false;
   const int last = axis.kinds, kind = 1 + forward.below(axis.kinds - 1);
-  if (!only_there(axis, line, last) || is_there(axis, line, kind)) return false;
+  if (!occurs_only_in(axis, line, last) || occurs_in(axis, line, kind)) return false;
   replace(axis, line, last, kind);
   back.below(axis.kinds - 1, kind - 1);
   back.between(-kMaxStep, kMaxStep, state.tree[i + last].width - state.tree[i + kind].width);

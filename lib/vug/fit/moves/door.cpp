@@ -6,11 +6,11 @@ namespace {
 
 /// The production of a symbol to windows of the same kind with (or without) a door; -1 if there is
 /// none.
-int other_way(const Rules& rules, int symbol, int way, bool with_door) {
+int find_other_production(const Rules& rules, int symbol, int id, bool with_door) {
   for (const int other : rules.productions_of(symbol)) {
     const Production& production = rules.production(other);
     if (production.op == Op::windows && (production.parts.size() > 1) == with_door &&
-        production.parts[0] == rules.production(way).parts[0])
+        production.parts[0] == rules.production(id).parts[0])
       return other;
   }
   return -1;
@@ -25,19 +25,19 @@ bool door(const MoveContext& context, TreeState& state, Choices& forward, Choice
   const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
   const bool has_door = rules.production(tree[i].production).parts.size() > 1;
-  const int way = other_way(rules, tree[i].symbol, tree[i].production, !has_door);
-  if (way < 0) return false;
+  const int id = find_other_production(rules, tree[i].symbol, tree[i].production, !has_door);
+  if (id < 0) return false;
   Node node;
   if (has_door) {
     choose_rect(context, state, i, back, tree[tree.end(i) - 1], node);
     state.erase(i, tree.end(i) - 1);
   } else {
     choose_rect(context, state, i, forward, {}, node);
-    node.symbol = static_cast<int16_t>(rules.production(way).parts[1]);
+    node.symbol = static_cast<int16_t>(rules.production(id).parts[1]);
     node.parent_op = static_cast<int8_t>(Op::windows);
     state.insert(i, tree.end(i), node);
   }
-  tree[i].production = static_cast<int16_t>(way);
+  tree[i].production = static_cast<int16_t>(id);
   state.invalidate_bits(i);
   return true;
 }

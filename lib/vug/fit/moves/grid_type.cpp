@@ -28,7 +28,7 @@ std::vector<int> spans(const Lines& lines, int count) {
   return out;
 }
 
-void loosen(Lines& lines, int count, Choices& forward, Choices& back) {
+void jitter_lines(Lines& lines, int count, Choices& forward, Choices& back) {
   if (count < 2) return;
   const int span = span_of(lines, count);
   for (int i = 1; i < count; ++i)
@@ -39,7 +39,7 @@ void loosen(Lines& lines, int count, Choices& forward, Choices& back) {
              static_cast<int>(std::find(near.begin(), near.end(), span) - near.begin()));
 }
 
-bool straighten(Lines& lines, int count, Choices& forward, Choices& back) {
+bool even_out_lines(Lines& lines, int count, Choices& forward, Choices& back) {
   if (count < 2) return true;
   const std::vector<int> near = spans(lines, count);
   if (near.empty()) return false;
@@ -63,8 +63,8 @@ bool grid_type(const MoveContext& context, TreeState& state, Choices& forward, C
   const int above = pick_same(state, forward, back, fits);
   if (above < 0) return false;
   std::vector<int> types;  // Productions to grids.
-  for (const int way : rules.productions_of(tree[above].symbol))
-    if (rules.production(way).op == Op::grid) types.push_back(way);
+  for (const int id : rules.productions_of(tree[above].symbol))
+    if (rules.production(id).op == Op::grid) types.push_back(id);
   const auto count = static_cast<int>(types.size());
   const int type = types[static_cast<size_t>(forward.below(count))];
   back.below(count, static_cast<int>(std::find(types.begin(), types.end(), tree[above].production) -
@@ -78,10 +78,10 @@ bool grid_type(const MoveContext& context, TreeState& state, Choices& forward, C
   const SymbolInfo& to = rules.symbol(symbol);
   if (grid.production >= 0) {
     const std::vector<int>& parts = rules.production(grid.production).parts;
-    const std::vector<int>& ways = rules.productions_of(symbol);
-    const auto same = std::find_if(ways.begin(), ways.end(),
-                                   [&](int way) { return rules.production(way).parts == parts; });
-    if (same == ways.end()) return false;
+    const std::vector<int>& ids = rules.productions_of(symbol);
+    const auto same = std::find_if(ids.begin(), ids.end(),
+                                   [&](int id) { return rules.production(id).parts == parts; });
+    if (same == ids.end()) return false;
     const Cells full = grid.full_cells();
     if (from.identical && !to.identical) grid.cells = full;
     if (!from.identical && to.identical) {
@@ -93,12 +93,12 @@ bool grid_type(const MoveContext& context, TreeState& state, Choices& forward, C
     grid.production = static_cast<int16_t>(*same);
   }
   if (from.regular && !to.regular) {
-    loosen(grid.left, grid.columns, forward, back);
-    loosen(grid.top, grid.rows, forward, back);
+    jitter_lines(grid.left, grid.columns, forward, back);
+    jitter_lines(grid.top, grid.rows, forward, back);
   }
   if (!from.regular && to.regular &&
-      !(straighten(grid.left, grid.columns, forward, back) &&
-        straighten(grid.top, grid.rows, forward, back)))
+      !(even_out_lines(grid.left, grid.columns, forward, back) &&
+        even_out_lines(grid.top, grid.rows, forward, back)))
     return false;
   tree[above].production = static_cast<int16_t>(type);
   grid.symbol = static_cast<int16_t>(symbol);

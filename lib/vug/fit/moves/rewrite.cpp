@@ -22,22 +22,22 @@ bool rewrite(const MoveContext& context, TreeState& state, Choices& forward, Cho
   back.flip(!grow);
   const int i = grow ? pick(state, forward, open) : pick(state, forward, closed);
   if (i < 0) return false;
-  const std::vector<int>& ways = rules.productions_of(tree[i].symbol);
-  const auto count = static_cast<int>(ways.size());
+  const std::vector<int>& ids = rules.productions_of(tree[i].symbol);
+  const auto count = static_cast<int>(ids.size());
   Successors parts;
   if (grow) {
-    const int way = ways[static_cast<size_t>(forward.below(count))];
-    if (!choose_successors(context, state, i, way, forward, {}, parts)) return false;
-    apply_production(state, i, way, parts);
+    const int id = ids[static_cast<size_t>(forward.below(count))];
+    if (!choose_successors(context, state, i, id, forward, {}, parts)) return false;
+    apply_production(state, i, id, parts);
     score_pick(state, back, i, closed);
     return true;
   }
-  const int way = tree[i].production;
+  const int id = tree[i].production;
   const Successors old = successors_of(state, i);
   undo_production(state, i);
   score_pick(state, back, i, open);
-  back.below(count, static_cast<int>(std::find(ways.begin(), ways.end(), way) - ways.begin()));
-  return choose_successors(context, state, i, way, back, old, parts);
+  back.below(count, static_cast<int>(std::find(ids.begin(), ids.end(), id) - ids.begin()));
+  return choose_successors(context, state, i, id, back, old, parts);
 }
 
 }  // namespace

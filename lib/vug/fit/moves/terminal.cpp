@@ -14,15 +14,15 @@ bool terminal(const MoveContext& context, TreeState& state, Choices& forward, Ch
   };
   const int i = pick_same(state, forward, back, fits);
   if (i < 0) return false;
-  std::vector<int> ways;
-  for (const int way : rules.productions_of(tree[i].symbol))
-    if (rules.production(way).op == Op::terminal) ways.push_back(way);
-  const auto count = static_cast<int>(ways.size());
-  back.below(count, static_cast<int>(std::find(ways.begin(), ways.end(), tree[i].production) -
-                                     ways.begin()));
-  const int way = ways[static_cast<size_t>(forward.below(count))];
-  tree[i].production = static_cast<int16_t>(way);
-  tree[i + 1].symbol = static_cast<int16_t>(rules.production(way).parts[0]);
+  std::vector<int> ids;
+  for (const int id : rules.productions_of(tree[i].symbol))
+    if (rules.production(id).op == Op::terminal) ids.push_back(id);
+  const auto count = static_cast<int>(ids.size());
+  back.below(count,
+             static_cast<int>(std::find(ids.begin(), ids.end(), tree[i].production) - ids.begin()));
+  const int id = ids[static_cast<size_t>(forward.below(count))];
+  tree[i].production = static_cast<int16_t>(id);
+  tree[i + 1].symbol = static_cast<int16_t>(rules.production(id).parts[0]);
   state.invalidate_bits(i), state.invalidate_bits(i + 1);
   return true;
 }

@@ -8,10 +8,11 @@
 namespace vug::fit {
 namespace {
 
-using Way = std::pair<int, int>;  ///< A production to a grid, and one from that grid to windows.
+using GridProductions =
+    std::pair<int, int>;  ///< A production to a grid, and one from that grid to windows.
 
-std::vector<Way> ways_of(const Rules& rules, int symbol) {
-  std::vector<Way> out;
+std::vector<GridProductions> grid_productions(const Rules& rules, int symbol) {
+  std::vector<GridProductions> out;
   for (const int first : rules.productions_of(symbol)) {
     if (rules.production(first).op != Op::grid) continue;
     for (const int second : rules.productions_of(rules.production(first).parts[0]))
@@ -24,7 +25,7 @@ bool whole_grid(const MoveContext& context, TreeState& state, Choices& forward, 
   const Rules& rules = context.model.rules();
   const Tree& tree = state.tree;
   const auto open = [&](int i) {
-    return tree[i].production < 0 && !ways_of(rules, tree[i].symbol).empty();
+    return tree[i].production < 0 && !grid_productions(rules, tree[i].symbol).empty();
   };
   const auto closed = [&](int i) {
     return tree[i].production >= 0 && rules.production(tree[i].production).op == Op::grid &&
@@ -34,34 +35,36 @@ bool whole_grid(const MoveContext& context, TreeState& state, Choices& forward, 
   back.flip(!grow);
   const int i = grow ? pick(state, forward, open) : pick(state, forward, closed);
   if (i < 0) return false;
-  const std::vector<Way> ways = ways_of(rules, tree[i].symbol);
-  const auto count = static_cast<int>(ways.size());
+  const std::vector<GridProductions> choices = grid_productions(rules, tree[i].symbol);
+  const auto count = static_cast<int>(choices.size());
   Successors grid, windows;
   if (grow) {
-    const Way way = ways[static_cast<size_t>(forward.below(count))];
-    if (!choose_successors(context, state, i, way.first, forward, {}, grid)) return false;
-    apply_production(state, i, way.first, grid);
+    const GridProductions productions = choices[static_cast<size_t>(forward.below(count))];
+    if (!choose_successors(context, state, i, productions.first, forward, {}, grid)) return false;
+    apply_production(state, i, productions.first, grid);
     // Windows are chosen in the grid's area, which is that of its parent.
     state.areas[static_cast<size_t>(i + 1)] = state.areas[static_cast<size_t>(i)];
-    if (!choose_successors(context, state, i + 1, way.second, forward, {}, windows)) return false;
-    apply_production(state, i + 1, way.second, windows);
+    if (!choose_successors(context, state, i + 1, productions.second, forward, {}, windows))
+      return false;
+    apply_production(state, i + 1, productions.second, windows);
     score_pick(state, back, i, closed);
     return true;
   }
-  const Way way = {tree[i].production, tree[i + 1].production};
+  const GridProductions productions = {tree[i].production, tree[i + 1].production};
   // The reverse move chooses the grid before its windows, but the windows can only be scored while
   // the grid exists.
   const Successors old_windows = successors_of(state, i + 1);
   undo_production(state, i + 1);
   Choices scored;
   scored.score();
-  if (!choose_successors(context, state, i + 1, way.second, scored, old_windows, windows))
+  if (!choose_successors(context, state, i + 1, productions.second, scored, old_windows, windows))
     return false;
   const Successors old_grid = successors_of(state, i);
   undo_production(state, i);
   score_pick(state, back, i, open);
-  back.below(count, static_cast<int>(std::find(ways.begin(), ways.end(), way) - ways.begin()));
-  if (!choose_successors(context, state, i, way.first, back, old_grid, grid)) return false;
+  back.below(count, static_cast<int>(std::find(choices.begin(), choices.end(), productions) -
+                                     choices.begin()));
+  if (!choose_successors(context, state, i, productions.first, back, old_grid, grid)) return false;
   back.append(scored);
   return true;
 }

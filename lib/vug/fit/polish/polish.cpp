@@ -22,9 +22,9 @@ void shift_content(TreeState& state, int i, int dx, int dy) {
 
 /// Whether the node is split further, so that its contents cannot be shifted.
 bool divided(const Rules& rules, const TreeState& state, int i) {
-  const int way = state.tree[i].production;
-  if (way < 0) return false;
-  const Op op = rules.production(way).op;
+  const int id = state.tree[i].production;
+  if (id < 0) return false;
+  const Op op = rules.production(id).op;
   return op != Op::grid && op != Op::windows && op != Op::terminal;
 }
 
@@ -92,13 +92,13 @@ class Polisher {
     if (full < 0 || rules.production(tree[full].production).op != Op::grid) return false;
     const Area &area = state_.area(i), &inner = state_.area(full);
     if (inner.count != area.count) return false;
-    for (const int way : rules.productions_of(tree[i].symbol)) {
-      const Production& production = rules.production(way);
+    for (const int id : rules.productions_of(tree[i].symbol)) {
+      const Production& production = rules.production(id);
       if (production.op != Op::grid || production.parts[0] != tree[full + 1].symbol) continue;
       std::vector<Node> nodes(tree.nodes.begin() + full, tree.nodes.begin() + tree.end(full));
       const int16_t size = nodes[0].size;
       nodes[0] = tree[i];
-      nodes[0].size = size, nodes[0].production = static_cast<int16_t>(way);
+      nodes[0].size = size, nodes[0].production = static_cast<int16_t>(id);
       TreeState other = state_;
       other.replace(i, nodes);
       other.invalidate_areas();

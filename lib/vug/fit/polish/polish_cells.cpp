@@ -36,11 +36,11 @@ class WindowCells {
         std::vector<WindowSize> others = sizes;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
         const std::vector<double> beside = gains_of(grid, others);
-        double most = beside_gain(grid, beside, old) + kTiny;
+        double most = total_gain(grid, beside, old) + kTiny;
         for (int height = old.height - kReach; height <= old.height + kReach; ++height)
           for (int width = old.width - kReach; width <= old.width + kReach; ++width) {
             if (width < min_size_ || height < min_size_) continue;
-            const double gain = beside_gain(grid, beside, {width, height});
+            const double gain = total_gain(grid, beside, {width, height});
             if (gain > most) most = gain, sizes[k] = {width, height}, better = true;
           }
       }
@@ -69,8 +69,8 @@ class WindowCells {
     return out;
   }
 
-  double beside_gain(const Node& grid, const std::vector<double>& beside,
-                     const WindowSize& size) const {
+  double total_gain(const Node& grid, const std::vector<double>& beside,
+                    const WindowSize& size) const {
     double out = 0;
     size_t cell = 0;
     each(grid, [&](int column, int row) {

@@ -225,11 +225,11 @@ bool polish_type(const MoveContext& context, TreeState& state, int i) {
   const Node& old = from.tree[i + 1];
   if (old.production < 0) return false;
   const SymbolInfo& was = rules.symbol(old.symbol);
-  for (const int way : rules.productions_of(from.tree[i].symbol)) {
-    if (rules.production(way).op != Op::grid) continue;
+  for (const int id : rules.productions_of(from.tree[i].symbol)) {
+    if (rules.production(id).op != Op::grid) continue;
     TreeState other = from;
     Node& grid = other.tree[i + 1];
-    const int symbol = rules.production(way).parts[0];
+    const int symbol = rules.production(id).parts[0];
     const SymbolInfo& is = rules.symbol(symbol);
     int windows = -1;
     for (const int at : rules.productions_of(symbol))
@@ -246,7 +246,7 @@ bool polish_type(const MoveContext& context, TreeState& state, int i) {
       grid.left = nearest_even(grid.left, grid.columns);
       grid.top = nearest_even(grid.top, grid.rows);
     }
-    other.tree[i].production = static_cast<int16_t>(way);
+    other.tree[i].production = static_cast<int16_t>(id);
     grid.symbol = static_cast<int16_t>(symbol);
     grid.production = static_cast<int16_t>(windows);
     other.invalidate_bits(i), other.invalidate_bits(i + 1);

@@ -10,22 +10,22 @@ namespace {
 /// An element between two positions of a row.
 struct RowElement {
   double bits = 0;
-  int way = -1;  ///< The production of its element; -1: none.
+  int id = -1;  ///< The production of its element; -1: none.
   Rect rect;
 };
 
 class ElementRowSearch {
  public:
   ElementRowSearch(const MoveContext& context, const Evidence& evidence, const TreeState& state,
-                   int i, int way)
+                   int i, int id)
       : model_(context.model),
         rules_(model_.rules()),
         evidence_(evidence),
         state_(state),
         i_(i),
         area_(state.area(i)),
-        way_(way) {
-    element_ = rules_.production(way).parts[0];
+        id_(id) {
+    element_ = rules_.production(id).parts[0];
     whole_ = sum_of(evidence, state, area_);
     wall_bits_ = model_.likelihood()->bits(RegionType::wall, whole_);
     xs_ = with_borders(strongest_edges(evidence, state, area_, true, kColumns), area_.width);
@@ -49,7 +49,7 @@ class ElementRowSearch {
       from[k] = k - 1;
       for (size_t j = 0; j < k; ++j) {
         const RowElement element = between(xs_[j], xs_[k]);
-        if (element.way < 0 || least[j] + element.bits + cost >= least[k]) continue;
+        if (element.id < 0 || least[j] + element.bits + cost >= least[k]) continue;
         least[k] = least[j] + element.bits + cost;
         last[k] = element;
         from[k] = j;
@@ -57,7 +57,7 @@ class ElementRowSearch {
     }
     std::vector<RowElement> row_elements;
     for (size_t k = n - 1; k > 0; k = from[k])
-      if (last[k].way >= 0) row_elements.push_back(last[k]);
+      if (last[k].id >= 0) row_elements.push_back(last[k]);
     std::reverse(row_elements.begin(), row_elements.end());
     if (row_elements.empty() ||
         static_cast<int>(row_elements.size()) > model_.limits().max_elements)
@@ -88,11 +88,11 @@ class ElementRowSearch {
         Sums rest = whole_;
         rest -= sums;
         const double saved = wall_bits_ - likelihood.bits(RegionType::wall, rest);
-        for (const int way : rules_.productions_of(element_)) {
-          if (rules_.production(way).op != Op::terminal) continue;
-          const RegionType type = rules_.symbol(rules_.production(way).parts[0]).type;
+        for (const int id : rules_.productions_of(element_)) {
+          if (rules_.production(id).op != Op::terminal) continue;
+          const RegionType type = rules_.symbol(rules_.production(id).parts[0]).type;
           const double bits = model_.pixel_weight() * (likelihood.bits(type, sums) - saved);
-          if (bits < best.bits) best = {bits, way, rect};
+          if (bits < best.bits) best = {bits, id, rect};
         }
       }
     return best;
@@ -113,20 +113,20 @@ class ElementRowSearch {
       x = end;
       parts.push_back(part);
     }
-    out.grow(i_, way_, parts);
+    out.grow(i_, id_, parts);
     if (!std::isfinite(model_.energy(out))) return {};
     for (size_t k = row_elements.size(); k-- > 0;) {
       const int at = i_ + 1 + static_cast<int>(k);
       const RowElement& element = row_elements[k];
       const int begin = k > 0 ? (row_elements[k - 1].rect.x1 + element.rect.x0) / 2 : 0;
       Node node;
-      node.symbol = static_cast<int16_t>(rules_.production(element.way).parts[0]);
+      node.symbol = static_cast<int16_t>(rules_.production(element.id).parts[0]);
       node.parent_op = static_cast<int8_t>(Op::terminal);
       node.x = static_cast<int16_t>(element.rect.x0 - begin);
       node.y = static_cast<int16_t>(element.rect.y0);
       node.width = static_cast<int16_t>(element.rect.x1 - element.rect.x0);
       node.height = static_cast<int16_t>(element.rect.y1 - element.rect.y0);
-      out.grow(at, element.way, {node});
+      out.grow(at, element.id, {node});
     }
     if (!std::isfinite(model_.energy(out))) return {};
     return {out};
@@ -138,7 +138,7 @@ class ElementRowSearch {
   const TreeState& state_;
   const int i_;
   const Area area_;
-  const int way_;
+  const int id_;
   int element_ = 0;
   Sums whole_;
   double wall_bits_ = 0;
@@ -221,9 +221,9 @@ std::vector<Rect> ground_elements_between(const MoveContext& context, const Evid
 
 std::vector<TreeState> element_row_candidates(const MoveContext& context, const Evidence& evidence,
                                               const TreeState& state, int i) {
-  for (const int way : context.model.rules().productions_of(state.tree[i].symbol))
-    if (context.model.rules().production(way).op == Op::elements && context.model.likelihood())
-      return ElementRowSearch(context, evidence, state, i, way).make();
+  for (const int id : context.model.rules().productions_of(state.tree[i].symbol))
+    if (context.model.rules().production(id).op == Op::elements && context.model.likelihood())
+      return ElementRowSearch(context, evidence, state, i, id).make();
   return {};
 }
 

@@ -63,21 +63,21 @@ Lines starts(const std::vector<Segment>& segments, const Groups& groups, bool re
   return regular ? nearest_even(out, static_cast<int>(segments.size())) : out;
 }
 
-int way_to_windows(const Rules& rules, int grid, bool with_door) {
-  for (const int way : rules.productions_of(grid))
-    if (rules.production(way).op == Op::windows &&
-        (rules.production(way).parts.size() > 1) == with_door)
-      return way;
+int find_windows_production(const Rules& rules, int grid, bool with_door) {
+  for (const int id : rules.productions_of(grid))
+    if (rules.production(id).op == Op::windows &&
+        (rules.production(id).parts.size() > 1) == with_door)
+      return id;
   return -1;
 }
 
 /// False if there are too many kinds.
-bool put_grid(const MoveContext& context, TreeState& state, int i, int way,
+bool add_grid(const MoveContext& context, TreeState& state, int i, int id,
               const FoldedIntegral& integral, const Layout& layout, int tolerance) {
   const Rules& rules = context.model.rules();
-  const int symbol = rules.production(way).parts[0];
+  const int symbol = rules.production(id).parts[0];
   const SymbolInfo& info = rules.symbol(symbol);
-  const int windows = way_to_windows(rules, symbol, false);
+  const int windows = find_windows_production(rules, symbol, false);
   if (windows < 0) return false;
   const Groups widths = grouped(layout.columns, tolerance),
                heights = grouped(layout.rows, tolerance);
@@ -108,7 +108,7 @@ bool put_grid(const MoveContext& context, TreeState& state, int i, int way,
       if (integral.sum(x.start, y.start, x.end, y.end) > 0)
         grid.set_kind(static_cast<int>(column), static_cast<int>(row), static_cast<int>(kind));
     }
-  state.grow(i, way, {grid});
+  state.grow(i, id, {grid});
   state.grow(i + 1, windows, parts);
   return true;
 }
@@ -119,8 +119,8 @@ void add_doors(const MoveContext& context, const TreeState& state, int i, const 
                std::vector<TreeState>& out) {
   const Rules& rules = context.model.rules();
   const Node& grid = state.tree[i + 1];
-  const int way = way_to_windows(rules, grid.symbol, true);
-  if (way < 0) return;
+  const int id = find_windows_production(rules, grid.symbol, true);
+  if (id < 0) return;
   const int ground = state.area(i).height;
   std::vector<Rect> places;
   if (there.x1 > there.x0) places.push_back(there);
@@ -133,13 +133,13 @@ void add_doors(const MoveContext& context, const TreeState& state, int i, const 
   for (const Rect& place : places) {
     TreeState with = state;
     Node door;
-    door.symbol = static_cast<int16_t>(rules.production(way).parts[1]);
+    door.symbol = static_cast<int16_t>(rules.production(id).parts[1]);
     door.parent_op = static_cast<int8_t>(Op::windows);
     door.x = static_cast<int16_t>(place.x0), door.y = static_cast<int16_t>(place.y0);
     door.width = static_cast<int16_t>(place.x1 - place.x0);
     door.height = static_cast<int16_t>(place.y1 - place.y0);
     with.insert(i + 1, with.tree.end(i + 1), door);
-    with.tree[i + 1].production = static_cast<int16_t>(way);
+    with.tree[i + 1].production = static_cast<int16_t>(id);
     const double bits = context.model.energy(with);
     if (!(bits < least)) continue;
     least = bits;
@@ -176,12 +176,12 @@ std::vector<TreeState> grid_candidates(const MoveContext& context, const TreeSta
                                        const Rect& door) {
   const Rules& rules = context.model.rules();
   std::vector<TreeState> out;
-  for (const int way : rules.productions_of(state.tree[i].symbol)) {
-    if (rules.production(way).op != Op::grid) continue;
-    const bool identical = rules.symbol(rules.production(way).parts[0]).identical;
+  for (const int id : rules.productions_of(state.tree[i].symbol)) {
+    if (rules.production(id).op != Op::grid) continue;
+    const bool identical = rules.symbol(rules.production(id).parts[0]).identical;
     for (const int tolerance : {0, 1, 2, 3, 5, 8, 12, 20}) {
       TreeState with = state;
-      if (!put_grid(context, with, i, way, integral, layout,
+      if (!add_grid(context, with, i, id, integral, layout,
                     identical ? std::max(integral.width(), integral.height()) : tolerance))
         continue;
       if (!std::isfinite(context.model.energy(with))) continue;

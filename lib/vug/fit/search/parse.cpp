@@ -43,20 +43,20 @@ class Parser {
       for (TreeState& row : element_row_candidates(context_, evidence_, state, i))
         found.add(std::move(row));
     if (depth == 0) return std::move(found.state);
-    std::vector<TreeState> ways = splits(state, i, integral);
+    std::vector<TreeState> candidates = splits(state, i, integral);
     std::vector<double> bits;
-    for (TreeState& plain : all_expanded(ways, i, 0)) {
+    for (TreeState& plain : all_expanded(candidates, i, 0)) {
       bits.push_back(model_.energy(plain));
       found.add(std::move(plain));
     }
     if (depth == 1) return std::move(found.state);
-    std::vector<size_t> order(ways.size());
+    std::vector<size_t> order(candidates.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
                      [&](size_t a, size_t b) { return bits[a] < bits[b]; });
     order.resize(std::min(order.size(), static_cast<size_t>(options_.breadth)));
     std::vector<TreeState> promising;
-    for (const size_t way : order) promising.push_back(std::move(ways[way]));
+    for (const size_t best : order) promising.push_back(std::move(candidates[best]));
     for (TreeState& deep : all_expanded(promising, i, depth - 1)) found.add(std::move(deep));
     return std::move(found.state);
   }
@@ -114,8 +114,8 @@ class Parser {
   };
 
   bool has(const TreeState& state, int i, Op op) const {
-    for (const int way : rules_.productions_of(state.tree[i].symbol))
-      if (rules_.production(way).op == op) return true;
+    for (const int id : rules_.productions_of(state.tree[i].symbol))
+      if (rules_.production(id).op == op) return true;
     return false;
   }
 
@@ -126,9 +126,10 @@ class Parser {
     return state;
   }
 
-  std::vector<TreeState> all_expanded(const std::vector<TreeState>& ways, int i, int depth) const {
-    std::vector<TreeState> out(ways.size());
-    parallel_for(ways.size(), [&](size_t way) { out[way] = expanded(ways[way], i, depth); });
+  std::vector<TreeState> all_expanded(const std::vector<TreeState>& candidates, int i,
+                                      int depth) const {
+    std::vector<TreeState> out(candidates.size());
+    parallel_for(candidates.size(), [&](size_t k) { out[k] = expanded(candidates[k], i, depth); });
     return out;
   }
 
@@ -147,30 +148,30 @@ class Parser {
     const Area area = state.area(i);
     const int least = model_.limits().min_size;
     const double required = options_.min_potential * integral.potential();
-    const auto add = [&](int way, const std::vector<Node>& parts, bool folds) {
+    const auto add = [&](int id, const std::vector<Node>& parts, bool folds) {
       TreeState split = state;
-      split.grow(i, way, parts);
+      split.grow(i, id, parts);
       if (!std::isfinite(model_.energy(split))) return;
       double kept = 0;
       for (int number = 0; folds && number < static_cast<int>(parts.size()); ++number)
         kept += FoldedIntegral(map_, split, split.area(split.tree.child(i, number))).potential();
       if (!folds || kept >= required) out.push_back(std::move(split));
     };
-    for (const int way : rules_.productions_of(state.tree[i].symbol)) {
-      const Production& production = rules_.production(way);
+    for (const int id : rules_.productions_of(state.tree[i].symbol)) {
+      const Production& production = rules_.production(id);
       if (production.op == Op::rows)
         for (const int edge : strongest_edges(evidence_, state, area, false, kRows))
-          add(way, {part_of(production, 0, area.height - edge), part_of(production, 1)}, false);
+          add(id, {part_of(production, 0, area.height - edge), part_of(production, 1)}, false);
       if (production.op == Op::repeat)
         for (int times = 2;
              times <= std::min<int>(model_.limits().max_repeats, area.width / (2 * least)); ++times)
-          add(way, {part_of(production, 0, times)}, true);
+          add(id, {part_of(production, 0, times)}, true);
       if (production.op == Op::mirror && production.parts.size() == 1)
-        add(way, {part_of(production, 0)}, true);
+        add(id, {part_of(production, 0)}, true);
       if (production.op == Op::mirror && production.parts.size() == 2)
         for (const int middle : middles(state, area)) {
           if (middle >= least)
-            add(way, {part_of(production, 0), part_of(production, 1, middle)}, true);
+            add(id, {part_of(production, 0), part_of(production, 1, middle)}, true);
         }
     }
     return out;

@@ -30,7 +30,7 @@ std::vector<Gains> first_gains(const Evidence& evidence, bool supervised) {
 }
 
 /// Gains estimated from the windows of a tree and the rest of the picture.
-Gains learnt(const Model& model, const Evidence& evidence, const TreeState& state) {
+Gains estimated_gains(const Model& model, const Evidence& evidence, const TreeState& state) {
   Sums windows, wall = evidence.sums(0, 0, evidence.width(), evidence.height());
   model.each_terminal(state, [&](RegionType type, int, const Rect& r) {
     const Sums sums = evidence.sums(r.x0, r.y0, r.x1, r.y1);
@@ -45,7 +45,7 @@ Gains learnt(const Model& model, const Evidence& evidence, const TreeState& stat
 std::vector<TreeState> seeds(const MoveContext& context, const Evidence& evidence, bool supervised,
                              const SeedOptions& options) {
   std::vector<std::pair<double, TreeState>> found;
-  std::vector<std::pair<double, Gains>> learnt_gains;
+  std::vector<std::pair<double, Gains>> gain_candidates;
   ParseOptions quick = options.parse;
   quick.depth = std::min(quick.depth, 1);
   // Different clusters may lead to the same windows and thus to the same gains.
@@ -67,20 +67,20 @@ std::vector<TreeState> seeds(const MoveContext& context, const Evidence& evidenc
       const auto [energy, state] = parse_once(gains, quick);
       if (!(energy < least)) break;
       least = energy;
-      if (!supervised) gains = learnt(context.model, evidence, state);
-      learnt_gains.emplace_back(energy, gains);
+      if (!supervised) gains = estimated_gains(context.model, evidence, state);
+      gain_candidates.emplace_back(energy, gains);
     }
   }
-  std::stable_sort(learnt_gains.begin(), learnt_gains.end(),
+  std::stable_sort(gain_candidates.begin(), gain_candidates.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::pair<double, TreeState> best = {std::numeric_limits<double>::infinity(), {}};
-  for (int i = 0; i < options.thorough && i < static_cast<int>(learnt_gains.size()); ++i) {
-    auto seen = parse_once(learnt_gains[static_cast<size_t>(i)].second, options.parse);
+  for (int i = 0; i < options.thorough && i < static_cast<int>(gain_candidates.size()); ++i) {
+    auto seen = parse_once(gain_candidates[static_cast<size_t>(i)].second, options.parse);
     if (seen.first < best.first) best = std::move(seen);
     if (supervised) break;
   }
   if (!supervised && best.first < std::numeric_limits<double>::infinity())
-    parse_once(learnt(context.model, evidence, best.second), options.parse);
+    parse_once(estimated_gains(context.model, evidence, best.second), options.parse);
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<TreeState> out;

@@ -35,11 +35,11 @@ class PaperPoints final : public Distribution {
   std::vector<Vec2d> points(const Plot& plot, double density, RandomKey key,
                             Progress&) const override {
     require_density(density, plot.area());
-    if (const int dent = plot.first_reflex_corner(); dent >= 0)
+    if (const int reflex = plot.first_reflex_corner(); reflex >= 0)
       throw Error(
           ErrorCode::bad_input,
           fmt::format("the paper's distribution needs a convex polygon; corner {} at {} is concave",
-                      dent + 1, to_string(plot.corners()[static_cast<size_t>(dent)])),
+                      reflex + 1, to_string(plot.corners()[static_cast<size_t>(reflex)])),
           {}, "use another distribution: they take any simple polygon");
     const auto count = static_cast<uint64_t>(std::llround(density * plot.area()));
     std::vector<Vec2d> points;

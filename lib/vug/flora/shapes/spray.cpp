@@ -26,7 +26,7 @@ struct Spray : LeafParams {
   }
 };
 
-mesh::Mesh made(const Spray& p) {
+mesh::Mesh make_spray(const Spray& p) {
   return spray({p.options(), p.leaves, p.angle, p.spacing, p.vary,
                 RandomKey(static_cast<uint64_t>(p.seed)).at("spray")});
 }
@@ -34,4 +34,4 @@ mesh::Mesh made(const Spray& p) {
 }  // namespace
 }  // namespace vug::flora
 
-VUG_SHAPE_KIND(spray) { return shape_kind<Spray>("spray", made); }
+VUG_SHAPE_KIND(spray) { return shape_kind<Spray>("spray", make_spray); }
