@@ -123,7 +123,7 @@ class Cells(VugTest):
 
     def test_objects_without_a_mesh_wear_nothing(self):
         self.write("s.vug", SCENE % ("wall", GOOD) + "object ball on skin { direct true }\n")
-        self.assertIn("s.vug:5:8: error: 'ball' wears cells", self.expect(2, "check", "s.vug").err)
+        self.assertIn("s.vug:5:8: error: 'ball' has a cell layer", self.expect(2, "check", "s.vug").err)
 
     def test_the_mesh_is_written_with_what_cells_carry(self):
         self.write("s.vug", SCENE % ("wall", GOOD))

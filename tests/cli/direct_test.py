@@ -67,7 +67,7 @@ class Direct(VugTest):
         for shines in ("emission (1, 1, 1)", "material surface(emission_radiance: 2)"):
             self.write("lamp.vug", start + f"object lamp on m {{ direct true  {shines} }}\n")
             error = self.expect(2, "check", "lamp.vug").err
-            self.assertIn("'lamp' shines, for which it needs a mesh", error)
+            self.assertIn("'lamp' is emissive, for which it needs a mesh", error)
             self.assertIn("lamp.vug:3:", error)
 
     def test_what_has_holes_needs_a_mesh(self):

@@ -1,5 +1,5 @@
-// Builds every scene of data/scenes, holds its meshes against the facts known about them, and
-// looks at what is promised of any scene: closed surfaces on the field, sound level sets.
+// Builds every scene of data/scenes, compares its meshes with known facts, and checks the
+// guarantees for all scenes: closed surfaces on the field, valid level sets.
 #include "facts.h"
 
 #include <vug/building/builder.h>
@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Whether the volume's region cuts the solid off near the point.
+/// Whether the volume's region clips the solid near the point.
 bool near_cut(const shot::VolumePlan& plan, const Vec3d& p) {
   if (!plan.from) return false;
   for (int axis = 0; axis < 3; ++axis)
@@ -48,13 +48,13 @@ double rms_distance(const mesh::Mesh& mesh, const shot::VolumePlan& plan) {
   return count ? std::sqrt(squares / static_cast<double>(count)) : 0;
 }
 
-/// The mesh without cells, which may have moved it.
+/// The mesh without cells, which may have displaced it.
 shot::MeshPtr bare(const shot::MeshPtr& plan) {
   const shot::MeshPtr under = shot::mesh_without_cells(*plan);
   return under ? bare(under) : plan;
 }
 
-/// Holes are cut by cells or come with a file.
+/// Whether the mesh may be open: holes are cut by cells or come from a file.
 bool may_be_open(const shot::MeshPtr& plan) {
   const shot::MeshPtr under = shot::mesh_without_cells(*plan);
   return under ? plan->cells->holes || may_be_open(under) : plan->file_mesh != nullptr;
@@ -137,7 +137,7 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Data, EveryScene, ::testing::ValuesIn(scene_names()), test_name);
 
-// The list of tests is made when the binary is built, the list of scenes lies on disk.
+// The list of tests is fixed at build time; the list of scenes is on disk.
 TEST(Scenes, FactsAndFilesAreTheSameScenes) {
   std::vector<std::string> known;
   for (const auto& [name, facts] : scene_facts().at("scenes").items()) known.push_back(name);

@@ -26,7 +26,7 @@ json facts_of(const metrics::Report& report) {
           {"bounds", {{b.min.x, b.min.y, b.min.z}, {b.max.x, b.max.y, b.max.z}}}};
 }
 
-/// A number is met by itself, a range [least, most] by what lies in it.
+/// Whether a value equals the expected number or lies in the expected range [min, max].
 bool count_fits(const json& measured, const json& wanted) {
   if (!wanted.is_array()) return measured == wanted;
   return !measured.is_null() && measured >= wanted.at(0) && measured <= wanted.at(1);

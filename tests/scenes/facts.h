@@ -1,5 +1,5 @@
-// What is known about the scenes of data/scenes: tests/data/scene_facts.json, and how a mesh is
-// held against it.
+// Known facts about the scenes of data/scenes, from tests/data/scene_facts.json, and their
+// comparison with meshes.
 #pragma once
 
 #include <vug/loading/load.h>
@@ -16,7 +16,7 @@ namespace vug::session {
 /// Every scene of data/scenes and its folders, as "teaching/morph.vug", in order.
 std::vector<std::string> scene_names();
 
-/// Loads a scene of data/scenes; fails the test when it has faults.
+/// Loads a scene of data/scenes; fails the test if it has faults.
 loading::Loaded load_scene(const std::string& name,
                            const std::vector<scene::Override>& overrides = {},
                            std::optional<uint64_t> seed = {});
@@ -28,14 +28,14 @@ loading::Loaded load_scene(const std::string& name,
 /// meant to be. "attributes" are ranges that the means over the vertices lie in, by name.
 const nlohmann::json& scene_facts();
 
-/// Fails the test where the report is not what the facts say, and then tells what it is.
+/// Fails the test if the report differs from the facts, and prints the report.
 void expect_facts(const metrics::Report& report, const nlohmann::json& facts);
 
 /// The same for the words of the scene's L-systems: "words" of a scene's facts are {GRAMMAR:
 /// {"modules": N, "symbols": {NAME: N}}}, as they are drawn where "drawn" is true.
 void expect_words(const shot::Shot& shot, const nlohmann::json& facts);
 
-/// The same for what the mesh carries.
+/// Compares the attributes of the mesh with the facts.
 void expect_attributes(const mesh::Mesh& mesh, const nlohmann::json& facts);
 
 }  // namespace vug::session

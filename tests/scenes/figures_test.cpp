@@ -18,9 +18,9 @@ metrics::Report measured(const std::vector<scene::Override>& overrides,
   return delivery::measure(builder);
 }
 
-// Figure 11. Facets between points of the surface err at second order, so halving the voxel
-// shrinks the step to the next value to about a quarter; details of the size of a voxel that come
-// and go leave half.
+// Figure 11. Facets between surface points have a second-order error, so halving the voxel reduces
+// the difference to the next value to about a quarter; details of voxel size reduce it only to
+// half.
 TEST(Figures, SurfaceAndVolumeConvergeWithLd) {
   std::vector<metrics::Report> at;
   for (const char* ld : {"3", "6", "12"}) at.push_back(measured({{"LD", ld}}));
@@ -30,22 +30,22 @@ TEST(Figures, SurfaceAndVolumeConvergeWithLd) {
   EXPECT_LT(std::abs(at[2].volume - at[1].volume), 0.5 * volume_step);
   EXPECT_NEAR(at[2].area / at[1].area, 1, 0.02);
   EXPECT_NEAR(at[2].volume / at[1].volume, 1, 0.01);
-  // Cells that lie inside with all corners: from below, and a layer of cells less.
+  // Cells with all corners inside: a lower bound, one layer of cells less.
   EXPECT_LT(*at[0].volume_cells, *at[1].volume_cells);
   EXPECT_LT(*at[1].volume_cells, *at[2].volume_cells);
   EXPECT_LT(*at[2].volume_cells, at[2].volume);
   EXPECT_GT(*at[2].volume_cells, at[2].volume - at[2].area / 12);
 }
 
-// Figure 10. A surface has as many triangles as faces of cells it passes: LD squared.
+// Figure 10. A surface has as many triangles as cell faces that it crosses: LD squared.
 TEST(Figures, TrianglesGrowWithTheSquareOfLd) {
   const double coarse = static_cast<double>(measured({{"LD", "5"}}).triangles);
   const double fine = static_cast<double>(measured({{"LD", "10"}}).triangles);
   EXPECT_NEAR(fine / coarse, 4, 0.2);
 }
 
-// Figure 9, over some seeds: twelve productions, and a cave that reaches further along +X than
-// the shape it started from, and further there than to any other side.
+// Figure 9, for some seeds: twelve productions, and a cave that extends further along +X than its
+// initial shape and further than in any other direction.
 TEST(Figures, CavesOfAnySeedHaveTwelveProductionsAndGrowAlongX) {
   for (uint64_t seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE(seed);

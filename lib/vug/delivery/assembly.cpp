@@ -20,10 +20,10 @@ Transform transform_of(const render::Object& object) {
   return {Vec3d(at.x), Vec3d(at.y), Vec3d(at.z), Vec3d(at.origin)};
 }
 
-/// Looks that depend on the place of an instance are told at each as long as all of it together
-/// has no more vertices than this.
+/// World-space materials are baked separately for each instance as long as all instances together
+/// have no more vertices than this.
 constexpr size_t kMaxVertices = 4000000;
-/// How many places of more than that are looked at, to tell whether they differ.
+/// Number of instances that are baked beyond that limit to find out whether they differ.
 constexpr size_t kProbes = 4;
 
 class Collector {
@@ -36,7 +36,7 @@ class Collector {
   }
 
  private:
-  /// Objects that share a mesh and a look share a part.
+  /// Objects with the same mesh and material share a prototype.
   using Key = std::tuple<const void*, const void*, bool, float, float, float>;
   static Key key_of(const render::Object& object) {
     const Vec3f& light = object.emission;
@@ -75,7 +75,7 @@ class Collector {
     if (fresh) add_prototype(object, bake(object));
     return known->second;
   }
-  /// Places at which it looks the same share a part, too.
+  /// Instances with equal baked results share a prototype as well.
   size_t own_prototype(const Key& key, const render::Object& object) {
     BakeResult baked = bake(object);
     std::vector<size_t>& made = own_prototypes_[key];
@@ -104,7 +104,7 @@ class Collector {
     return a.look == b.look && *a.mesh == *b.mesh;
   }
 
-  /// Of several groups of a name the second gets another: programs tell things apart by names.
+  /// Renames repeated groups, since programs identify objects by name.
   void make_names_unique() {
     std::set<std::string> given;
     for (exchange::InstanceGroup& group : out_.assembly.groups) {
@@ -122,7 +122,7 @@ class Collector {
   std::map<std::tuple<std::string, size_t, bool>, size_t> groups_;
 };
 
-/// Pixels of the pictures that a camera takes.
+/// The size in pixels of the pictures of a camera.
 Vec2i size_of(const shot::Shot& shot, const shot::CameraPlan& camera) {
   const shot::RenderPlan* plan = shot.renders.empty() ? nullptr : &shot.renders.front();
   for (const shot::RenderPlan& each : shot.renders)
@@ -131,7 +131,7 @@ Vec2i size_of(const shot::Shot& shot, const shot::CameraPlan& camera) {
   return {size.at(0), size.at(1)};
 }
 
-/// The cameras, that of the first picture before all others: many programs look through the first.
+/// The cameras, with that of the first picture first: many programs use the first camera.
 std::vector<shot::CameraPlan> in_order(const shot::Shot& shot) {
   std::vector<shot::CameraPlan> cameras = shot.cameras;
   const std::string first = picture::camera_name(shot, picture::render_plan(shot, {}));
@@ -152,7 +152,7 @@ void add_cameras(const shot::Shot& shot, AssemblyResult& out) {
     camera.name = plan.name;
     camera.size = size_of(shot, plan);
     camera.aspect = static_cast<double>(camera.size.x) / camera.size.y;
-    // All of the scene lies before the far plane, wherever the camera stands in it.
+    // The far plane lies behind the whole scene for any camera position in it.
     camera.far = std::max(1000.0, 4 * across);
     out.assembly.cameras.push_back(camera);
   }
@@ -175,8 +175,8 @@ void add_lights(const shot::Shot& shot, const std::vector<render::LightPtr>& lig
   }
 }
 
-/// A mesh that nobody has made an object of has the name of the cells that it wears; where they
-/// stand on one alone, others know it by its own.
+/// The exported name of a mesh without an object: for cells on a single mesh, the name of that mesh
+/// instead of the name of the cells.
 std::string shown_name(const shot::Shot& shot, const std::string& name) {
   const auto worn =
       std::find_if(shot.meshes.begin(), shot.meshes.end(), [&](const shot::MeshPtr& mesh) {

@@ -11,14 +11,14 @@
 namespace vug::delivery {
 namespace {
 
-/// What varies by less looks the same.
+/// Smaller variations are treated as constant.
 constexpr double kSame = 1.0 / 1024;
 
 double part_of(const exchange::Channel& channel, const exchange::Look& look, int part) {
   return channel.color ? (look.*channel.color)[part] : look.*channel.number;
 }
 
-/// The smallest, the largest and the sum of what a channel's parts are.
+/// The minimum and maximum of the components of a channel.
 struct Spread {
   Vec3d low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
 
@@ -28,7 +28,7 @@ struct Spread {
   }
 };
 
-/// What most surfaces have nowhere takes no room.
+/// Whether the channel may vary; memory is reserved only for such channels.
 bool may_vary(const render::Object& object, const exchange::Channel& channel, bool solid) {
   const render::Material* material = object.material.get();
   if (channel.number == &exchange::Look::opacity) return material && material->cut_out() && !solid;
@@ -37,7 +37,7 @@ bool may_vary(const render::Object& object, const exchange::Channel& channel, bo
   return true;
 }
 
-/// `solid`: what there is of the mesh is all there.
+/// Bakes the mesh without cutting it. `solid`: the opacity is 1 everywhere.
 BakeResult bake_as_it_is(const render::Object& object, bool solid) {
   const MaterialProbe probe(object);
   mesh::Mesh out = *object.mesh;

@@ -20,7 +20,7 @@
 namespace vug::delivery {
 namespace {
 
-/// The meshes of level sets among what the cells stand on, one for each level set.
+/// The supporting meshes that are surfaces of level sets, one for each level set.
 std::vector<shot::MeshPtr> solid_supports(const shot::CellsPlan& plan) {
   std::vector<shot::MeshPtr> out;
   std::set<shot::VolumePtr> known;
@@ -29,7 +29,7 @@ std::vector<shot::MeshPtr> solid_supports(const shot::CellsPlan& plan) {
   return out;
 }
 
-/// Vertices without triangles: the places on the surface that the band's voxels belong to.
+/// Vertices without triangles: the nearest surface points of the voxels in the band.
 mesh::Mesh surface_points(const shot::MeshPlan& support, const volume::LevelSet& level_set) {
   volume::BandPoints band = volume::band_points(level_set);
   mesh::Mesh out;
@@ -49,7 +49,7 @@ volume::Grid grid_of(const mesh::Attribute& attribute, const volume::LevelSet& l
   return volume::band_grid(level_set, vectors);
 }
 
-/// Names of columns of a table.
+/// Writes the column names of an attribute.
 void write_names(mesh::ByteWriter& out, const std::string& name, const std::vector<float>&) {
   out.text(",").text(name);
 }
@@ -71,7 +71,7 @@ void write_value(mesh::ByteWriter& out, const T& value) {
 }  // namespace
 
 std::vector<volume::Grid> cell_grids(building::Builder& builder, const shot::CellsPtr& plan) {
-  constexpr double kBytes = 200;  // what a voxel takes while its values are found
+  constexpr double kBytes = 200;  // memory per voxel while its values are computed
   std::vector<volume::Grid> out;
   const building::CellLayerPtr layer = builder.cell_layer(plan);
   const std::vector<shot::MeshPtr> grounds = solid_supports(*plan);

@@ -14,12 +14,13 @@
 namespace vug::delivery {
 namespace {
 
-/// Triangles that a mesh is made to have before it is cut, about: of a leaf 12 across and 90 along.
+/// Approximate number of triangles before cutting; for a leaf, 12 across and 90 along.
 constexpr double kTriangles = 4000;
-/// Opacities this near to 0 and 1 are that; so many others are a matter of the grain of an edge.
+/// Opacities this close to 0 or 1 count as binary; a fraction of kSoftShare of others is attributed
+/// to soft edges.
 constexpr double kHard = 0.02;
 constexpr double kSoftShare = 0.05;
-/// Halvings of an edge until the outline crosses it: to a thousandth of its length.
+/// Bisection steps for the crossing of an outline with an edge: a thousandth of its length.
 constexpr int kHalvings = 10;
 
 mesh::Mesh fine(const mesh::Mesh& mesh) {
@@ -31,12 +32,12 @@ mesh::Mesh fine(const mesh::Mesh& mesh) {
     const auto p = mesh::corners(mesh, i);
     area += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).length();
   }
-  // Halved edges are between one and two times as short as asked for.
+  // Bisected edges are between one and two times shorter than requested.
   const double longest = 2 * std::sqrt(area / kTriangles);
   return longest > 0 ? mesh::refined(std::move(out), longest) : out;
 }
 
-/// Opacities at the corners of all triangles, and in their middles.
+/// Opacities at the corners and the centroids of all triangles.
 using Opacities = std::vector<std::array<double, 4>>;
 
 Opacities sampled(const MaterialProbe& probe, size_t triangles) {
@@ -51,7 +52,7 @@ Opacities sampled(const MaterialProbe& probe, size_t triangles) {
   return out;
 }
 
-/// Whether there are holes, and hardly anything between hole and surface.
+/// Whether there are holes and the opacity is nearly binary.
 bool cuts(const Opacities& opacities) {
   size_t soft = 0, holes = 0;
   for (const auto& places : opacities)
@@ -87,7 +88,7 @@ class Cutter {
     if (corners == 4) out_.triangles.push_back({ring[0], ring[2], ring[3]});
   }
 
-  /// Where the outline crosses the edge from corner k on; one vertex for both its triangles.
+  /// The vertex at which the outline crosses the edge from corner k; shared by both triangles.
   uint32_t crossing(size_t triangle, size_t k, bool first_is_inside) {
     const uint32_t a = mesh_.triangles[triangle][k], b = mesh_.triangles[triangle][(k + 1) % 3];
     const uint64_t key = uint64_t{std::min(a, b)} << 32 | std::max(a, b);

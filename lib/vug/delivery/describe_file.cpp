@@ -67,7 +67,7 @@ Json describe_vdb(const std::filesystem::path& file) {
 Json describe_picture(const std::filesystem::path& file) {
   const std::optional<image::DeepInfo> deep = image::read_deep_info(file);
   const image::FileInfo info = deep ? deep->file : image::read_info(file);
-  if (!deep) image::read(file);  // a file that is cut off has a sound header all the same
+  if (!deep) image::read(file);  // a truncated file may have a valid header
   Json channels = Json::array();
   for (size_t i = 0; i < info.channels.size(); ++i)
     channels.push_back(fmt::format("{} {}", info.channels[i], info.formats.at(i)));
@@ -89,9 +89,9 @@ Json texts_of(const std::vector<std::pair<std::string, std::string>>& texts) {
   return out;
 }
 
-/// glTF and USD: who made them, and of what; what is in them others tell.
+/// glTF and USD: only the provenance; other programs show the contents.
 Json describe_scene(const std::filesystem::path& file) {
-  // First of all: it says what is wrong with a file that cannot be read.
+  // First, because it reports why a file cannot be read.
   Json metadata = texts_of(exchange::read_metadata(file));
   return {{"file", file.string()},
           {"type", "scene of another program"},
@@ -114,7 +114,7 @@ Json describe_mesh(const std::filesystem::path& file) {
           {"metadata", texts_of(mesh::read_comments(read_text(file)))}};
 }
 
-/// A table with a line of names, as of cells.
+/// A table with a header line, as written for cells.
 Json describe_table(const std::filesystem::path& file) {
   const std::string text = read_text(file);
   const size_t end = std::min(text.find('\n'), text.size());
@@ -129,7 +129,7 @@ Json describe_table(const std::filesystem::path& file) {
           {"columns", columns}};
 }
 
-/// A part of a picture, or a checkpoint: they differ only in that something is left to do.
+/// A partial render or a checkpoint; a checkpoint has remaining samples.
 Json describe_part(const std::filesystem::path& file) {
   const render::PartialRenderInfo part = render::read_partial_render_info(file);
   render::verify_partial_render(file);
@@ -147,7 +147,7 @@ Json describe_part(const std::filesystem::path& file) {
     out["crop"] = {crop.x0, crop.y0, crop.x1, crop.y1};
   if (header.noise > 0) out["noise"] = header.noise;
   out["layers"] = header.aovs.names;
-  out["scene"] = header.identity;  // a hash of all that the picture depends on
+  out["scene"] = header.identity;  // a hash of all inputs of the picture
   out["holds"] = {{"pixels", {region.x0, region.y0, region.x1, region.y1}},
                   {"samples", {part.begin, part.end}},
                   {"done", fmt::format("{:.1f} %", std::floor(1000 * part.fraction) / 10)},
@@ -169,7 +169,7 @@ nlohmann::ordered_json describe_file(const std::filesystem::path& file) {
   for (const exchange::Format* format : exchange::formats())
     if (extension == "." + format->info.name) return describe_scene(file);
   return render::is_partial_render(file) || extension == ".vugpart" ? describe_part(file)
-                                                          : describe_picture(file);
+                                                                    : describe_picture(file);
 }
 
 }  // namespace vug::delivery

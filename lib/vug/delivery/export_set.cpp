@@ -28,7 +28,7 @@ exchange::Space space_of(const ExportOptions& options) {
   return space;
 }
 
-/// Names and places of files.
+/// Paths of the files.
 class FileNames {
  public:
   FileNames(const shot::Shot& shot, std::filesystem::path folder, const ExportOptions& options)
@@ -59,7 +59,7 @@ class FileNames {
   const ExportOptions& options_;
 };
 
-/// How many levels of detail there are: not every one that was asked for.
+/// The number of available levels of detail, which may be fewer than requested.
 int levels_of(const exchange::Assembly& assembly) {
   size_t most = 0;
   for (const exchange::Prototype& part : assembly.prototypes)
@@ -101,7 +101,7 @@ class Exporter {
       const exchange::Format& format = exchange::format(name);
       const std::filesystem::path whole = names_.scene(name);
       add_report(write(format, made.assembly, whole), whole);
-      // Coarser files differ in meshes alone: what else there is to tell is told already.
+      // Coarser files differ only in their meshes; all messages have been reported already.
       for (int level = 1; level <= levels && !format.levels; ++level)
         write(format, exchange::at_level(made.assembly, level), names_.scene(name, level), whole);
     }
@@ -109,7 +109,8 @@ class Exporter {
   }
 
  private:
-  /// `pictures_of`: the file beside which pictures of skies lie already; empty: this one.
+  /// `pictures_of`: the file next to which environment maps have already been written; empty: this
+  /// one.
   exchange::WriteReport write(const exchange::Format& format, const exchange::Assembly& assembly,
                               const std::filesystem::path& file,
                               const std::filesystem::path& pictures_of = {}) {
@@ -170,7 +171,7 @@ class Exporter {
     }
     out_.files.push_back(file);
   }
-  /// Into the program's space: places, what points somewhere, and the size of points.
+  /// Transforms positions, vectors and point sizes into the program's space.
   void move(volume::Points& points) const {
     if (space_ == exchange::Space()) return;
     const double scale = to_space_.max_stretch();

@@ -8,16 +8,16 @@
 namespace vug::delivery {
 namespace {
 
-/// A level set of the air of a cave has another sign than its rock.
+/// A level set of the air of a cave has the opposite sign of that of the rock.
 std::string grid_name(const shot::VolumePlan& plan) {
   if (plan.fog) return "density";
   return plan.name == "air" ? "air" : "surface";
 }
 
-/// The cloud's grids in place of its density alone.
+/// Replaces the density by all grids of the cloud.
 void add_cloud(const building::Builder& builder, const volume::Grid& density, bool half,
                ExportVolume& out) {
-  // Vectors, numbers and the place of each voxel, before what is the same in a block shrinks.
+  // Vectors, numbers and the position of each voxel, before constant blocks are compressed.
   constexpr double kBytes = 32;
   require_memory(kBytes * static_cast<double>(density.statistics().active_voxels),
                  builder.memory_budget(), fmt::format("the grids of '{}'", out.name),

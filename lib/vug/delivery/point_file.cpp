@@ -42,7 +42,7 @@ void write_points(const volume::Points& points, const std::filesystem::path& fil
     out.text(fmt::format("element vertex {}\n", points.position.size()));
     for (const char* axis : {"x", "y", "z"}) out.text(fmt::format("property float {}\n", axis));
     for (const PointAttribute& each : points.attributes) declare(out, each);
-    // Readers of meshes look for faces, if only to find none.
+    // Readers of meshes expect the element face, even if it is empty.
     out.text("element face 0\nproperty list uchar int vertex_indices\nend_header\n");
     for (size_t i = 0; i < points.position.size(); ++i) {
       triple(out, points.position[i]);

@@ -24,7 +24,7 @@ bool begins(const std::string& line, const std::string& with) {
   return line.compare(0, with.size(), with) == 0;
 }
 
-/// The lines at the end that tell what was changed from outside; they are taken off the text.
+/// Removes and returns the lines at the end that record overrides.
 std::vector<std::string> changes(std::string& text) {
   std::vector<std::string> out;
   while (!text.empty() && text.back() == '\n') {
@@ -38,13 +38,13 @@ std::vector<std::string> changes(std::string& text) {
   return out;
 }
 
-/// Bytes of a text.
+/// A range of bytes in a text.
 struct Span {
   size_t begin, end;
 };
 
-/// The expression behind the tokens at `from`: it ends where a line, `in` or a text ends it and
-/// what stands before reads as one.
+/// The expression that begins at token `from`. It ends before a newline, `in` or a string if the
+/// text up to there parses as an expression.
 std::optional<Span> expression(const std::string& text, const std::vector<Token>& tokens,
                                size_t from) {
   const auto begin_of = [&](size_t i) {
@@ -66,7 +66,7 @@ std::optional<Span> expression(const std::string& text, const std::vector<Token>
         scene::parse_expression(text.substr(begin, end - begin), "", faults) &&
         !faults.has_errors())
       found = Span{begin, end};
-    // A line that begins with a sign goes on with what stands before it.
+    // A line that begins with an operator continues the previous one.
     size_t next = i;
     while (next < tokens.size() && tokens[next].kind == TokenKind::newline) ++next;
     if (token.kind != TokenKind::newline || next == tokens.size() ||
@@ -76,7 +76,7 @@ std::optional<Span> expression(const std::string& text, const std::vector<Token>
   return found;
 }
 
-/// Puts `value` in place of what follows the tokens `words`, where a statement begins with them.
+/// Replaces the expression after the tokens `words` at the beginning of a statement by `value`.
 bool replace(std::string& text, const std::vector<std::string>& words, const std::string& value) {
   Diagnostics ignored;
   const std::vector<Token> tokens = scene::lex(text, "", ignored);

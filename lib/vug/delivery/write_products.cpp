@@ -13,7 +13,7 @@ namespace vug::delivery {
 
 namespace {
 
-/// Every volume, and beside them what the cells on them carry.
+/// All volumes, and the grids of cells on them.
 std::vector<volume::Grid> grids_of(building::Builder& builder) {
   std::vector<volume::Grid> grids;
   for (const shot::VolumePtr& plan : builder.shot().volumes)
@@ -83,7 +83,7 @@ std::vector<std::filesystem::path> write_products(building::Builder& builder,
   for (const shot::CellsPtr& cells : shot::declared_cells(shot)) {
     if (cells->writes("points")) {
       const building::CellLayerPtr layer = builder.cell_layer(cells);
-      // Plain arrays, their order and the grid; measured with 10 M cells and eight attributes.
+      // Arrays, their order and the grid; measured with 10 million cells and eight attributes.
       constexpr double kBytes = 150;
       require_memory(kBytes * static_cast<double>(layer->network().size()), builder.memory_budget(),
                      fmt::format("the points of '{}'", cells->name),

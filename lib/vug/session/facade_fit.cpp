@@ -15,7 +15,7 @@
 namespace vug::session {
 namespace {
 
-/// What looks make of the picture; nothing without any.
+/// The class maps of the pixel classifier; empty without a classifier.
 fit::Planes maps_of(const FacadePicture& picture, const FacadeFitOptions& options) {
   if (!options.looks) return {};
   if (!picture.colours)
@@ -34,7 +34,7 @@ fit::Evidence evidence_of(const FacadePicture& picture, const fit::Planes& maps,
   return clusters.evidence();
 }
 
-/// Middle of how far the windows' pixels lie behind the wall; 0 without depth.
+/// Median depth of the windows' pixels behind the wall; 0 without depth.
 double reveal_of(const FacadePicture& picture, const fit::FitResult& reading) {
   if (!picture.depth) return 0;
   std::vector<float> depths;
@@ -50,8 +50,8 @@ double reveal_of(const FacadePicture& picture, const fit::FitResult& reading) {
   return std::max(0.0, static_cast<double>(median(std::move(depths))));
 }
 
-/// Of carved windows, in whole centimetres; nothing where what was seen is no more than depths err
-/// by.
+/// The reveal of carved windows in whole centimetres; nothing if the observed depth is within its
+/// error.
 std::optional<double> window_reveal(const FacadeFit& fit) {
   constexpr double kMin = 0.02, kMax = 0.4;  // metres
   if (!(fit.reveal > kMin)) return std::nullopt;
@@ -95,7 +95,7 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   FacadeFit out;
   fit::FitOptions how;
   how.likelihood = options.looks ? "supervised" : options.likelihood;
-  // Depths err along edges, all of them together.
+  // Errors of depth along edges are correlated.
   if (picture.depth && !options.looks) how.pixel_weight = 0.03;
   if (options.trust > 0) how.pixel_weight = options.trust;
   how.sampler = options.sampler;

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Walls of larger voxels hold no frames of panes; metres.
+/// Maximum voxel size in metres at which walls resolve the frames of panes.
 constexpr double kFramedVoxel = 0.05;
 
 }  // namespace
@@ -29,7 +29,7 @@ fs::path find_grammar_file(const fs::path& folder, const std::string& file) {
   std::vector<std::string> names;
   std::error_code ignored;
   for (const fs::path& each : folders) {
-    // Also from a folder that is yet to be made.
+    // Also valid for a folder that does not exist yet.
     const fs::path there = (each / file).lexically_normal();
     if (fs::is_regular_file(there, ignored)) return there;
     for (const fs::directory_entry& entry : fs::directory_iterator(each, ignored))

@@ -20,7 +20,7 @@ constexpr float kHole = std::numeric_limits<float>::quiet_NaN();
   throw Error(ErrorCode::bad_input, fmt::format("'{}' {}", file.string(), why), {}, hint);
 }
 
-/// Middle of the fullest centimetre; values are metres.
+/// The most frequent value, in bins of one centimetre; values in metres.
 float most_frequent(const std::vector<float>& values) {
   std::vector<long> bins;
   for (const float v : values)
@@ -36,7 +36,7 @@ float most_frequent(const std::vector<float>& values) {
   return static_cast<float>(static_cast<double>(best) / 100);
 }
 
-/// Metres behind the plane, whichever layer tells it; nothing where none does.
+/// Depth behind the plane in metres, from either channel; nothing without one.
 std::optional<image::Image> depth_of(const std::filesystem::path& file, const image::Image& whole) {
   const bool before = whole.find_channel("depth") >= 0;
   if (!before && whole.find_channel("Z") < 0) return std::nullopt;
@@ -51,8 +51,7 @@ std::optional<image::Image> depth_of(const std::filesystem::path& file, const im
   return depth;
 }
 
-/// R, G, B with numbers in all pixels; nothing where the picture is of something else, as of
-/// depths.
+/// R, G, B with finite values in all pixels; nothing for pictures of other data, such as depths.
 std::optional<image::Image> to_rgb(const std::filesystem::path& file, const image::FileInfo& info,
                                    const image::Image& whole) {
   const bool grey = whole.channels.size() <= 2 && whole.find_channel("depth") != 0 &&
@@ -66,7 +65,7 @@ std::optional<image::Image> to_rgb(const std::filesystem::path& file, const imag
   return out;
 }
 
-/// Each pixel of its own value and those of the nine around, as far as there are any, in no order.
+/// Computes each pixel from its value and the values of its 3x3 neighbourhood, in no order.
 template <class Of>
 image::Image from_nine(const image::Image& depth, const Of& of) {
   image::Image out = depth;
@@ -83,10 +82,10 @@ image::Image from_nine(const image::Image& depth, const Of& of) {
   return out;
 }
 
-/// Where the depth steps, pixels that saw both sides are of the nearer one: of the least and the
-/// greatest value around (toggle mapping, cite kramer1975).
+/// Sharpens depth steps: a mixed pixel takes the closer of the minimum and the maximum of its
+/// neighbourhood (toggle mapping, cite kramer1975).
 image::Image stepped(const image::Image& depth) {
-  constexpr float kStep = 0.05F;  // metres; less is no step but relief, or noise
+  constexpr float kStep = 0.05F;  // metres; smaller steps are relief or noise
   return from_nine(depth, [&](float own, auto begin, auto end) {
     if (!std::isfinite(own)) return own;
     float least = own, most = own;
@@ -97,7 +96,7 @@ image::Image stepped(const image::Image& depth) {
   });
 }
 
-/// Each pixel's middle value of nine, holes counting as deeper than all.
+/// 3x3 median filter; holes count as deeper than all other values.
 image::Image smoothed(const image::Image& depth) {
   constexpr float kDeepest = std::numeric_limits<float>::infinity();
   return from_nine(depth, [&](float, auto begin, auto end) {
@@ -131,7 +130,7 @@ bool of_one_colour(const image::Image& picture) {
                     picture.pixels.end(), picture.pixels.begin());
 }
 
-/// Metres by the file's header; 0 where it tells nothing.
+/// The width in metres from the file's header; 0 if unknown.
 double told_width(const image::FileInfo& info) {
   return scan::pixel_from_metadata(info.metadata) * info.width;
 }

@@ -37,7 +37,7 @@ std::string base64(std::string_view bytes) {
   return out;
 }
 
-/// In a script element nothing but "<" can end it, and JSON has another way to write that.
+/// JSON for a script element; "<", which could end the element, is escaped.
 std::string script_text(const Json& json) {
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string out;
@@ -45,7 +45,7 @@ std::string script_text(const Json& json) {
   return out;
 }
 
-/// The page with texts in place of its marks, which are looked for in the page alone.
+/// Replaces the marks of the page by texts, which are not searched for marks.
 std::string filled(std::string_view page,
                    const std::vector<std::pair<std::string, std::string>>& texts) {
   std::string out;
@@ -83,7 +83,7 @@ Json parameters(const loading::Loaded& loaded) {
   return out;
 }
 
-/// Files stand in the page without their folders, which are nobody else's business.
+/// File names in the page omit their folders for privacy.
 Json trees(const shot::Shot& shot) {
   Json out = Json::array();
   for (const shot::Derivation& derivation : shot.derivations) {
@@ -112,7 +112,7 @@ Json picture(const std::filesystem::path& file, const std::string& note) {
   return {{"type", type}, {"data", base64(bytes)}, {"note", note}};
 }
 
-/// Small and smoothed: a minute's work at most for most scenes.
+/// A small denoised picture, which takes at most a minute for most scenes.
 Json rendered_picture(building::Builder& builder, const ScratchFolder& scratch) {
   constexpr int kWidth = 960, kSamples = 32;
   const shot::RenderPlan plan = picture::render_plan(builder.shot(), {});
@@ -138,7 +138,7 @@ size_t triangles(const exchange::Assembly& assembly) {
   return sum;
 }
 
-/// Of the meshes that are shown the one with the most triangles; empty where none is.
+/// The name of the shown mesh with the most triangles; empty if there is none.
 std::string largest_mesh(building::Builder& builder) {
   std::string name;
   size_t most = 0;
@@ -192,14 +192,15 @@ Preview make_preview(building::Builder& builder, const loading::Loaded& loaded,
   if (shot.medium)
     out.unsupported.push_back(
         fmt::format("the medium '{}': the page shows only surfaces", shot.medium_name));
-  for (const auto& more : {written.unsupported, written.notes})  // no add-on reads the page
+  for (const auto& more :
+       {written.unsupported, written.notes})  // the page is not read by an add-on
     out.unsupported.insert(out.unsupported.end(), more.begin(), more.end());
 
   const std::string mesh = options.mesh.empty() ? largest_mesh(builder) : options.mesh;
   if (!shot.meshes.empty() || !mesh.empty()) {
     metrics::Report report = delivery::measure(builder, mesh);
     data["mesh"] = mesh;
-    report.build_seconds.reset();  // the page would differ each time
+    report.build_seconds.reset();  // varies from run to run
     data["metrics"] = Json::parse(metrics::to_json(report));
   }
   if (options.picture.empty() && options.render)

@@ -1,4 +1,5 @@
-// A skin is a product: made once, held, counted, and refused for its size before the work.
+// Cell layers are products: built once, cached, counted, and rejected for their size before the
+// work.
 #include <gtest/gtest.h>
 #include <vug/base/memory.h>
 #include <vug/building/builder.h>
@@ -23,7 +24,7 @@ shot::Shot shot_of(const std::string& cells) {
   return loaded.shot;
 }
 
-TEST(CellLayer, IsMadeOnceAndHeld) {
+TEST(CellLayer, IsBuiltOnceAndCached) {
   const shot::Shot shot =
       shot_of("cells skin on wall { spacing 10cm  steps 7  run sprinkle(attribute: \"wet\") }");
   BuildOptions options;
@@ -36,7 +37,7 @@ TEST(CellLayer, IsMadeOnceAndHeld) {
   EXPECT_NEAR(static_cast<double>(layer->network().size()), 4 * kPi / 0.01, 0.2 * 4 * kPi / 0.01);
   EXPECT_EQ(layer->simulation.step(), 7);
   EXPECT_EQ(room - builder.memory_budget(), layer->simulation.bytes());
-  // Three vectors, two numbers and six links or so of a cell, and what it carries.
+  // Three vectors, two numbers and about six links per cell, and its attributes.
   EXPECT_GT(layer->simulation.bytes(), layer->network().size() * (3 * 12 + 2 * 4 + 4 * 4 + 4));
   const auto& wet = layer->simulation.attributes().values<float>("wet");
   EXPECT_EQ(wet.size(), layer->network().size());
@@ -52,7 +53,7 @@ TEST(CellLayer, IsMadeOnceAndHeld) {
   EXPECT_EQ(next.cell_layer(cells), layer);
 }
 
-TEST(CellLayer, TooManyCellsAreRefusedBeforeAnyWork) {
+TEST(CellLayer, TooManyCellsAreRejectedBeforeAnyWork) {
   const shot::Shot shot = shot_of("cells skin on wall { spacing 1mm  run voronoi }");
   BuildOptions options;
   options.max_memory = uint64_t{1} << 30;
@@ -93,13 +94,14 @@ TEST(CellLayer, ObjectsThatTouchAreOneNetwork) {
     size_t across = 0, on_wall = 0;
     for (uint32_t i = 0; i < n.size(); ++i) {
       on_wall += n.object[i] == 0;
-      const float x = n.position[i].x;  // where they touch cells of both are
+      const float x = n.position[i].x;  // cells of both cubes lie at the contact
       EXPECT_TRUE(std::fabs(x) < 1e-4F || (n.object[i] == 0) == (x < 0)) << n.position[i];
       for (const uint32_t to : n.links.of(i)) across += n.object[i] != n.object[to];
     }
     EXPECT_NEAR(static_cast<double>(on_wall), 0.5 * static_cast<double>(n.size()),
                 0.05 * static_cast<double>(n.size()));
-    // A row of 20 cells along each of four sides, with one link over the line at least, mutual.
+    // A row of 20 cells along each of four sides, each with at least one mutual link across the
+    // line.
     if (gap > 0)
       EXPECT_EQ(across, 0u);
     else
@@ -107,7 +109,7 @@ TEST(CellLayer, ObjectsThatTouchAreOneNetwork) {
   }
 }
 
-TEST(CellLayer, EachOfSeveralObjectsShowsWithAMaterialOfItsOwn) {
+TEST(CellLayer, SeveralObjectsKeepTheirOwnMaterials) {
   const loading::Loaded loaded =
       loading::load_text(cubes(0) +
                              "material red = lambert(albedo: (0.8, 0.1, 0.1))\n"
@@ -134,7 +136,7 @@ TEST(CellLayer, EachOfSeveralObjectsShowsWithAMaterialOfItsOwn) {
   EXPECT_EQ(objects[4].mesh, objects[1].mesh);
 }
 
-TEST(CellLayer, SeveralMeshesInOneAreTheirSum) {
+TEST(CellLayer, ACombinedMeshIsTheSumOfItsParts) {
   const loading::Loaded loaded =
       loading::load_text(cubes(0.3) + "render main { spp 1 }\n", "cubes.vug");
   ASSERT_TRUE(loaded.usable()) << loaded.report();
@@ -151,7 +153,7 @@ TEST(CellLayer, SeveralMeshesInOneAreTheirSum) {
   EXPECT_EQ(mesh::bounds(*one).max.x, mesh::bounds(*b).max.x);
 }
 
-TEST(CellLayer, CellsThatAreGoneAreHoles) {
+TEST(CellLayer, RemovedCellsAreHoles) {
   const std::string gone =
       "cells skin on wall {{ spacing 10cm  holes {}  steps 12 "
       " run corrosion(share: 90%, loss: 50%, where: noise(noise: fbm(scale: 50cm), from: 0, to: "
@@ -169,8 +171,8 @@ TEST(CellLayer, CellsThatAreGoneAreHoles) {
   EXPECT_GT(gone_at.size(), 0u);
 }
 
-// Erosion that says how deep is a level set again, on which all stands as usual.
-TEST(CellLayer, AMovedSurfaceIsALevelSetAgain) {
+// An eroded mesh becomes a level set again, which supports further declarations as usual.
+TEST(CellLayer, ADisplacedSurfaceBecomesALevelSetAgain) {
   const shot::Shot shot = shot_of(
       "cells skin on wall { spacing 5cm "
       " run sprinkle(attribute: \"height\", value: -0.05, share: 100%) }\n"

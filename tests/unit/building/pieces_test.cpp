@@ -1,4 +1,4 @@
-// `smallest_piece` of a mesh: what it takes from the mesh, and that the rest is as without it.
+// `smallest_piece` of a mesh: which components it removes, and that the rest is unchanged.
 #include <gtest/gtest.h>
 #include <vug/building/builder.h>
 #include <vug/loading/load.h>
@@ -29,7 +29,7 @@ Made made(const std::string& solid, const std::string& entries) {
 const std::string kBall = "(sphere(2m) - sphere(50cm)";
 const std::string kCrumb = " + sphere(40cm).translate((4, 0, 0)))";
 
-TEST(SmallestPiece, LeavesOutCrumbsAndBubblesWithTheirColours) {
+TEST(SmallestPiece, RemovesCrumbsAndBubblesWithTheirColours) {
   const Made all = made(kBall + kCrumb, "");
   EXPECT_EQ(mesh::inspect(all.mesh).components, 3U);
   EXPECT_EQ(all.left_out, 0U);
@@ -42,7 +42,7 @@ TEST(SmallestPiece, LeavesOutCrumbsAndBubblesWithTheirColours) {
   EXPECT_EQ(one.mesh, made("sphere(2m)", "").mesh);
 }
 
-TEST(SmallestPiece, IsZeroUnlessTold) {
+TEST(SmallestPiece, IsZeroByDefault) {
   EXPECT_EQ(made(kBall + kCrumb, "smallest_piece 0cm").mesh, made(kBall + kCrumb, "").mesh);
 }
 

@@ -1,4 +1,4 @@
-// What `place` makes of a scene's text: instances with transforms, names, materials and lights.
+// Instances of `place` declarations: transforms, names, materials and lights.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
 #include <vug/building/flat_scene.h>
@@ -28,7 +28,7 @@ object pebble on round { material lambert() }
 object brick on cube {}
 )";
 
-/// A folder of its own that goes away with the test.
+/// A temporary folder that is removed after the test.
 class Places : public testing::Test {
  protected:
   Places() {
@@ -43,7 +43,7 @@ class Places : public testing::Test {
   loading::Loaded loaded(const std::string& text) const {
     return loading::load_text(text, (folder_ / "t.vug").string());
   }
-  /// What the text shows, and nothing but warnings said of it.
+  /// The flattened scene of the text, which may only have warnings.
   FlatScene cast(const std::string& text) const {
     const loading::Loaded scene = loaded(text);
     EXPECT_TRUE(scene.usable()) << scene.report();
@@ -62,7 +62,7 @@ TEST_F(Places, OnePlaceAndAList) {
       cast(std::string(kStones) +
            "place pile { of pebble  at [(1, 2, 3), pose(position: (0, 1, 0), yaw: "
            "90deg, scale: 2, stretch: (1, 1, -1))] }\n");
-  ASSERT_EQ(made.objects.size(), 4u);  // soil and brick stand where they are, the pebble does not
+  ASSERT_EQ(made.objects.size(), 4u);  // soil and brick are shown, the placed pebble is not
   EXPECT_EQ(made.objects[0].name, "soil");
   EXPECT_EQ(made.objects[1].name, "brick");
   EXPECT_EQ(made.objects[2].name, "pile");
@@ -70,11 +70,12 @@ TEST_F(Places, OnePlaceAndAList) {
   EXPECT_EQ(made.objects[2].material_name, "pebble");
   EXPECT_EQ(origin(made.objects[2]), Vec3d(1, 2, 3));
   const render::Affine to = made.objects[3].instance->at(0);
-  EXPECT_LT((to.point({0, 0, 1}) - Vec3f(-2, 1, 0)).length(), 1e-6f);  // mirrored, then z goes to x
+  EXPECT_LT((to.point({0, 0, 1}) - Vec3f(-2, 1, 0)).length(),
+            1e-6f);  // mirrored, then z is rotated to x
   EXPECT_LT(to.determinant(), 0);
 }
 
-TEST_F(Places, MaterialIsThatOfThePlaceIfItHasOne) {
+TEST_F(Places, MaterialOfThePlaceOverridesThatOfTheModel) {
   const FlatScene made =
       cast(std::string(kStones) +
            "place a { of brick  at (1, 0, 0) }\n"
@@ -106,7 +107,7 @@ TEST_F(Places, ScatterKeepsItsSpacingItsMaskAndItsSeed) {
     const Vec3d p = origin(made.objects[i]);
     EXPECT_EQ(p, origin(again.objects[i]));
     if (i < other.objects.size()) same += p == origin(other.objects[i]);
-    EXPECT_NEAR(p.y, 0.25, 0.05);  // on top, not at the sides or beneath
+    EXPECT_NEAR(p.y, 0.25, 0.05);  // on top, not on the sides or the bottom
     for (size_t j = 1; j < i; ++j) EXPECT_GE((p - origin(made.objects[j])).length(), 0.2999);
     const auto size = static_cast<double>(made.objects[i].instance->mean_scale());
     EXPECT_GE(size, 0.499);
@@ -140,7 +141,7 @@ TEST_F(Places, PointsOfATable) {
             std::string::npos);
 }
 
-TEST_F(Places, AWholeSceneWithItsLampsAndInstances) {
+TEST_F(Places, AWholeSceneWithItsLightsAndInstances) {
   file("inner.vug", std::string(kStones) +
                         "place pile { of pebble  at [(1, 0, 0), (2, 0, 0)] }\n"
                         "light lamp = sphere(center: (0, 1, 0), radius: 0.1, radiance: (9, 9, 9), "
@@ -154,16 +155,15 @@ TEST_F(Places, AWholeSceneWithItsLampsAndInstances) {
   EXPECT_EQ(made.objects[2].name, "hall/pile");
   EXPECT_EQ(origin(made.objects[7]), Vec3d(14, 0, 0));
   EXPECT_EQ(made.objects[2].mesh, made.objects[7].mesh);
-  ASSERT_EQ(made.lights.size(), 2u);  // the sky stays behind
+  ASSERT_EQ(made.lights.size(), 2u);  // without the sky
   EXPECT_LT((made.lights[1]->center() - Vec3f(10, 2, 0)).length(), 1e-5f);
   EXPECT_EQ(made.lights[1]->linking().only, std::vector<std::string>{"hall/soil"});
   const float strength = made.lights[0]->bounds().strength;
   EXPECT_NEAR(made.lights[1]->bounds().strength, 4 * strength, 1e-3 * strength);
 }
 
-// A grove of plants, each with its leaves: an instance for each leaf of each plant would be too
-// many.
-TEST_F(Places, CopiesWithinASceneThatIsPlacedOftenBecomeOneMesh) {
+// A grove of plants with leaves: one instance per leaf and plant would be too many.
+TEST_F(Places, CopiesInAFrequentlyPlacedSceneBecomeOneMesh) {
   file("leaf.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   file(
       "plant.vug",
@@ -183,7 +183,7 @@ TEST_F(Places, CopiesWithinASceneThatIsPlacedOftenBecomeOneMesh) {
   EXPECT_EQ(many.objects[1].mesh, many.objects[3].mesh);
   EXPECT_EQ(many.objects[1].mesh->triangles.size(), 300u);
   ASSERT_TRUE(mesh::find_attribute(*many.objects[1].mesh, "copy"));
-  // The same points of the scene either way, for the first plant.
+  // The first plant has the same points in both cases.
   for (size_t leaf = 0; leaf < 300; ++leaf)
     for (uint32_t corner = 0; corner < 3; ++corner) {
       const render::Object& one = few.objects[1 + leaf];
@@ -195,7 +195,7 @@ TEST_F(Places, CopiesWithinASceneThatIsPlacedOftenBecomeOneMesh) {
     }
 }
 
-TEST_F(Places, WhatCannotBePlacedIsTold) {
+TEST_F(Places, ReportsWhatCannotBePlaced) {
   const std::string stones = kStones;
   EXPECT_NE(faults(stones + "place a { of pebbel  at (0, 0, 0) }\n").find("pebbel"),
             std::string::npos);
@@ -206,8 +206,9 @@ TEST_F(Places, WhatCannotBePlacedIsTold) {
   EXPECT_NE(faults(stones + "place a { of []  at (0, 0, 0) }\n").find("nothing to place"),
             std::string::npos);
   file("loop.vug", "place a { of scene(\"loop.vug\")  at (0, 0, 0) }\n");
-  EXPECT_NE(faults("place a { of scene(\"loop.vug\")  at (0, 0, 0) }\n").find("would contain itself"),
-            std::string::npos);
+  EXPECT_NE(
+      faults("place a { of scene(\"loop.vug\")  at (0, 0, 0) }\n").find("would contain itself"),
+      std::string::npos);
   EXPECT_NE(loading::load(folder_ / "loop.vug").report().find("would contain itself"),
             std::string::npos);
   file("lamp.vug", "light lamp = sphere(radius: 0.1)\n");

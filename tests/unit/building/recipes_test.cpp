@@ -1,5 +1,5 @@
-// Recipes as scenes give them: lists of rules with names, files of data/recipes, and what stands
-// around cells.
+// Recipes of cell rules in scenes: named lists of rules, files of data/recipes, and attributes of
+// the surroundings.
 #include <vug/building/builder.h>
 #include <vug/loading/load.h>
 
@@ -25,7 +25,7 @@ CellLayerPtr skin_of(const std::string& text) {
   return builder.cell_layer(loaded.shot.meshes.back()->cells);
 }
 
-TEST(Recipes, OfTheLibraryDoWhatTheyAreCalled) {
+TEST(Recipes, OfTheLibraryHaveTheirNamedEffect) {
   for (const auto& [name, brings] : std::vector<std::pair<std::string, std::string>>{
            {"limestone_wet", "stain"}, {"mossy", "moss"}, {"dusty", "dust"}}) {
     const CellLayerPtr layer =
@@ -50,8 +50,8 @@ TEST(Recipes, ListsStandForTheirRules) {
               named->simulation.attributes().values<float>(name));
 }
 
-TEST(Surroundings, OfABallAreThoseOfItsSlope) {
-  // An even sky lights a place of a convex body by (1 + cosine of its slope) / 2.
+TEST(CellContext, OfASphereFollowsItsSlope) {
+  // Under a uniform sky a convex body has an irradiance of (1 + cosine of the slope) / 2.
   const CellLayerPtr layer = skin_of(
       "cells skin on wall { spacing 8cm  steps 1  run set(attribute: \"a\", to: "
       "add([value(name: \"exposure\"), value(name: \"occlusion\", scale: 10)])) }");
@@ -69,7 +69,7 @@ TEST(Surroundings, OfABallAreThoseOfItsSlope) {
   EXPECT_NEAR(off / static_cast<double>(open.size()), 0, 0.02);
 }
 
-TEST(Surroundings, ABallIsCurvedByItsRadiusAndAHollowTheOtherWay) {
+TEST(CellContext, CurvatureOfASphereFollowsItsRadiusAndIsNegativeInAHollow) {
   for (const auto& [solid, expected] : std::vector<std::pair<std::string, double>>{
            {"sphere(50cm)", 2}, {"sphere(2m) - sphere(1m)", -1}}) {
     const CellLayerPtr layer = skin_of(
@@ -80,7 +80,8 @@ TEST(Surroundings, ABallIsCurvedByItsRadiusAndAHollowTheOtherWay) {
     ASSERT_TRUE(layer);
     double sum = 0, cells = 0;
     for (uint32_t i = 0; i < layer->network().size(); ++i) {
-      if (layer->network().position[i].length() > 1.5f) continue;  // the outside of the hollow one
+      if (layer->network().position[i].length() > 1.5f)
+        continue;  // the outer side of the hollow one
       sum += static_cast<double>(layer->simulation.attributes().values<float>("curvature")[i]);
       ++cells;
     }

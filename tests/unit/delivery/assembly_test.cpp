@@ -1,4 +1,4 @@
-// Scenes as plain data for other programs.
+// Conversion of scenes to plain data for other programs.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/delivery/assembly.h>
@@ -73,7 +73,7 @@ TEST(Assemble, LooksAreBakedAtTheVertices) {
   const mesh::Attribute* color = mesh::find_attribute(*wall.mesh, "Cd", 3);
   const mesh::Attribute* wet = mesh::find_attribute(*wall.mesh, "wetness", 1);
   ASSERT_TRUE(color && wet);
-  // Nothing else of the look varies.
+  // No other channel of the look varies.
   EXPECT_EQ(wall.mesh->attributes.size(), 2u);
   EXPECT_NEAR(wall.look.roughness, 0.6, 1e-6);
   const auto smooth = [](double t) { return t * t * (3 - 2 * t); };
@@ -81,7 +81,7 @@ TEST(Assemble, LooksAreBakedAtTheVertices) {
     const auto y = static_cast<double>(wall.mesh->positions[v].y);
     const double t = smooth(std::clamp((y + 0.4) / 0.8, 0.0, 1.0));
     EXPECT_NEAR(static_cast<double>(wet->values[v]), t, 1e-5);
-    // The paint times the material's colour.
+    // The paint multiplied by the material's colour.
     EXPECT_NEAR(static_cast<double>(color->values[3 * v]), 0.5 * (0.5 + t * (0.1 - 0.5)), 1e-5);
   }
 }
@@ -101,7 +101,7 @@ camera main { eye (0, 2, 6) fov 60deg }
   EXPECT_EQ(parts[1].mesh->positions.size(), parts[0].mesh->positions.size());
 }
 
-TEST(Assemble, WhatShinesSaysSo) {
+TEST(Assemble, EmissiveObjectsHaveAnEmissiveLook) {
   const Made made;
   const exchange::Prototype& glow = made.out.assembly.prototypes[1];
   EXPECT_LT((glow.look.emission - Vec3d(2, 1, 0.5)).length(), 1e-6);
@@ -125,7 +125,7 @@ TEST(ExportSet, AirIsCalledAir) {
   EXPECT_EQ(volume::info(folder / "t_rock.vdb").grids.at(0).name, "surface");
 }
 
-TEST(Assemble, LooksThatDependOnThePlaceAreThoseOfThePlace) {
+TEST(Assemble, WorldSpaceMaterialsAreBakedPerInstance) {
   const std::string text = R"(
 volume stone = level_set(sphere(30cm), voxel: 10cm)
 mesh pebble on stone {}
@@ -137,7 +137,7 @@ place row { of pebble at [(0, 0, 3), (1, 0, 3)] material plain }
   const Made made(text);
   const exchange::Assembly& all = made.out.assembly;
   EXPECT_TRUE(made.out.unsupported.empty());
-  // Two stand on the same ground, and what looks the same everywhere is one part.
+  // Two are on the same ground, and equal looks share a prototype.
   ASSERT_EQ(all.prototypes.size(), 4u);
   std::vector<std::string> names;
   for (const exchange::InstanceGroup& group : all.groups) names.push_back(group.name);
@@ -160,10 +160,10 @@ place row { of pebble at [(0, 0, 3), (1, 0, 3)] material plain }
   EXPECT_NEAR(red(0, 0.3f), wanted(0.3), 2e-2);
   EXPECT_NEAR(red(1, 0.3f), wanted(2.6), 2e-2);  // twice as large, at 2 m
   EXPECT_NEAR(red(1, -0.3f), wanted(1.4), 2e-2);
-  EXPECT_NEAR(red(2, 0), 0.1, 1e-6);  // above all of it
+  EXPECT_NEAR(red(2, 0), 0.1, 1e-6);  // above the whole ramp
 }
 
-TEST(Assemble, ThingsOfOnePlaceHaveNamesOfTheirOwn) {
+TEST(Assemble, ObjectsOfOnePlaceHaveUniqueNames) {
   const Made made(R"(
 volume stone = level_set(sphere(30cm), voxel: 10cm)
 volume block = level_set(box(size: (1, 1, 1)), voxel: 10cm)
@@ -187,7 +187,7 @@ TEST(Assemble, WithoutLightsThereIsTheSkyOfThePicture) {
   EXPECT_LT((sky.radiance - Vec3d(0.9, 0.95, 1)).length(), 1e-6);
 }
 
-TEST(ExportSet, CloudsLeaveWithTheirGrids) {
+TEST(ExportSet, CloudsAreExportedWithTheirGrids) {
   const loading::Loaded scene = loading::load_text(R"(
 volume banks = fog(sphere(1m), voxel: 10cm)
 mesh ball on rock {}
@@ -221,7 +221,7 @@ medium mist on banks { kind cloud extinction 2/m g 0.5 temperature 1800 temperat
   std::filesystem::remove_all(folder);
 }
 
-TEST(ExportSet, CloudsOfFilesAndHazeAreTold) {
+TEST(ExportSet, CloudsOfFilesAndHazeAreReported) {
   const loading::Loaded fire = loading::load_text(
       "volume rock = level_set(sphere(1m), voxel: 20cm)\n"
       "medium fire = cloud(file: \"" VUG_TEST_DATA
@@ -281,7 +281,7 @@ TEST(Assemble, OpacityIsCutOutOrKept) {
   const auto opacity = [](const exchange::Prototype& part) {
     return mesh::find_attribute(*part.mesh, "opacity", 1);
   };
-  // The card is cut to the leaf that the mesh of its outline is; the stalk is a little wider there.
+  // The card is cut to the same leaf as the mesh of its outline; the stalk is slightly wider there.
   const exchange::Prototype& cut = parts[0];
   EXPECT_EQ(cut.look.opacity, 1);
   EXPECT_EQ(opacity(cut), nullptr);
@@ -294,7 +294,7 @@ TEST(Assemble, OpacityIsCutOutOrKept) {
   for (size_t v = 0; v < cut.mesh->positions.size(); ++v)
     EXPECT_LE(std::fabs(static_cast<double>(across->values[v])),
               outline.half_width(static_cast<double>(along->values[v])) + 0.01);
-  // What is there in part stays so.
+  // Partial opacity is kept.
   ASSERT_NE(opacity(parts[1]), nullptr);
   EXPECT_EQ(parts[1].mesh->triangles.size(), 16u);
   const auto* far = mesh::find_attribute(*parts[1].mesh, "leaf_along", 1);
@@ -303,7 +303,7 @@ TEST(Assemble, OpacityIsCutOutOrKept) {
     EXPECT_NEAR(opacity(parts[1])->values[v], t * t * (3 - 2 * t), 1e-6f);
   }
   EXPECT_EQ(parts[2].look.opacity, 0.25);
-  // A thin sheet shares its light between both sides.
+  // A thin sheet distributes its light to both sides.
   const exchange::Look& leaf = parts[3].look;
   EXPECT_NEAR(leaf.base_color.y, 0.4 * (1 - 0.8 * 0.25), 1e-6);
   EXPECT_NEAR(leaf.through.y, 0.4 * 0.8 * 0.25, 1e-6);
@@ -319,7 +319,7 @@ TEST(Assemble, TheCameraOfTheFirstPictureComesFirst) {
   EXPECT_EQ(made.out.assembly.cameras[0].size, Vec2i(320, 180));
 }
 
-TEST(ExportSet, VolumesStandInTheProgramsSpace) {
+TEST(ExportSet, VolumesAreInTheProgramsSpace) {
   const Made made;
   const std::filesystem::path folder = testing::TempDir() + "vug_export_set";
   for (const exchange::Program* program : exchange::programs()) {

@@ -1,4 +1,4 @@
-// Cells in files, and runs that go on: from a checkpoint, from a frame, from points.
+// Files of cells, and continued runs: from a checkpoint, from a frame, from points.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -61,10 +61,10 @@ class CellFiles : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(CellFiles, ARunThatIsStoppedGoesOnToTheSameBytes) {
+TEST_F(CellFiles, AStoppedRunContinuesToTheSameBytes) {
   const loading::Loaded scene = loaded(kNext + kLong);
   building::Builder whole(scene.shot);
-  // Stopped twice; at the end with both runs in the file, of which the film's is asked for last.
+  // Stopped twice; at the end the file contains both runs, and the film's run is requested last.
   for (const int stop : {300, 965}) {
     Progress stopping([&](const std::string& stage, double fraction) {
       const int steps = stop == 300 ? 1000 : 700;  // of this run
@@ -105,7 +105,7 @@ TEST_F(CellFiles, ARunThatIsStoppedGoesOnToTheSameBytes) {
   EXPECT_FALSE(fs::exists(often.file));
 }
 
-TEST_F(CellFiles, ACheckpointOfAnotherSceneIsRefused) {
+TEST_F(CellFiles, ACheckpointOfAnotherSceneIsRejected) {
   const loading::Loaded scene = loaded(kNext);
   building::CheckpointOptions often = checkpoint(false);
   often.every = 0;
@@ -124,7 +124,7 @@ TEST_F(CellFiles, ACheckpointOfAnotherSceneIsRefused) {
   }
 }
 
-TEST_F(CellFiles, FromFrameToFrameARunGoesOn) {
+TEST_F(CellFiles, ARunContinuesFromFrameToFrame) {
   const auto steps = [](const std::string& count) {
     return "cells crust on wall { spacing 15cm  run random_color(share: 10%), gray_scott, "
            "sprinkle(attribute: \"v\", share: 10%)  steps " +
@@ -147,7 +147,7 @@ TEST_F(CellFiles, FromFrameToFrameARunGoesOn) {
   const loading::Loaded alone = loaded(steps("10 * frame"), 4);
   building::Builder whole(alone.shot);
   EXPECT_EQ(went_on, made(whole));
-  // Backwards it begins anew, and so it does where the rules move.
+  // It restarts for earlier frames and for rules that depend on the frame.
   const loading::Loaded back = loaded(steps("10 * frame"), 2, &still);
   building::Builder again(back.shot);
   again.reuse_from(std::move(after));
@@ -156,7 +156,7 @@ TEST_F(CellFiles, FromFrameToFrameARunGoesOn) {
   EXPECT_FALSE(shot::declared_cells(loaded(moving, 3).shot)[0]->resumable);
 }
 
-TEST_F(CellFiles, PointsOfAFileGoOn) {
+TEST_F(CellFiles, ARunContinuesFromPointsOfAFile) {
   const loading::Loaded scene = loaded(kLong);
   building::Builder whole(scene.shot);
   const std::string half = std::string(kLong).replace(kLong.find("1000 }"), 4, " 400");
@@ -174,7 +174,7 @@ TEST_F(CellFiles, PointsOfAFileGoOn) {
     EXPECT_EQ(on->simulation.step(), 1000);
     if (keep == cells::PointFormat::exact)
       EXPECT_EQ(made(second), made(whole));
-    else  // colours had 16 bits, but nothing else did
+    else  // only colours had 16 bits
       EXPECT_EQ(on->simulation.attributes().values<float>("v"),
                 whole.cell_layer(shot::declared_cells(scene.shot)[0])
                     ->simulation.attributes()
@@ -215,7 +215,7 @@ TEST_F(CellFiles, TheTableHasALineForEachCell) {
   EXPECT_EQ(lines, layer->network().size());
 }
 
-TEST_F(CellFiles, GridsHoldWhatTheCellsCarryInTheBand) {
+TEST_F(CellFiles, GridsHoldTheAttributesOfCellsInTheBand) {
   const loading::Loaded scene = loaded(kLong);
   building::Builder builder(scene.shot);
   const std::vector<volume::Grid> grids = cell_grids(builder, shot::declared_cells(scene.shot)[0]);
@@ -230,11 +230,12 @@ TEST_F(CellFiles, GridsHoldWhatTheCellsCarryInTheBand) {
             "crust_potential float\ncrust_transparent float\n");
 }
 
-TEST_F(CellFiles, UnknownFilesAreRefused) {
+TEST_F(CellFiles, UnknownFilesAreRejected) {
   const loading::Loaded scene = loading::load_text(
       kBall + "cells crust on wall { spacing 20cm  run maze  files [\"obj\"] }\n", "a.vug");
   EXPECT_FALSE(scene.usable());
-  EXPECT_NE(scene.report().find("unknown file of cells 'obj'"), std::string::npos) << scene.report();
+  EXPECT_NE(scene.report().find("unknown file of cells 'obj'"), std::string::npos)
+      << scene.report();
 }
 
 }  // namespace

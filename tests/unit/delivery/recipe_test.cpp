@@ -26,7 +26,7 @@ loading::LoadOptions changed() {
   return options;
 }
 
-TEST(Recipe, ChangesStandInTheTextAgain) {
+TEST(Recipe, OverridesAreInsertedIntoTheText) {
   const Recipe recipe = parse_recipe(std::string(kText) +
                                      "\n# -D R=80cm\n# -D Q=(2 - 1)\n# -D S=1m + 10cm\n"
                                      "# -D F=12deg\n# --seed 9\n");
@@ -50,13 +50,13 @@ TEST(Recipe, ASeedThatTheTextLacksIsAdded) {
   EXPECT_EQ(parse_recipe("let a = 1\n# --seed 5\n").scene, "let a = 1\nseed 5\n");
 }
 
-TEST(Recipe, WhatNoTextCanSayIsAnArgument) {
+TEST(Recipe, OtherSettingsBecomeArguments) {
   const Recipe recipe = parse_recipe("include \"x.vug\"\n# -D HERE=2\n# --frame 12\n");
   EXPECT_EQ(recipe.scene, "include \"x.vug\"\n");
   EXPECT_EQ(recipe.arguments, (std::vector<std::string>{"-D HERE=2", "--frame 12"}));
 }
 
-TEST(Recipe, LoadsAsItWasMade) {
+TEST(Recipe, LoadsAsTheOriginal) {
   const std::string text = std::string(kText) + "\n";
   const loading::Loaded before = loading::load_text(text, "t.vug", changed());
   ASSERT_TRUE(before.usable()) << before.report();

@@ -1,4 +1,4 @@
-// The species of data/bamboo against what is measured of them: many seeds of the text itself.
+// The species of data/bamboo compared with measurements, for many seeds.
 #include <vug/building/flat_scene.h>
 #include <vug/flora/sweep_field.h>
 #include <vug/flora/sweep_mesh.h>
@@ -17,7 +17,7 @@
 namespace vug::loading {
 namespace {
 
-/// The plant that the species grows of a seed, without leaves unless asked for.
+/// The plant of a seed, by default without leaves.
 lsystem::DrawingPtr grown(const std::string& species, uint64_t seed, bool leaves = false) {
   LoadOptions options;
   options.seed = seed;
@@ -59,7 +59,7 @@ Line fitted(const std::vector<double>& x, const std::vector<double>& y) {
   return {xy / xx, xy * xy / (xx * yy)};
 }
 
-/// The angle about the culm at which a branch leaves a node, against the frame of the culm there.
+/// The angle of a branch about the culm, relative to the culm's frame at its node.
 double azimuth(const lsystem::Axis& culm, const lsystem::Node& node, const Vec3d& way) {
   const Frame frame = lsystem::station_at(culm, node.along).frame;
   return std::atan2(way.dot(frame.binormal), way.dot(frame.normal));
@@ -203,7 +203,7 @@ TEST(Bamboo, AMosoWithItsLeavesIsAPrototype) {
   EXPECT_EQ(topology.nonmanifold_vertices, 0u);
 }
 
-/// Turned about an axis by an angle, somewhere else.
+/// A rotation about an axis with a translation.
 lsystem::Axis tilted(lsystem::Axis axis, const Vec3d& about, double angle, const Vec3d& off) {
   const auto turn = [&](const Vec3d& v) { return rotated(v, about, angle); };
   for (lsystem::Station& s : axis.stations) {

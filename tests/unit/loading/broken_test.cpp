@@ -1,7 +1,7 @@
-// Every scene in tests/data/broken/scenes is reported exactly as its .expected file says. These
-// scenes read well but mean nothing; tests/data/broken/syntax has those that do not even read.
-// A first line "# run: -D NAME=EXPR" gives an override. With VUG_UPDATE=1 in the environment the
-// expected files are written anew; read the difference before committing it.
+// Every scene in tests/data/broken/scenes is reported exactly as in its .expected file. These
+// scenes parse but are invalid; tests/data/broken/syntax has scenes that do not parse. A first line
+// "# run: -D NAME=EXPR" is an override. With VUG_UPDATE=1 in the environment the expected files are
+// rewritten; review the difference before committing it.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
 #include <vug/loading/load.h>
@@ -38,7 +38,7 @@ LoadOptions options_of(const std::string& text) {
 class Broken : public testing::TestWithParam<fs::path> {};
 
 TEST_P(Broken, IsReportedAsExpected) {
-  fs::current_path(folder());  // so that messages name the file alone
+  fs::current_path(folder());  // so that messages contain only the file name
   fs::path expected = GetParam();
   expected.replace_extension(".expected");
   const Loaded loaded = load(GetParam(), options_of(read_text(GetParam())));

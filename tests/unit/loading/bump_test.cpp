@@ -1,4 +1,4 @@
-// Small forms by the numbers that a mesh carries bend normals as the same forms by place do.
+// Bump mapping by a vertex attribute bends normals like the same height as a function of position.
 #include <gtest/gtest.h>
 #include <vug/base/rng.h>
 #include <vug/loading/load.h>
@@ -11,7 +11,7 @@
 namespace vug::loading {
 namespace {
 
-/// A ball whose vertices carry how high they are, twice: as a number and as a vector's mean.
+/// A sphere whose vertices store their height twice: as a number and as a vector's mean.
 mesh::MeshPtr ball() {
   mesh::Mesh made = mesh::sphere_mesh(Vec3d(0), 1, 5);
   mesh::Attribute one{"h", 1, {}}, three{"v", 3, {}};
@@ -27,11 +27,11 @@ mesh::MeshPtr ball() {
 render::MaterialPtr bumpy(const std::string& mask) {
   const Loaded loaded =
       load_text("material sample = surface(bump: " + mask + ", bump_height: 40cm)\n", "t.vug");
-  EXPECT_TRUE(loaded.usable()) << loaded.report();  // that nobody brings the attribute is told
+  EXPECT_TRUE(loaded.usable()) << loaded.report();  // warns about the unknown attribute
   return loaded.shot.materials.at(0).second;
 }
 
-TEST(Bump, ByAnAttributeIsAsByPlace) {
+TEST(Bump, ByAnAttributeEqualsThatByPosition) {
   const auto by_place = bumpy("height(from: -1m, to: 1m)");
   const render::MaterialPtr by_number[] = {bumpy("attribute(name: \"h\", from: -1, to: 1)"),
                                            bumpy("attribute(name: \"v\", from: -1, to: 1)")};
@@ -41,7 +41,8 @@ TEST(Bump, ByAnAttributeIsAsByPlace) {
     render::Scene scene;
     scene.objects.resize(1);
     scene.objects[0].mesh = ball();
-    if (instance) scene.objects[0].instance = std::make_shared<const render::InstanceTransform>(turned);
+    if (instance)
+      scene.objects[0].instance = std::make_shared<const render::InstanceTransform>(turned);
     const render::PreparedScene world(scene);
     RandomStream random(RandomKey(3));
     double bent = 0;
@@ -59,7 +60,7 @@ TEST(Bump, ByAnAttributeIsAsByPlace) {
       for (const render::MaterialPtr& material : by_number) {
         render::Surface found = hit.surface;
         ASSERT_TRUE(material->bump(found));
-        // Triangles are 3 degrees long.
+        // Triangle edges span 3 degrees.
         EXPECT_GT(found.shading_normal.dot(expected.shading_normal), std::cos(0.02f));
       }
       bent += 1 - static_cast<double>(smooth.dot(expected.shading_normal));

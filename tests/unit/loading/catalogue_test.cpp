@@ -1,4 +1,4 @@
-// What `vug list` says of a kind is what a scene may write.
+// The catalogue of `vug list` matches what a scene may contain.
 #include <gtest/gtest.h>
 #include <vug/loading/catalogue.h>
 #include <vug/loading/resolver.h>
@@ -66,7 +66,7 @@ TEST(Catalogue, DefaultsThatAreObjectsHaveASpelling) {
   EXPECT_EQ(describe(*find_param(*find_kinds("displace").at(0), "noise")), "noise, default fbm");
 }
 
-TEST(Catalogue, TheWordOfADeclarationFindsWhatStandsThere) {
+TEST(Catalogue, TheWordOfADeclarationFindsItsKinds) {
   for (const KindRegistry& registry : kind_registries()) {
     const std::vector<const KindInfo*> found = find_kinds(registry.type);
     for (const RegisteredKind& kind : registry.kinds)

@@ -1,4 +1,5 @@
-// Where a choice is expected its word means the choice, whatever the text declares under it.
+// Where a choice is expected, its word means the choice even if the text declares something of that
+// name.
 #include <gtest/gtest.h>
 #include <vug/loading/load.h>
 
@@ -18,7 +19,7 @@ TEST(Choice, WinsInABlock) {
   EXPECT_EQ(loaded.shot.meshes.at(0)->format, "obj");
 }
 
-TEST(Choice, WinsInsideOfTheDeclarationOfItsName) {
+TEST(Choice, WinsInsideTheDeclarationOfItsName) {
   EXPECT_EQ(faults(kRock + "mesh ply on rock { format ply }\n"), "");
   EXPECT_EQ(faults("camera perspective { kind perspective  eye (0, 0, 9) }\n"), "");
 }

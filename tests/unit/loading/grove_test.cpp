@@ -1,4 +1,4 @@
-// grove(...) of a scene's text: where its plants stand, and what is told of faults.
+// grove(...) in scenes: the positions of its plants, and the reports of faults.
 #include <vug/building/flat_scene.h>
 #include <vug/image/io.h>
 #include <vug/loading/load.h>
@@ -22,7 +22,7 @@ object thick on large_mesh {}
 let hill = sphere(radius: 20m).translate((0, -18, 0))
 )";
 
-/// What is placed.
+/// The instances.
 building::FlatScene cast(const std::string& text) {
   const Loaded scene = load_text(kThings + text, "t.vug");
   EXPECT_TRUE(scene.usable()) << scene.report();
@@ -66,7 +66,7 @@ TEST(GrovePlaces, StandOnTheHillOutOfTheRockAndLean) {
   }
 }
 
-TEST(GrovePlaces, StandOnAMeshAlike) {
+TEST(GrovePlaces, StandOnAMeshInTheSameWay) {
   const std::string on_mesh =
       "volume earth = level_set(hill, voxel: 25cm, from: (-10, -2, -10), to: (10, 3, 10))\n"
       "mesh ground on earth {}\n"
@@ -79,8 +79,8 @@ TEST(GrovePlaces, StandOnAMeshAlike) {
 }
 
 TEST(GrovePlaces, StandOnAPictureWhereItIsNotTooSteep) {
-  // A roof: a slope of 1 in 2 up from the left edge to the middle, then one of 3 in 2 down to a
-  // third before the right one, then level.
+  // A roof: a slope of 1:2 up from the left edge to the middle, a slope of 3:2 down to a third
+  // before the right edge, then level.
   image::Image heights(241, 3, {"Y"});
   const auto height = [](double x) {  // metres, x from -12 to 12
     return x < 0 ? 6 + x / 2 : std::max(0.0, 6 - 1.5 * x);
@@ -106,7 +106,7 @@ TEST(GrovePlaces, StandOnAPictureWhereItIsNotTooSteep) {
   EXPECT_NEAR(right, 600 * 7.0 / 22, 60);
 }
 
-TEST(GrovePlaces, DiametersChooseTheThingAndItsSize) {
+TEST(GrovePlaces, DiametersChooseTheModelAndItsSize) {
   const building::FlatScene made = cast(
       "place p { of [thin, thick]  at grove(polygon: [(0, 0), (40, 0), (40, 40), (0, 40)], count: "
       "2000, "
@@ -123,7 +123,7 @@ TEST(GrovePlaces, DiametersChooseTheThingAndItsSize) {
     EXPECT_NEAR(std::log(to.y.length()), 0.629 * std::log(to.x.length()), 1e-5);
     const double diameter = width * static_cast<double>(to.x.length());
     EXPECT_NEAR(diameter, 0.14, 2.5 * 0.03 + 0.005);
-    if (std::fabs(diameter - 0.1414) > 0.003) {  // the next by ratio
+    if (std::fabs(diameter - 0.1414) > 0.003) {  // the nearest by ratio
       EXPECT_EQ(width > 0.15, diameter > 0.1414);
     }
     sum += diameter;
@@ -132,7 +132,7 @@ TEST(GrovePlaces, DiametersChooseTheThingAndItsSize) {
   EXPECT_NEAR(static_cast<double>(thick), 960, 100);
 }
 
-/// What is told while the places are found.
+/// The warnings while the instances are computed.
 std::string told(const std::string& grove) {
   const Loaded scene =
       load_text(std::string(kThings) + "place p { of thin  at grove(" + grove + ") }\n", "t.vug");
@@ -149,7 +149,7 @@ std::string told(const std::string& grove) {
   return scene.report(all);
 }
 
-TEST(GrovePlaces, WhyNoneStands) {
+TEST(GrovePlaces, ReasonsForNoInstances) {
   const std::string square = "polygon: [(30, 30), (39, 30), (39, 39), (30, 39)], count: 20";
   const auto hint = [&](const std::string& more) {
     const std::string said = told(square + more);
@@ -167,13 +167,13 @@ TEST(GrovePlaces, WhyNoneStands) {
   EXPECT_EQ(told(square), "");
 }
 
-TEST(GrovePlaces, TooManyAreToldWithTheirPlace) {
+TEST(GrovePlaces, TooManyAreReportedWithTheirLocation) {
   const std::string said = told("polygon: [(0, 0), (9, 0), (9, 9)], density: 1e12");
   EXPECT_NE(said.find("t.vug:10:7: error: "), std::string::npos) << said;
   EXPECT_NE(said.find("exceed the limit of"), std::string::npos) << said;
 }
 
-TEST(GrovePlaces, FaultsAreToldWithTheirPlace) {
+TEST(GrovePlaces, FaultsAreReportedWithTheirLocation) {
   const std::string square = "polygon: [(0, 0), (9, 0), (9, 9), (0, 9)]";
   EXPECT_NE(faults("polygon: [(0, 0), (2, 2), (2, 0), (0, 2)], density: 10")
                 .find("t.vug:10:23: error: sides 1 and 3 of the polygon cross or touch at (1, 1)"),
@@ -204,7 +204,7 @@ TEST(GrovePlaces, FaultsAreToldWithTheirPlace) {
             std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, diameter_spread: 1cm").find("not said"),
             std::string::npos);
-  // Only as many as fit is a number of its own.
+  // Only "as many as fit" needs no number.
   EXPECT_NE(faults(square + ", distribution: thomas").find("'density' per hectare or a 'count'"),
             std::string::npos);
   EXPECT_NE(faults(square).find("'density' per hectare or a 'count'"), std::string::npos);

@@ -1,6 +1,6 @@
-// Every ```vug example of the documentation's pages on the language, cells, groves, L-systems,
-// facades, bamboo and the first cave is a scene without a fault, including the names of kinds and
-// parameters, which the parser alone does not know.
+// Every ```vug example in the documentation of the language, cells, groves, L-systems, facades,
+// bamboo and the first cave is a valid scene, including names of kinds and parameters, which the
+// parser does not check.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
 #include <vug/building/flat_scene.h>
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The blocks of a page that are fenced as `language`.
+/// The fenced code blocks of a page in `language`.
 std::vector<std::string> blocks(const std::string& language,
                                 const std::string& page = "reference/language.md") {
   const std::string text = read_text(fs::path(VUG_DATA).parent_path() / "docs" / page);
@@ -33,7 +33,7 @@ std::vector<std::string> blocks(const std::string& language,
   return all;
 }
 
-TEST(Language, ExamplesMeanSomething) {
+TEST(Language, ExamplesAreValid) {
   ASSERT_GE(blocks("vug").size(), 10u);
   LoadOptions options;
   options.include_folders = {fs::path(VUG_TEST_DATA) / "scenes" / "language"};
@@ -121,7 +121,7 @@ TEST(Language, TheFirstSceneIsTenLinesThatMakeAPicture) {
     ASSERT_EQ(loaded.shot.cameras.size(), 1u);
     EXPECT_EQ(loaded.shot.renders.size(), 1u);
     EXPECT_EQ(loaded.shot.lights.size(), 2u);
-    // The camera stands in the hall, not in rock.
+    // The camera is in the hall, not in rock.
     const Vec3f eye = loaded.shot.cameras[0].camera->position();
     EXPECT_GT(loaded.shot.volumes[0]->field.value(Vec3d(eye)), 0) << size;
   }
@@ -139,7 +139,7 @@ TEST(Language, TheTutorialBuildsTheSceneOfAnOwnCave) {
   EXPECT_EQ(load_text(built, "my_cave.vug", options).report(), "");
 }
 
-TEST(Language, TheFaultItShowsIsToldSo) {
+TEST(Language, TheFaultOfTheTutorialIsReportedAsShown) {
   std::string shown;
   for (const std::string& block : blocks("text"))
     if (block.find("error: ") != std::string::npos) shown = block;

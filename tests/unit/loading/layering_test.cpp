@@ -1,5 +1,5 @@
-// What materials are layered by, as scenes write it, against values worked out by hand; and the
-// presets in data/materials with their wet variants.
+// The masks by which materials are layered, compared with analytic values; and the presets in
+// data/materials with their wet variants.
 #include <gtest/gtest.h>
 #include <vug/loading/load.h>
 
@@ -39,7 +39,7 @@ struct Masked {
         painted(made("surface(specular: 0, matte: 0, color: layer(under: (0, 0, 0), over: (1, 1, "
                      "1), mask: " +
                      mask + "))")) {}
-  /// The same by mixing materials and by painting one.
+  /// The same result by mixing materials and by painting one.
   double operator()(const Surface& surface) const {
     render::BsdfMemory memory, more;
     const auto a = static_cast<double>(mixed->at(surface, {0, 0, 1}, memory).albedo().x);
@@ -76,7 +76,7 @@ TEST(Layering, ByDistanceToAnotherField) {
   EXPECT_NEAR(close(at({4, 0, 0})), 0, 1e-6);
 }
 
-// Beds lie level: the same all along one, and not the same through the pile.
+// Strata are horizontal: constant along a bed, varying across beds.
 TEST(Layering, ByStrata) {
   const Masked bed("noise(noise: beds(thickness: 50cm, wander: 0m), from: -0.6, to: 0.6)");
   double least = 1, most = 0;
@@ -97,15 +97,15 @@ TEST(Layering, ByMasksOfMasks) {
   EXPECT_NEAR(part(at({0, 1, 0})), 0.5, 1e-5);
 }
 
-// A height that rises along y tilts the normal of an upright wall against it, by the angle of
-// the slope: 1.5 a metre in the middle of the ramp.
+// A height that rises along y tilts the normal of a vertical wall against it by the angle of the
+// slope, 1.5 per metre in the middle of the ramp.
 TEST(Layering, BumpTiltsTheNormalByTheSlope) {
   const auto material = made("surface(bump: height(from: 0m, to: 1m), bump_height: 50cm)");
   for (const bool inside : {false, true}) {
     Surface wall = at({0, 0.5f, 0}, {0, 0, 1});
     wall.inside = inside;
     ASSERT_TRUE(material->bump(wall));
-    // Height is measured out of the rock, which is beyond the wall for a viewer inside.
+    // Height points out of the rock, away from a viewer inside the wall.
     const float down = inside ? 1 : -1;
     const float size = std::sqrt(1 + 0.75f * 0.75f);
     EXPECT_NEAR(wall.shading_normal.y, down * 0.75f / size, 0.01f) << inside;
@@ -118,7 +118,7 @@ TEST(Layering, BumpTiltsTheNormalByTheSlope) {
   EXPECT_FALSE(made("surface()")->bump(beyond));
 }
 
-// Wet rock is darker than dry rock of the same kind, and has a highlight that dry rock has not.
+// Wet rock is darker than dry rock of the same kind, and has a highlight.
 TEST(Presets, WetVariantsAreDarkerAndShine) {
   for (const std::string name :
        {"limestone", "calcite", "basalt", "sandstone", "granite", "mud", "moss", "ice"}) {

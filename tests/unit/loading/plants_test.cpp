@@ -1,4 +1,4 @@
-// The ways out of an L-system's drawing: a field, meshes, places.
+// Products of an L-system's drawing: a field, meshes, instances.
 #include <gtest/gtest.h>
 #include <vug/building/flat_scene.h>
 #include <vug/loading/load.h>
@@ -23,7 +23,7 @@ object thing on ball_mesh {}
 
 Loaded loaded(const std::string& text) { return load_text(text, "t.vug"); }
 
-TEST(Plants, StemsAreASolidAsAnyOther) {
+TEST(Plants, StemsAreAnOrdinarySolid) {
   const Loaded scene =
       loaded(kTwig +
              "field wood = stems(of: twig)\n"
@@ -50,7 +50,7 @@ TEST(Plants, AMeshOfStemsIsTheirSurface) {
   EXPECT_NE(mesh::find_attribute(*mesh, "below_node"), nullptr);
 }
 
-TEST(Plants, ThingsStandWhereTheTurtleSetThem) {
+TEST(Plants, InstancesAreWhereTheTurtlePlacedThem) {
   const Loaded scene =
       loaded(kTwig + "place buds { of thing  at instances(of: twig, name: \"bud\", scale: 2) }\n");
   ASSERT_EQ(scene.report(), "");
@@ -75,8 +75,8 @@ TEST(Plants, PolygonsMakeSheets) {
   EXPECT_NEAR(mesh->normals.at(0).z, 1, 1e-6);
 }
 
-TEST(Plants, QueriesTellWhereRockIs) {
-  // A climber that turns back before it comes into the ball.
+TEST(Plants, QueriesFindRock) {
+  // A climber that turns back before it enters the sphere.
   const Loaded scene = loaded(R"(
 let ball = sphere(radius: 1m).translate((0, 3, 0))
 grammar climber: lsystem {
@@ -93,7 +93,7 @@ mesh vine { of stems(of: climber) }
   const auto& stations = drawing->axes.at(0).stations;
   double highest = 0;
   for (const lsystem::Station& s : stations) highest = std::max(highest, s.position.y);
-  EXPECT_NEAR(highest, 1.6, 1e-9);  // 0.4 m steps; at 1.6 m the ball is 0.4 m away
+  EXPECT_NEAR(highest, 1.6, 1e-9);  // 0.4 m steps; at 1.6 m the sphere is 0.4 m away
   EXPECT_LT(stations.back().position.x, -0.3);
 }
 
@@ -104,7 +104,7 @@ Loaded teaching_scene(const std::string& name, std::vector<scene::Override> over
   return load(std::filesystem::path(VUG_DATA) / "scenes/lsystems" / name, options);
 }
 
-/// How far all shoots stay from rock, and how far their tips turn to the light.
+/// The distance of all shoots from rock, and the bending of their tips towards the light.
 struct Climbed {
   double nearest = 1e9;
   double turned = 0;  ///< Mean of the cosine.
@@ -130,14 +130,13 @@ TEST(Plants, ClimbersKeepAwayFromRockAndReachForLight) {
   const Climbed both = climbed("1", "6"), blind = climbed("1", "0"), dark = climbed("0", "6");
   EXPECT_EQ(both.shoots, 9u);
   EXPECT_GT(both.nearest, 0.02);
-  EXPECT_LT(blind.nearest, 0);  // without feeling the rock they grow into it
+  EXPECT_LT(blind.nearest, 0);  // without queries they grow into the rock
   EXPECT_GT(both.turned, 0.9);
   EXPECT_LT(dark.turned, 0.7);
 }
 
 TEST(Plants, FilamentsGrowWithoutPopping) {
-  // From frame to frame: cells get longer by the law of their rules, and none jumps when it
-  // divides.
+  // From frame to frame cells grow by the law of their rules, without jumps at divisions.
   constexpr double kStep = 1.0 / 32;
   double before = 0;
   for (double time = 0; time <= 6; time += kStep) {
@@ -154,7 +153,7 @@ TEST(Plants, FilamentsGrowWithoutPopping) {
   }
 }
 
-TEST(Plants, AFilmMayBeginWithNothing) {
+TEST(Plants, AnAnimationMayBeginEmpty) {
   const Loaded scene = loaded(R"(
 grammar shoot: lsystem {
   time 0
@@ -187,17 +186,17 @@ TEST(Plants, PolygonsDoNotCrossThemselves) {
                               "sides 1 and 3 at"),
             std::string::npos)
       << report(star);
-  // Both lobes are of one size and turn against each other: the whole has no area.
+  // Both lobes have the same size and opposite orientation: the total area is 0.
   EXPECT_NE(report("{ . f(1) +(135deg) f(1.4142135623730951) -(135deg) f(1) }").find("crosses"),
             std::string::npos);
-  // Touching, running back along a side and passing over it are no crossings.
+  // Touching an edge, running back along it and passing over it are not crossings.
   EXPECT_EQ(report("{ . f(1) + f(1) + f(1) + f(1) }"), "");
   EXPECT_EQ(report("{ . f(2) + f(1) + f(1) - - f(1) - f(1) }").find("crosses"), std::string::npos);
   EXPECT_EQ(report("{ . f(2) + f(1) + f(1) &(90deg) f(1) ^(90deg) + f(2) + f(2) }").find("crosses"),
             std::string::npos);
 }
 
-TEST(Plants, CutsOfMassiveStemsShowNoHollow) {
+TEST(Plants, CutsOfSolidStemsShowNoHollow) {
   const auto report = [](const std::string& more) {
     return loaded("grammar g: lsystem {\n axiom F(1, 0.1)\n}\nlet wood = stems(of: g" + more +
                   ")\n")
@@ -212,7 +211,7 @@ TEST(Plants, CutsOfMassiveStemsShowNoHollow) {
   EXPECT_EQ(report(", open: true, wall_least: 1cm"), "");
 }
 
-TEST(Plants, ALittleOfAllCanBeListed) {
+TEST(Plants, PartOfTheDrawingCanBeListed) {
   const std::string rest = "\n axiom a(1cm) b(2cm)\n}\n";
   for (const char* list : {"instances a, b", "instances [a, b]"}) {
     const Loaded scene = loaded(std::string("grammar g: lsystem {\n ") + list + rest);
@@ -225,7 +224,7 @@ TEST(Plants, ALittleOfAllCanBeListed) {
             std::string::npos);
 }
 
-TEST(Plants, QueriesThatNobodyAnswers) {
+TEST(Plants, UnknownQueries) {
   const auto report = [](const std::string& block) {
     return loaded("grammar g: lsystem {\n" + block + "\n}\n").report();
   };
@@ -256,7 +255,7 @@ TEST(Plants, WordsKeepWithinMemory) {
     }
 }
 
-TEST(Plants, FaultsAreToldWhereTheyAre) {
+TEST(Plants, FaultsAreReportedAtTheirLocation) {
   const auto report = [](const std::string& text) { return loaded(text).report(); };
   EXPECT_NE(report(kTwig + "mesh no { of sphere(1m) }\n").find("does not consist of stems"),
             std::string::npos);

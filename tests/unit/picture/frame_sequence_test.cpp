@@ -1,4 +1,4 @@
-// Scenes that move: what stands still is made once, and files are named by their frame.
+// Animated scenes: static products are built once, and files are named by their frame.
 #include <gtest/gtest.h>
 #include <vug/base/error.h>
 #include <vug/building/builder.h>
@@ -32,7 +32,7 @@ loading::Loaded at(double frame, loading::StaticCache* still, const std::string&
   return loaded;
 }
 
-TEST(Sequence, WhatStandsStillIsTheSameObject) {
+TEST(Sequence, StaticPlansAreTheSameObject) {
   loading::StaticCache still;
   const shot::Shot one = at(1, &still).shot, two = at(2, &still).shot, alone = at(2, nullptr).shot;
   EXPECT_TRUE(one.animated);
@@ -46,7 +46,7 @@ TEST(Sequence, WhatStandsStillIsTheSameObject) {
   EXPECT_NE(one.cameras[0].camera, two.cameras[0].camera);
   EXPECT_EQ(one.cameras[1].camera, two.cameras[1].camera);
   EXPECT_FLOAT_EQ(two.cameras[0].camera->position().x, 0.5f);
-  // The shot is the one that loading this frame alone gives.
+  // The shot equals that of loading this frame alone.
   EXPECT_EQ(two.recipe, alone.recipe);
   EXPECT_EQ(two.derivations.size(), alone.derivations.size());
   EXPECT_EQ(two.objects.size(), alone.objects.size());
@@ -56,7 +56,7 @@ TEST(Sequence, WhatStandsStillIsTheSameObject) {
   EXPECT_FALSE(at(3, nullptr, "camera main { eye (0, 2, 9) }").shot.animated);
 }
 
-TEST(Sequence, ABuilderKeepsWhatStandsStill) {
+TEST(Sequence, ABuilderKeepsStaticProducts) {
   loading::StaticCache still;
   const loading::Loaded one = at(1, &still), two = at(2, &still);
   building::Builder first(one.shot);
@@ -68,7 +68,7 @@ TEST(Sequence, ABuilderKeepsWhatStandsStill) {
   EXPECT_NEAR(second.mesh(two.shot.meshes[1])->positions[0].x - roller->positions[0].x, 0.5, 0.5);
 }
 
-TEST(Sequence, ACameraThatMovesIsBlurredWhileItsShutterIsOpen) {
+TEST(Sequence, AMovingCameraIsBlurredWhileItsShutterIsOpen) {
   const std::string text =
       "camera main { eye (keys(1: 0m, 3: 2m), 0, 5)  target (0, 0, -9)  shutter 0.5 }\n"
       "camera rest { eye (1, 0, 5)  shutter 0.5 }\n"
@@ -98,7 +98,7 @@ TEST(Sequence, ACameraThatMovesIsBlurredWhileItsShutterIsOpen) {
   EXPECT_FALSE(camera("main")->moves());
 }
 
-TEST(Sequence, WhatIsPlacedMovesWhileTheShutterIsOpen) {
+TEST(Sequence, InstancesMoveWhileTheShutterIsOpen) {
   const std::string text =
       "volume ball = level_set(sphere(20cm), voxel: 10cm)\n"
       "mesh round on ball {}\n"
@@ -126,7 +126,7 @@ TEST(Sequence, WhatIsPlacedMovesWhileTheShutterIsOpen) {
   EXPECT_FLOAT_EQ(x_at(1, 0), 6);
   EXPECT_FLOAT_EQ(x_at(1, 0.5f), 6.5f);
   EXPECT_FLOAT_EQ(x_at(1, 1), 7);
-  // Beside one that rolls, in a declaration of its own, and of a thing whose light alone changes.
+  // The others: next to a rolling instance, in another declaration, and with only a changing light.
   for (const size_t at_rest : {0u, 2u, 3u})
     EXPECT_FALSE(job.scene.objects[at_rest].instance->moves()) << at_rest;
   ASSERT_TRUE(job.options.motion_step);
@@ -135,7 +135,7 @@ TEST(Sequence, WhatIsPlacedMovesWhileTheShutterIsOpen) {
   EXPECT_FLOAT_EQ(job.options.motion_step->transforms.at(1).second.origin.x, 8);
 }
 
-TEST(Sequence, MeshesThatNobodyDeclaresAreKeptToo) {
+TEST(Sequence, UndeclaredMeshesAreKeptToo) {
   const std::string text =
       "volume rock = level_set(sphere(1m), voxel: 20cm)\n"
       "camera main { eye (frame, 2, 9) }\n";

@@ -1,4 +1,4 @@
-// What a render without a camera of its own is taken with.
+// The camera of a render without a camera of its own.
 #include <gtest/gtest.h>
 #include <vug/loading/load.h>
 #include <vug/picture/picture.h>
@@ -15,7 +15,7 @@ render right { spp 1 }
 render above { spp 1  camera left }
 )";
 
-/// Name of the camera that the render of that name takes.
+/// Name of the camera of the render with that name.
 std::string camera_of(const shot::Shot& shot, const std::string& render,
                       const std::string& camera = {}) {
   PictureOptions options;

@@ -1,4 +1,5 @@
-// What is no fault and yet hardly meant is told with its place, and the work goes on.
+// Warnings: valid but probably unintended input is reported with its location, and the work
+// continues.
 #include <gtest/gtest.h>
 #include <vug/loading/load.h>
 #include <vug/picture/render_job.h>
@@ -6,7 +7,7 @@
 namespace vug::picture {
 namespace {
 
-/// Everything that loading and rendering a small picture says.
+/// All messages of loading the scene and rendering a small picture.
 std::string told(const std::string& text) {
   const loading::Loaded loaded = loading::load_text(text, "t.vug");
   std::string out = loaded.report();
@@ -21,7 +22,7 @@ std::string told(const std::string& text) {
   return out;
 }
 
-/// The line that the warning stands on is shown, too; here its text counts.
+/// The message without the quoted source line.
 std::string lines(const std::string& report, const std::string& start) {
   std::string out;
   for (size_t at = 0; at < report.size(); at = report.find('\n', at) + 1) {
@@ -34,7 +35,7 @@ std::string lines(const std::string& report, const std::string& start) {
 const std::string kRoom =
     "volume rock = level_set(box(size: (6, 6, 6)) - sphere(2m), voxel: 20cm)\n";
 
-TEST(Warning, ACameraInsideOfRock) {
+TEST(Warning, ACameraInsideRock) {
   const std::string report = told(kRoom + "camera main { eye (2.5, 0, 0) }\n");
   EXPECT_EQ(report,
             "t.vug:2:8: warning: the camera is inside the solid of 'rock'\n"
@@ -72,7 +73,7 @@ TEST(Warning, AnEmptyGrid) {
   EXPECT_EQ(hint("level_set(box(size: (2, 2, 0.01)).translate((0, 0, 0.05)), voxel: 20cm)"), thin);
 }
 
-TEST(Warning, AGrammarThatGrowsNothing) {
+TEST(Warning, AGrammarThatProducesNothing) {
   const auto grammar = [](const std::string& axiom) {
     return "param N = 0\ngrammar cave {\n  axiom " + axiom +
            "\n  Room if N > 0 -> + sphere(1m)\n}\n" +

@@ -1,5 +1,6 @@
-// The whole loop: a random facade of the published grammar is carved, rendered with its depth, read
-// back and held against itself. VUG_LOOPS says how many facades, VUG_LOOP_FIRST the first seed.
+// The whole loop: a random facade of the published grammar is carved, rendered with its depth,
+// fitted again and compared with itself. VUG_LOOPS is the number of facades, VUG_LOOP_FIRST the
+// first seed.
 #include "../fit/random_facade.h"
 
 #include <vug/base/median.h>
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 constexpr double kWidth = 12;              // metres of the facade
 constexpr int kAcross = 240, kDown = 180;  // pixels
 constexpr double kPixel = kWidth / kAcross;
-constexpr int kLeast = 6;        // pixels; smaller things are no fair task
+constexpr int kLeast = 6;        // pixels; smaller elements cannot be recovered
 constexpr double kTrust = 0.03;  // of facade_fit, with depth
 
 constexpr const char* kScene = R"(
@@ -49,8 +50,8 @@ int number_of(const char* name, int otherwise) {
   return text ? std::atoi(text) : otherwise;
 }
 
-/// The published rules in a wall of 1.2 m. Each kind of element is plain and has a depth of its
-/// own, as without colours it is the depth that tells them apart.
+/// The published rules in a wall of 1.2 m. Each kind of element is plain and has its own depth,
+/// since without colours only the depth distinguishes them.
 std::string plain_grammar() {
   std::ifstream file(VUG_DATA "/facades/ripperda.vug");
   std::string out, line;
@@ -71,8 +72,8 @@ std::string plain_grammar() {
 
 constexpr auto number = fit::PixelTree::number;
 
-/// What a grid's numbers make it, whatever it is called: of two lines there is one distance, and
-/// windows of one size are alike.
+/// A canonical name of a grid by its numbers: two lines have one distance, and windows of the same
+/// size are equal.
 std::string grid_of(const facade::Tree& tree, const facade::Node& node) {
   const double lines = std::max(number(node.numbers, "columns"), number(node.numbers, "rows"));
   double low[2] = {1e9, 1e9}, high[2] = {0, 0};
@@ -119,7 +120,7 @@ Openings openings_of(const facade::Tree& tree) {
   return out;
 }
 
-/// Pixels by which the nearest of the others is off, for each.
+/// The distance in pixels of each to the nearest of the others.
 void add_distances(const Openings& from, const Openings& to, std::vector<double>& out) {
   for (const facade::Rect& r : from.all) {
     double nearest = 1e9;
@@ -140,8 +141,8 @@ bool can_be_seen(const facade::Tree& tree) {
   return true;
 }
 
-/// What is to come back: the derived tree, and the shortest one that is known of the facade painted
-/// on whole pixels, where that is another.
+/// The accepted results: the derived tree, and the shortest known tree of the facade on whole
+/// pixels, if that differs.
 std::vector<facade::Tree> right_answers(const facade::Tree& derived) {
   std::vector<facade::Tree> out = {derived};
   const facade::Rules text = facade::load_rules(VUG_DATA "/facades/ripperda.vug");
@@ -192,7 +193,7 @@ class FacadeLoop : public testing::Test {
     std::vector<double> off;
   };
 
-  /// Nothing where the facade is no fair task.
+  /// Nothing if the facade cannot be recovered.
   std::optional<Result> read_back(uint64_t seed) const {
     loading::LoadOptions load_options;
     load_options.seed = seed;
@@ -243,7 +244,7 @@ TEST_F(FacadeLoop, CountsStructuresAndEdgesComeBack) {
   fmt::print(
       "{} facades, {} of them fair: counts {}, windows alone {}, structures {}, {:.2f} pixels\n",
       seed - first, loops, counts, windows, structures, edges);
-  // A few less of few.
+  // Slightly fewer for small numbers.
   EXPECT_GE(counts, 0.95 * loops - (loops < 30 ? 1 : 0));
   EXPECT_GE(structures, 0.8 * loops - (loops < 30 ? 1 : 0));
   EXPECT_LE(edges, 2);

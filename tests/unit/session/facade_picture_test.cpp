@@ -1,4 +1,4 @@
-// Pictures of facades as they are read: depths at edges.
+// Reading pictures of facades: depths at edges.
 #include <vug/image/io.h>
 #include <vug/session/facade_picture.h>
 
@@ -11,14 +11,14 @@
 namespace vug::session {
 namespace {
 
-TEST(FacadePicture, PixelsThatSawBothSidesOfAStepAreOfOne) {
+TEST(FacadePicture, MixedPixelsAtAStepBelongToOneSide) {
   constexpr int kSide = 24;
   constexpr float kWall = 30, kPane = 30.24f;
   const auto path =
       std::filesystem::temp_directory_path() / ("vug_steps_" + std::to_string(::getpid()) + ".exr");
   image::Image depth(kSide, kSide, {"Z"});
-  // A window whose edges lie within pixels: a third of them is its own to the left and above, two
-  // thirds to the right and below, and the wall leans by 2 cm.
+  // A window with edges inside pixels: it covers a third of those on the left and at the top, and
+  // two thirds of those on the right and at the bottom; the wall leans by 2 cm.
   const auto share = [](int at) {
     return at == 6 ? 1 / 3.f : at == 15 ? 2 / 3.f : at > 6 && at < 15;
   };
@@ -34,7 +34,7 @@ TEST(FacadePicture, PixelsThatSawBothSidesOfAStepAreOfOne) {
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
       const bool corner = (x == 7 || x == 15) && (y == 7 || y == 15);
-      if (corner) continue;  // the middle of nine is the wall's
+      if (corner) continue;  // the median of nine belongs to the wall
       const bool inside = x > 6 && x < 16 && y > 6 && y < 16;
       const float off = read.depth->at(x, y);  // behind the most frequent depth
       EXPECT_LT(inside ? std::abs(off - 0.24f) : std::abs(off), 0.025f) << x << " " << y;

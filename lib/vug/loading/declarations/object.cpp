@@ -44,7 +44,7 @@ std::pair<std::string, std::string> fault(const shot::ObjectPlan& plan, const st
     return {fmt::format("'{}' has 'direct', but '{}' is not a mesh of a level set", name,
                         plan.mesh->name),
             hint};
-  const char* what = shines             ? "shines"
+  const char* what = shines             ? "is emissive"
                      : holes            ? "has a material with an opacity mask"
                      : plan.mesh->cells ? "has a cell layer"
                                         : nullptr;
