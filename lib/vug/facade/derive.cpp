@@ -14,10 +14,10 @@
 namespace vug::facade {
 namespace {
 
-class Divider {
+class RuleConverter {
  public:
-  Divider(const Rules& rules, scene::Evaluator& evaluator, const DeriveOptions& options,
-          const PlanOptions* planning = nullptr)
+  RuleConverter(const Rules& rules, scene::Evaluator& evaluator, const DeriveOptions& options,
+                const PlanOptions* planning = nullptr)
       : rules_(rules),
         evaluator_(evaluator),
         scope_evaluator_(evaluator),
@@ -49,7 +49,7 @@ class Divider {
       if (planning_)
         check_followed(out);
       else
-        warn_of_stuck(out);
+        warn_about_stuck(out);
       return out;
     } catch (const AlreadyReported&) {
       return std::nullopt;
@@ -89,7 +89,7 @@ class Divider {
   }
 
   /// Adds one warning per symbol to which no rule applied.
-  void warn_of_stuck(const FacadeDerivation& made) {
+  void warn_about_stuck(const FacadeDerivation& made) {
     std::set<std::string> reported;
     for (size_t i = 0; i < made.tree.nodes.size(); ++i) {
       const Node& node = made.tree.nodes[i];
@@ -122,7 +122,7 @@ class Divider {
 
   /// Runs the work and adds the scope to its error messages.
   template <class Work>
-  auto doing(const grammar::Symbol& symbol, const SourceLocation& where, const Work& work) {
+  auto with_context(const grammar::Symbol& symbol, const SourceLocation& where, const Work& work) {
     Diagnostics& diagnostics = evaluator_.diagnostics();
     const auto context = [&] {
       return scope_of(symbol).rect == root_.rect && symbol.content.params.empty()
@@ -155,7 +155,7 @@ class Divider {
   }
 
   /// Whether the plan selects the rule for this symbol.
-  bool chosen(const Rule& rule, int number, const grammar::RewriteSite& site) {
+  bool is_planned(const Rule& rule, int number, const grammar::RewriteSite& site) {
     const Scope& scope = scope_of(site.symbol);
     if (!scope.plan || scope.plan->rule != number) return false;
     if (holds(rule, site)) return true;
@@ -173,7 +173,7 @@ class Divider {
     production.name = to_string(rule);
     if (planning_)
       production.guard = [this, &rule, in_all](const grammar::RewriteSite& site) {
-        return chosen(rule, in_all, site);
+        return is_planned(rule, in_all, site);
       };
     else if (rule.guard)
       production.guard = [this, &rule](const grammar::RewriteSite& site) {
@@ -323,7 +323,7 @@ class Divider {
     if (last_ == &split && last_key_ == scope.key.state()) return evaluated_;
     const auto named = prefixes_.find(&split);
     const std::string prefix = named == prefixes_.end() ? "" : named->second;
-    evaluated_ = doing(symbol, split.where, [&] {
+    evaluated_ = with_context(symbol, split.where, [&] {
       return scope_evaluator_.place(split, scope, names(formals, symbol), planning_, prefix);
     });
     if (planning_) requested_[{scope.key.state(), split.position}] = evaluated_.free;
@@ -351,17 +351,17 @@ class Divider {
 
 std::optional<FacadeDerivation> derive(const Rules& rules, scene::Evaluator& evaluator,
                                        const DeriveOptions& options) {
-  return Divider(rules, evaluator, options).run();
+  return RuleConverter(rules, evaluator, options).run();
 }
 
 std::optional<PlannedDerivation> derive(const Rules& rules, scene::Evaluator& evaluator,
                                         const DeriveOptions& options, const PlanOptions& planning) {
-  Divider divider(rules, evaluator, options, &planning);
-  std::optional<FacadeDerivation> made = divider.run();
+  RuleConverter converter(rules, evaluator, options, &planning);
+  std::optional<FacadeDerivation> made = converter.run();
   if (!made) return std::nullopt;
   PlannedDerivation out;
   for (const grammar::Node& node : made->derivation.nodes)
-    out.nodes.push_back(divider.planned(node.symbol));
+    out.nodes.push_back(converter.planned(node.symbol));
   out.root = out.nodes.front();
   out.nodes.erase(out.nodes.begin());
   out.derived = std::move(*made);

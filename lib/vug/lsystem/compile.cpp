@@ -15,7 +15,7 @@ namespace vug::lsystem {
 
 namespace {
 
-constexpr const char* kTurns = "+-&^\\/";
+constexpr const char* kRotations = "+-&^\\/";
 
 class Compiler {
  public:
@@ -32,11 +32,11 @@ class Compiler {
     system_.where = grammar_.where;
     system_.key = evaluator_.root().at("grammar").at(grammar_.name).state();
     options();
-    guarded([&] { axiom(); });
-    books();
+    run_guarded([&] { axiom(); });
+    compile_rules();
     if (faults_) return nullptr;
-    marks();
-    guarded([&] { subsystems(); });
+    classify_symbols();
+    run_guarded([&] { subsystems(); });
     finish_books();
     if (faults_ || !check_termination(system_, evaluator_.diagnostics())) return nullptr;
     return std::make_shared<const System>(std::move(system_));
@@ -44,7 +44,7 @@ class Compiler {
 
  private:
   template <class Work>
-  void guarded(const Work& work) {
+  void run_guarded(const Work& work) {
     try {
       work();
     } catch (const AlreadyReported&) {
@@ -86,8 +86,8 @@ class Compiler {
     for (const scene::Module& module : modules) {
       out.symbols.push_back(symbol(module.name, module.arguments.size(), module.where));
       for (const scene::ExprPtr& argument : module.arguments) {
-        if (argument == module.arguments[0] && is_turn(module.name))
-          check_turn(*argument, expressions);
+        if (argument == module.arguments[0] && is_rotation(module.name))
+          check_rotation(*argument, expressions);
         expressions.number(*argument, out.values);
       }
       const uint32_t before = out.ends.empty() ? 0 : out.ends.back();
@@ -101,12 +101,12 @@ class Compiler {
                  });
   }
 
-  static bool is_turn(const std::string& name) {
-    return name.size() == 1 && std::string_view(kTurns).find(name[0]) != std::string_view::npos;
+  static bool is_rotation(const std::string& name) {
+    return name.size() == 1 && std::string_view(kRotations).find(name[0]) != std::string_view::npos;
   }
 
   /// Rejects plain numbers as angles: +(60) would be sixty radians.
-  void check_turn(const scene::Expr& argument, Expressions& expressions) {
+  void check_rotation(const scene::Expr& argument, Expressions& expressions) {
     const std::optional<Value> value = expressions.constant(argument);
     const Number* n = value ? value->get<Number>() : nullptr;
     if (n && n->value != 0 && n->dimension != Dimension::angle)
@@ -135,7 +135,7 @@ class Compiler {
     return out;
   }
 
-  static std::string written(const scene::Pattern& pattern) {
+  static std::string head_text(const scene::Pattern& pattern) {
     std::string out = pattern.name;
     for (size_t i = 0; i < pattern.formals.size(); ++i)
       out += fmt::format("{}{}", i == 0 ? "(" : ", ", pattern.formals[i].name);
@@ -144,7 +144,7 @@ class Compiler {
 
   void production(const scene::Production& text, bool stage) {
     Production out;
-    out.text = written(text.head);
+    out.text = head_text(text.head);
     out.where = text.head.where;
     out.head = symbol(text.head.name, text.head.formals.size(), text.head.where);
     std::vector<std::string> formals;
@@ -187,14 +187,14 @@ class Compiler {
   std::vector<uint16_t> productions(const std::vector<scene::Production>& texts, bool stage) {
     std::vector<uint16_t> indices;
     for (const scene::Production& text : texts)
-      guarded([&] {
+      run_guarded([&] {
         production(text, stage);
         indices.push_back(static_cast<uint16_t>(system_.productions.size() - 1));
       });
     return indices;
   }
 
-  void books() {
+  void compile_rules() {
     const std::vector<uint16_t> always = productions(text_.productions, false);
     for (const scene::ProductionTable& table : text_.tables) {
       pending_.push_back(productions(table.productions, false));
@@ -203,10 +203,10 @@ class Compiler {
     if (text_.tables.empty()) pending_.push_back(always);
     decompose_ = productions(text_.decompose.productions, true);
     interpret_ = productions(text_.interpret.productions, true);
-    guarded([&] { schedule(); });
+    run_guarded([&] { schedule(); });
     for (auto [stage, text] : {std::pair(&system_.decompose, &text_.decompose),
                                std::pair(&system_.interpret, &text_.interpret)})
-      guarded([&, out = stage, depth = text->depth] {
+      run_guarded([&, out = stage, depth = text->depth] {
         if (!depth) return;
         const auto count = evaluator_.count(*depth, evaluator_.root().at("depth"));
         if (!count) throw AlreadyReported{};
@@ -232,12 +232,12 @@ class Compiler {
     if (system_.schedule.empty()) system_.schedule.push_back(0);
   }
 
-  bool named(const std::vector<scene::Pattern>& list, const std::string& name) const {
+  bool contains(const std::vector<scene::Pattern>& list, const std::string& name) const {
     return std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
   }
 
   /// Sets the properties of symbols: brackets, cuts, ignored symbols, ages, queries.
-  void marks() {
+  void classify_symbols() {
     Alphabet& alphabet = system_.alphabet;
     system_.open = alphabet.find("[", 0);
     system_.close = alphabet.find("]", 0);
@@ -246,11 +246,11 @@ class Compiler {
       const auto id = static_cast<SymbolId>(i);
       const std::string& name = alphabet.name(id);
       const bool bracket = id == system_.open || id == system_.close;
-      system_.ignored.push_back(
-          !bracket &&
-          (named(text_.ignore, name) || (!text_.consider.empty() && !named(text_.consider, name))));
+      system_.ignored.push_back(!bracket &&
+                                (contains(text_.ignore, name) ||
+                                 (!text_.consider.empty() && !contains(text_.consider, name))));
       system_.ages.push_back(alphabet.parameters(id) > 0 &&
-                             (aged_.count(id) > 0 || named(text_.ages, name)));
+                             (aged_.count(id) > 0 || contains(text_.ages, name)));
       system_.query.push_back(System::is_query(name));
       system_.has_queries = system_.has_queries || System::is_query(name);
     }
@@ -258,7 +258,7 @@ class Compiler {
     for (Production& p : system_.productions)
       for (size_t k = 0; k < p.symbols.size(); ++k)
         if (system_.ages[p.symbols[k]]) p.ages.push_back(k == 0 ? 0 : p.ends[k - 1]);
-    guarded([&] {
+    run_guarded([&] {
       if (const SourceLocation steps = where_set("steps"); system_.timed && steps.known())
         fail(steps, "a system whose modules age has a 'time' instead of 'steps'");
       if (const SourceLocation time = where_set("time"); !system_.timed && time.known())

@@ -42,8 +42,8 @@ constexpr uint32_t kDecomposing = 1, kInterpreting = 2;
       rule ? rule->where : system.where, hint);
 }
 
-void pass(const System& system, const Stage& stage, Rewriter& rewriter, Derivation& word,
-          uint32_t salt, Progress& progress) {
+void apply_stage(const System& system, const Stage& stage, Rewriter& rewriter, Derivation& word,
+                 uint32_t salt, Progress& progress) {
   if (stage.book.empty()) return;
   RoundLimit limit;
   for (int round = 0; !stage.depth || round < *stage.depth; ++round) {
@@ -58,8 +58,8 @@ void pass(const System& system, const Stage& stage, Rewriter& rewriter, Derivati
 }
 
 /// Adds the whole time to all ages, then replaces all modules that are due.
-void age(const System& system, Rewriter& rewriter, Derivation& word, double time,
-         Progress& progress) {
+void advance_time(const System& system, Rewriter& rewriter, Derivation& word, double time,
+                  Progress& progress) {
   if (!(time >= 0) || std::isinf(time))
     throw Error(ErrorCode::bad_input,
                 fmt::format("invalid time {} of grammar '{}'", time, system.name), system.where,
@@ -104,9 +104,9 @@ void answer_queries(const System& system, const DeriveOptions& options, Derivati
 constexpr double kMaxSteps = 1e6;
 
 /// The words of the systems that modules refer to, cached if they are not random.
-class SubWords {
+class SubsystemWords {
  public:
-  SubWords(const System& outer, std::optional<uint64_t> memory, Progress& progress)
+  SubsystemWords(const System& outer, std::optional<uint64_t> memory, Progress& progress)
       : outer_(outer), memory_(memory), progress_(progress) {}
 
   const Word& of(const SubSystem& sub, std::span<const double> parameters, uint64_t key) {
@@ -149,7 +149,7 @@ class SubWords {
 
 Word with_subsystems(const System& system, const Derivation& derivation,
                      std::optional<uint64_t> memory, Progress& progress) {
-  SubWords words(system, memory, progress);
+  SubsystemWords words(system, memory, progress);
   Word out;
   const Word& word = derivation.word;
   for (size_t i = 0; i < word.size(); ++i) {
@@ -176,12 +176,12 @@ Derivation derive(const System& system, const DeriveOptions& options, Progress& 
   Derivation word;
   rewriter.start(word, options.key);
   if (system.timed) {
-    age(system, rewriter, word, options.time.value_or(system.time), progress);
-    pass(system, system.decompose, rewriter, word, kDecomposing, progress);
+    advance_time(system, rewriter, word, options.time.value_or(system.time), progress);
+    apply_stage(system, system.decompose, rewriter, word, kDecomposing, progress);
     return word;
   }
   const auto finish_step = [&] {
-    pass(system, system.decompose, rewriter, word, kDecomposing, progress);
+    apply_stage(system, system.decompose, rewriter, word, kDecomposing, progress);
     if (system.has_queries && options.environment) answer_queries(system, options, word, progress);
   };
   finish_step();
@@ -198,7 +198,7 @@ Derivation derive(const System& system, const DeriveOptions& options, Progress& 
 Word interpret(const System& system, Derivation derivation, Progress& progress,
                std::optional<uint64_t> memory) {
   Rewriter rewriter(system, memory);
-  pass(system, system.interpret, rewriter, derivation, kInterpreting, progress);
+  apply_stage(system, system.interpret, rewriter, derivation, kInterpreting, progress);
   if (system.subsystems.empty()) return std::move(derivation.word);
   return with_subsystems(system, derivation, memory, progress);
 }

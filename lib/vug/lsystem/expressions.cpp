@@ -13,7 +13,7 @@ using scene::Expr;
 using scene::ExprKind;
 
 /// Change of the stack height by the operation.
-int growth(Op op) {
+int stack_change(Op op) {
   switch (op) {
     case Op::constant:
     case Op::formal:
@@ -85,7 +85,7 @@ std::optional<Value> Expressions::constant(const Expr& expr) {
 
 void Expressions::put(Program& program, Op op, uint32_t index, double value) {
   program.code.push_back({op, index, value});
-  height_ += growth(op);
+  height_ += stack_change(op);
   program.depth = std::max(program.depth, height_);
 }
 

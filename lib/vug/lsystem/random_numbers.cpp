@@ -12,18 +12,18 @@ struct Lanes {
   __m256i a, b, c, d;
 };
 
-__m256i both(int64_t value) { return _mm256_set1_epi64x(value); }
+__m256i broadcast(int64_t value) { return _mm256_set1_epi64x(value); }
 
-Lanes loaded(const uint64_t* counters, const uint32_t* blocks, uint32_t salt) {
+Lanes load(const uint64_t* counters, const uint32_t* blocks, uint32_t salt) {
   const __m256i counter = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(counters));
   return {counter, _mm256_srli_epi64(counter, 32),
           _mm256_cvtepu32_epi64(_mm_loadu_si128(reinterpret_cast<const __m128i*>(blocks))),
-          both(salt)};
+          broadcast(salt)};
 }
 
 void round(Lanes& x, __m256i key0, __m256i key1) {
-  const __m256i p0 = _mm256_mul_epu32(x.a, both(0xD2511F53));
-  const __m256i p1 = _mm256_mul_epu32(x.c, both(0xCD9E8D57));
+  const __m256i p0 = _mm256_mul_epu32(x.a, broadcast(0xD2511F53));
+  const __m256i p1 = _mm256_mul_epu32(x.c, broadcast(0xCD9E8D57));
   x.a = _mm256_xor_si256(_mm256_xor_si256(_mm256_srli_epi64(p1, 32), x.b), key0);
   x.b = p1;
   x.c = _mm256_xor_si256(_mm256_xor_si256(_mm256_srli_epi64(p0, 32), x.d), key1);
@@ -33,12 +33,12 @@ void round(Lanes& x, __m256i key0, __m256i key1) {
 /// Uses 52 of 64 random bits as the mantissa of a number in [1, 2) and subtracts 1.
 __m256d uniform(__m256i high, __m256i low) {
   const __m256i bits = _mm256_blend_epi32(_mm256_slli_epi64(high, 32), low, 0b01010101);
-  const __m256i one = both(0x3FF0000000000000);
+  const __m256i one = broadcast(0x3FF0000000000000);
   return _mm256_sub_pd(_mm256_castsi256_pd(_mm256_or_si256(_mm256_srli_epi64(bits, 12), one)),
                        _mm256_castsi256_pd(one));
 }
 
-void stored(const Lanes& x, double* out) {
+void store(const Lanes& x, double* out) {
   const __m256d first = uniform(x.a, x.b), second = uniform(x.c, x.d);
   const __m256d even = _mm256_unpacklo_pd(first, second), odd = _mm256_unpackhi_pd(first, second);
   _mm256_storeu_pd(out, _mm256_permute2f128_pd(even, odd, 0x20));
@@ -53,17 +53,17 @@ const double* RandomNumbers::generate() {
   blocks_.resize(count);
   numbers_.resize(2 * count);
   for (size_t i = 0; i < count; i += 8) {
-    Lanes x = loaded(counters_.data() + i, blocks_.data() + i, salt_);
-    Lanes y = loaded(counters_.data() + i + 4, blocks_.data() + i + 4, salt_);
+    Lanes x = load(counters_.data() + i, blocks_.data() + i, salt_);
+    Lanes y = load(counters_.data() + i + 4, blocks_.data() + i + 4, salt_);
     auto key0 = static_cast<uint32_t>(system_key_), key1 = static_cast<uint32_t>(system_key_ >> 32);
     for (int r = 0; r < 10; ++r) {
-      round(x, both(key0), both(key1));
-      round(y, both(key0), both(key1));
+      round(x, broadcast(key0), broadcast(key1));
+      round(y, broadcast(key0), broadcast(key1));
       key0 += 0x9E3779B9;
       key1 += 0xBB67AE85;
     }
-    stored(x, numbers_.data() + 2 * i);
-    stored(y, numbers_.data() + 2 * i + 8);
+    store(x, numbers_.data() + 2 * i);
+    store(y, numbers_.data() + 2 * i + 8);
   }
   return numbers_.data();
 }

@@ -11,7 +11,7 @@ namespace {
 bool is_draw(const Instruction& one) { return one.op == Op::draw || one.op == Op::choose; }
 
 /// Numbers the draws of a program, starting after `last`; returns the last number used.
-uint32_t numbered(Program& program, uint32_t last) {
+uint32_t number_program(Program& program, uint32_t last) {
   for (Instruction& one : program.code)
     if (is_draw(one)) one.index = ++last;
   return last;
@@ -69,14 +69,14 @@ RuleSelection rule_selection(const System& system, RuleBook& book, uint32_t firs
 
 void number_draws(System& system) {
   system.axiom.blocks = 0;
-  numbered(system.axiom.values, 0);
+  number_program(system.axiom.values, 0);
   system.axiom.blocks = blocks_of(system.axiom.values);
   std::vector<uint32_t> last(system.alphabet.size(), 0);
   for (Production& p : system.productions)
     for (Program* program : {&p.guard, &p.weight, &p.after})
-      last[p.head] = numbered(*program, last[p.head]);
+      last[p.head] = number_program(*program, last[p.head]);
   for (Production& p : system.productions) {
-    numbered(p.values, last[p.head]);
+    number_program(p.values, last[p.head]);
     p.blocks = std::max(blocks_of(p.values), blocks_of(p.after));
   }
 }

@@ -42,11 +42,11 @@ TurtleInterpreter::TurtleInterpreter(const Word& word, const Alphabet& alphabet,
 }
 
 void TurtleInterpreter::walk(const std::vector<SymbolId>& symbols, const PoseVisitor& visit) {
-  std::vector<bool> asked(alphabet_.size());
-  for (const SymbolId id : symbols) asked[id] = true;
+  std::vector<bool> requested(alphabet_.size());
+  for (const SymbolId id : symbols) requested[id] = true;
   for (at_ = 0; at_ < word_.size(); ++at_) {
     const SymbolId id = word_.symbol(at_);
-    if (asked[id]) visit(at_, state_.pose);
+    if (requested[id]) visit(at_, state_.pose);
     if (symbol_actions_[id].type != TurtleAction::nothing)
       execute(symbol_actions_[id], word_.parameters(at_));
   }
@@ -79,22 +79,22 @@ void TurtleInterpreter::execute(const SymbolAction& action, Parameters p) {
       if (braces_ > 0 && builder_) builder_->corner(state_);
       break;
     case TurtleAction::left:
-      turn(frame.binormal, angle);
+      rotate(frame.binormal, angle);
       break;
     case TurtleAction::right:
-      turn(frame.binormal, -angle);
+      rotate(frame.binormal, -angle);
       break;
     case TurtleAction::down:
-      turn(frame.normal, angle);
+      rotate(frame.normal, angle);
       break;
     case TurtleAction::up:
-      turn(frame.normal, -angle);
+      rotate(frame.normal, -angle);
       break;
     case TurtleAction::roll_left:
-      turn(frame.tangent, -angle);
+      rotate(frame.tangent, -angle);
       break;
     case TurtleAction::roll_right:
-      turn(frame.tangent, angle);
+      rotate(frame.tangent, angle);
       break;
     case TurtleAction::back:
       state_.pose.frame = {-frame.tangent, -frame.normal, frame.binormal};
@@ -144,7 +144,7 @@ void TurtleInterpreter::execute(const SymbolAction& action, Parameters p) {
   }
 }
 
-void TurtleInterpreter::turn(const Vec3d& axis, double angle) {
+void TurtleInterpreter::rotate(const Vec3d& axis, double angle) {
   constexpr double kExact = 1e5;  // range of the accurate sine: see base/maths.h
   if (!std::isfinite(angle)) fail("the angle of a rotation is not finite");
   if (std::fabs(angle) > kExact) angle = std::remainder(angle, 2 * kPi);

@@ -23,7 +23,7 @@ class TurtleInterpreter {
   /// Throws Error(bad_input) that names the current module.
   [[noreturn]] void fail(const std::string& what) const;
   void execute(const SymbolAction& action, Parameters p);
-  void turn(const Vec3d& axis, double angle);
+  void rotate(const Vec3d& axis, double angle);
   void set_radius(double radius);
   void level();
   void push();

@@ -91,7 +91,7 @@ void TurtleInterpreter::bend() {
   const Vec3d axis = state_.pose.frame.tangent.cross(options_.tropism);
   const double torque = axis.length();
   if (!std::isfinite(torque)) fail("the tropism is too large");
-  if (torque > 1e-12) turn(axis / torque, state_.elasticity * torque);
+  if (torque > 1e-12) rotate(axis / torque, state_.elasticity * torque);
 }
 
 void TurtleInterpreter::begin_guide(Parameters p) {

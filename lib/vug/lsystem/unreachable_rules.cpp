@@ -15,7 +15,7 @@ std::optional<double> constant_of(const Program& program) {
 }
 
 /// Whether `first` matches wherever `other` does; both are rules of the same symbol.
-bool fits_before(const Production& first, const Production& other) {
+bool matches_before(const Production& first, const Production& other) {
   if (first.has_context()) return false;
   if (!first.guard.empty() && constant_of(first.guard).value_or(0) == 0) return false;
   if (first.after.empty()) return true;
@@ -26,13 +26,13 @@ bool fits_before(const Production& first, const Production& other) {
 bool never_weighs(const Production& p) { return constant_of(p.weight) == 0.0; }
 
 /// The first rule in `before` that always takes precedence over `p`, or null.
-const Production* what_hides(const Production& p, const std::vector<const Production*>& before) {
+const Production* hiding_rule(const Production& p, const std::vector<const Production*>& before) {
   bool joins = false;  // an earlier weighted choice may include `p`
   for (const Production* each : before) {
     const bool lot = !each->weight.empty();
     const bool alone = lot ? p.weight.empty() && constant_of(each->weight).value_or(0) > 0
                            : p.weight.empty() || !joins;
-    if (alone && fits_before(*each, p)) return each;
+    if (alone && matches_before(*each, p)) return each;
     joins = joins || (lot && each->has_context() == p.has_context());
   }
   return nullptr;
@@ -46,7 +46,7 @@ void warn_unreachable_rules(const System& system, const RuleBook& book, Diagnost
     std::vector<const Production*> before;  // reachable rules
     for (uint32_t r = symbol.first; r < symbol.end; ++r) {
       const Production& p = system.productions[book.rules[r]];
-      const Production* hides = what_hides(p, before);
+      const Production* hides = hiding_rule(p, before);
       if (!hides) {
         if (!never_weighs(p)) before.push_back(&p);
         continue;

@@ -35,12 +35,13 @@ class NameChecker {
       return first != second ? first < second : a.where->line < b.where->line;
     });
     for (const Global& one : all)
-      if (!global(one.what, *one.name, *one.where)) document.skipped.doubtful.insert(*one.name);
+      if (!declare_global(one.what, *one.name, *one.where))
+        document.skipped.doubtful.insert(*one.name);
     for (const Declaration& made : document.declarations)
-      if (!made.broken && !declared(made.kind, made.name, made.where))
+      if (!made.broken && !declare(made.kind, made.name, made.where))
         document.skipped.doubtful.insert(made.name);
     for (Grammar& made : document.grammars) {
-      if (!declared("grammar", made.name, made.where)) document.skipped.doubtful.insert(made.name);
+      if (!declare("grammar", made.name, made.where)) document.skipped.doubtful.insert(made.name);
       const size_t before = diagnostics_.all().size();
       grammar(made);
       const auto reported = diagnostics_.all().begin() + static_cast<std::ptrdiff_t>(before);
@@ -60,8 +61,8 @@ class NameChecker {
     return false;
   }
 
-  void twice(const char* what, const std::string& name, const SourceLocation& where,
-             const SourceLocation& first) {
+  void report_duplicate(const char* what, const std::string& name, const SourceLocation& where,
+                        const SourceLocation& first) {
     diagnostics_.error(where, fmt::format("duplicate {} '{}'", what, name),
                        fmt::format("the first is at {}", to_string(first)));
   }
@@ -73,19 +74,19 @@ class NameChecker {
   };
 
   /// Parameters and lets share one namespace.
-  bool global(const char* what, const std::string& name, const SourceLocation& where) {
+  bool declare_global(const char* what, const std::string& name, const SourceLocation& where) {
     if (!allowed(name, where)) return false;
     const auto [place, fresh] = globals_.emplace(name, where);
-    if (!fresh) twice(what, name, where, place->second);
+    if (!fresh) report_duplicate(what, name, where, place->second);
     return fresh;
   }
 
   /// Each kind of declarations has a namespace; a parameter or let must not hide a declaration.
-  bool declared(const std::string& kind, const std::string& name, const SourceLocation& where) {
+  bool declare(const std::string& kind, const std::string& name, const SourceLocation& where) {
     if (!allowed(name, where)) return false;
     const auto [place, fresh] = declared_.emplace(kind + ' ' + name, where);
     if (!fresh) {
-      twice(kind.c_str(), name, where, place->second);
+      report_duplicate(kind.c_str(), name, where, place->second);
       return false;
     }
     const auto hidden = globals_.find(name);

@@ -15,22 +15,22 @@ constexpr int kMaxDepth = 2000;
 /// Maximum number of elements of a list including nested lists; each `let` could double a list.
 constexpr size_t kMaxElements = 1000000;
 
-size_t elements(const Value& value) {
+size_t element_count(const Value& value) {
   const List* list = value.get<List>();
   if (!list) return 1;
   size_t total = 1;
-  for (const Value& item : *list) total += elements(item);
+  for (const Value& item : *list) total += element_count(item);
   return total;
 }
 
 bool is_axis(const std::string& name) { return name == "X" || name == "Y" || name == "Z"; }
 
-class Depth {
+class DepthScope {
  public:
-  explicit Depth(int& depth) : depth_(depth) { ++depth_; }
-  ~Depth() { --depth_; }
-  Depth(const Depth&) = delete;
-  Depth& operator=(const Depth&) = delete;
+  explicit DepthScope(int& depth) : depth_(depth) { ++depth_; }
+  ~DepthScope() { --depth_; }
+  DepthScope(const DepthScope&) = delete;
+  DepthScope& operator=(const DepthScope&) = delete;
 
  private:
   int& depth_;
@@ -39,7 +39,7 @@ class Depth {
 }  // namespace
 
 Value Evaluator::evaluate(const Expr& expr, const Context& context) {
-  const Depth depth(depth_);
+  const DepthScope depth(depth_);
   deepest_ = std::max(deepest_, depth_);
   if (depth_ > kMaxDepth) return site(expr).fault("values are nested too deeply");
   switch (expr.kind) {
@@ -121,7 +121,7 @@ Value Evaluator::parts(const Expr& expr, const Context& context) {
   if (!sound) return {};
   if (expr.kind == ExprKind::list) {
     Value value(std::move(list));
-    if (elements(value) > kMaxElements)
+    if (element_count(value) > kMaxElements)
       return site(expr).fault(fmt::format("the list has more than {} elements", kMaxElements));
     return value;
   }

@@ -125,10 +125,10 @@ Value Evaluator::global(const std::string& name, Global& global, const SourceLoc
   }
   const auto first = std::find(pending_.begin(), pending_.end(), name);
   if (first != pending_.end()) {
-    const std::vector<std::string> circle(first, pending_.end());
+    const std::vector<std::string> cycle(first, pending_.end());
     return FaultSite{where, diagnostics_}.fault(
         fmt::format("'{}' depends on itself", name),
-        fmt::format("{} -> {}", fmt::join(circle, " -> "), name));
+        fmt::format("{} -> {}", fmt::join(cycle, " -> "), name));
   }
   if (pending_.size() >= Resolver::kMaxPending)
     return FaultSite{where, diagnostics_}.fault(

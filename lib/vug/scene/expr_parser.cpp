@@ -13,7 +13,7 @@ namespace {
 /// Operator precedence, lowest first; signs, powers and "not" are handled in `prefix`.
 constexpr int kCompare = 3, kRange = 4, kAdd = 5;
 
-int strength(const Token& token) {
+int precedence(const Token& token) {
   if (token.kind == TokenKind::name) return token.text == "or" ? 1 : token.text == "and" ? 2 : 0;
   if (token.kind != TokenKind::sign) return 0;
   const std::string_view s = token.text;
@@ -96,15 +96,15 @@ const Token& ExprParser::operator_ahead() const {
   // A line that continues an expression can only start with an operator or a method.
   const Token& here = cursor_.peek();
   const Token& beyond = cursor_.beyond_newlines();
-  return here.kind == TokenKind::newline && (strength(beyond) > 0 || beyond.is(".")) ? beyond
-                                                                                     : here;
+  return here.kind == TokenKind::newline && (precedence(beyond) > 0 || beyond.is(".")) ? beyond
+                                                                                       : here;
 }
 
 ExprPtr ExprParser::binary(int least) {
   const Cursor::NestingGuard nest(cursor_);
   ExprPtr left = prefix();
   for (;;) {
-    const int level = strength(operator_ahead());
+    const int level = precedence(operator_ahead());
     if (level == 0 || level < least) return left;
     cursor_.skip_newlines();
     const Token& sign = cursor_.take();
@@ -115,7 +115,7 @@ ExprPtr ExprParser::binary(int least) {
     expr.operands = {{"", left->where, left}, {"", right->where, right}};
     if (level == kRange) expr.path = identity("..");
     left = finish(std::move(expr));
-    if ((level == kCompare || level == kRange) && strength(operator_ahead()) == level)
+    if ((level == kCompare || level == kRange) && precedence(operator_ahead()) == level)
       cursor_.fail(operator_ahead(),
                    level == kRange ? "a range has two ends" : "comparisons cannot be chained",
                    level == kRange ? "" : "write a < b and b < c");

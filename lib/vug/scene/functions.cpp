@@ -171,7 +171,7 @@ Result normalize(const Arguments& arguments, const FaultSite& site) {
 }
 
 template <bool Dot>
-Result times(const Arguments& arguments, const FaultSite& site) {
+Result vector_product(const Arguments& arguments, const FaultSite& site) {
   const Vector* a = vector_at(arguments, 0);
   const Vector* b = vector_at(arguments, 1);
   if (arguments.size() != 2 || !a || !b) return std::nullopt;
@@ -230,8 +230,8 @@ std::vector<Function> all_functions() {
       {"mix", "two numbers or vectors and a number", "a (1 - t) + b t", mix},
       {"length", "a vector", "its length", length},
       {"normalize", "a vector", "its direction", normalize},
-      {"dot", "two vectors", "inner product", times<true>},
-      {"cross", "two vectors", "cross product", times<false>},
+      {"dot", "two vectors", "inner product", vector_product<true>},
+      {"cross", "two vectors", "cross product", vector_product<false>},
       {"count", "a list", "number of elements", count},
       {"at", "a list or vector and a number", "the element with that index, from 0", at},
   };

@@ -20,7 +20,7 @@ double slope(const std::vector<double>& frames, const std::vector<double>& value
   return a * b / (share * b + (1 - share) * a);
 }
 
-std::optional<Ease> ease_named(const Expr& expr) {
+std::optional<Ease> read_ease(const Expr& expr) {
   if (expr.kind != ExprKind::name) return std::nullopt;
   if (expr.text == "linear") return Ease::linear;
   if (expr.text == "smooth") return Ease::smooth;
@@ -29,21 +29,21 @@ std::optional<Ease> ease_named(const Expr& expr) {
 }
 
 /// The frame number of an argument's name; nothing if it is a word.
-std::optional<double> frame_named(const std::string& name) {
+std::optional<double> read_frame(const std::string& name) {
   char* end = nullptr;
   const double frame = std::strtod(name.c_str(), &end);
   return name.empty() || *end != 0 ? std::nullopt : std::optional(frame);
 }
 
 /// The three components of a vector, or a number as a single component.
-std::vector<double> parts_of(const Value& value) {
+std::vector<double> components_of(const Value& value) {
   if (const auto* n = value.get<Number>()) return {n->value};
   const auto* v = value.get<Value::Vector>();
   return v ? std::vector<double>{v->value.x, v->value.y, v->value.z} : std::vector<double>{};
 }
 
 /// A number with the dimension of the value; 0 is compatible with every dimension.
-Number measure_of(const Value& value) {
+Number dimension_of(const Value& value) {
   if (const auto* n = value.get<Number>()) return *n;
   const auto& v = *value.get<Value::Vector>();
   return {v.value == Vec3d(0) ? 0.0 : 1.0, v.dimension};
@@ -76,11 +76,11 @@ Value Evaluator::keys(const Expr& expr, const Context& context) {
   for (size_t i = 0; i < expr.operands.size(); ++i) {
     const Operand& part = expr.operands[i];
     const FaultSite here{part.where, diagnostics_};
-    if (const auto named = part.name.empty() && i == 0 ? ease_named(*part.value) : std::nullopt) {
+    if (const auto named = part.name.empty() && i == 0 ? read_ease(*part.value) : std::nullopt) {
       ease = *named;
       continue;
     }
-    const auto frame = frame_named(part.name);
+    const auto frame = read_frame(part.name);
     if (!frame) return here.fault("'keys' needs frames with their values", kForm);
     if (!frames.empty() && !(*frame > frames.back()))
       return here.fault(
@@ -97,24 +97,24 @@ Value Evaluator::keys(const Expr& expr, const Context& context) {
     while (now + 1 < frames.size() && frames[now + 1] <= options_.frame) ++now;
     return values[now];
   }
-  const std::vector<double> first = parts_of(values.front());
+  const std::vector<double> first = components_of(values.front());
   if (first.empty())
     return site(expr).fault(
         fmt::format("{} cannot be interpolated", values.front().type_name()),
         "only numbers and vectors can be interpolated; write keys(step, ...) for others");
-  Number common = measure_of(values.front());
+  Number common = dimension_of(values.front());
   for (size_t round = 0; round < 2; ++round)  // the first may be a plain number
     for (const Value& value : values) {
-      if (parts_of(value).size() != first.size())
+      if (components_of(value).size() != first.size())
         return site(expr).fault(fmt::format("keys cannot mix {} and {}", values.front().type_name(),
                                             value.type_name()));
-      Number other = measure_of(value);
+      Number other = dimension_of(value);
       if (!unify_dimensions(common, other, "keys cannot mix", site(expr))) return {};
     }
   std::vector<double> at;
   for (size_t part = 0; part < first.size(); ++part) {
     std::vector<double> curve;
-    for (const Value& value : values) curve.push_back(parts_of(value)[part]);
+    for (const Value& value : values) curve.push_back(components_of(value)[part]);
     at.push_back(interpolate_keys(frames, curve, ease, options_.frame));
   }
   if (at.size() == 1) return Number{at[0], common.dimension};

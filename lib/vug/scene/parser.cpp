@@ -76,7 +76,7 @@ class Loader {
     places.insert(places.end(), options_.include_folders.begin(), options_.include_folders.end());
     for (const fs::path& place : places) {
       const fs::path path = (place / wanted).lexically_normal();
-      if (circle(path, where)) return true;
+      if (is_cyclic(path, where)) return true;
       if (known_.count(identity(path))) return true;
       const auto text = options_.read ? options_.read(path) : read_disk(path);
       if (!text && !options_.read && why.empty() && fs::exists(path, failed))
@@ -101,7 +101,7 @@ class Loader {
     return false;
   }
 
-  bool circle(const fs::path& path, const SourceLocation& where) {
+  bool is_cyclic(const fs::path& path, const SourceLocation& where) {
     const auto same = [&](const fs::path& other) { return identity(other) == identity(path); };
     const auto first = std::find_if(chain_.begin(), chain_.end(), same);
     if (first == chain_.end()) return false;
