@@ -84,7 +84,7 @@ class Writer {
   }
 
   std::string body(int i) {
-    for (const auto form : {&Writer::lay_out_row, &Writer::repeated, &Writer::mirrored}) {
+    for (const auto form : {&Writer::rows_or_columns, &Writer::repeated, &Writer::mirrored}) {
       std::string text = (this->*form)(i);
       if (!text.empty()) return text;
     }
@@ -95,7 +95,7 @@ class Writer {
   }
 
   /// rows(...) or columns(...) if the children fill their parent in that way.
-  std::string lay_out_row(int i) {
+  std::string rows_or_columns(int i) {
     const std::vector<int>& children = node(i).children;
     if (children.size() < 2) return "";
     for (const bool upright : {true, false}) {

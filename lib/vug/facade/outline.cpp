@@ -27,10 +27,10 @@ struct Polygon {
   };
   std::vector<Edge> edges;
 
-  explicit Polygon(const Outline& corners, bool turned) {
+  explicit Polygon(const Outline& corners, bool revolved) {
     for (size_t i = 0; i < corners.size(); ++i) {
       const Vec2d a = corners[i], b = corners[(i + 1) % corners.size()];
-      if (turned && a.x <= 0 && b.x <= 0) continue;  // the axis is not a surface
+      if (revolved && a.x <= 0 && b.x <= 0) continue;  // the axis is not a surface
       const double length = (b - a).length();
       if (length < 1e-9) continue;
       const double rise = b.y - a.y;
@@ -72,7 +72,7 @@ struct Extruded {
   Box3d bounds() const { return box; }
 };
 
-struct Turned {
+struct Revolved {
   Polygon polygon;
   Box3d box;
 
@@ -89,12 +89,12 @@ field::Field made(const char* name, Shape shape) {
       std::make_shared<field::PrimitiveNode<Shape>>(std::string(name), std::move(shape)));
 }
 
-void require(const Outline& outline, bool turned) {
+void require(const Outline& outline, bool revolved) {
   double area = 0;
   for (size_t i = 0; i < outline.size(); ++i) {
     const Vec2d a = outline[i], b = outline[(i + 1) % outline.size()];
     area += 0.5 * (a.x * b.y - a.y * b.x);
-    if (turned && a.x < 0)
+    if (revolved && a.x < 0)
       throw Error(ErrorCode::internal, "the outline of a solid of revolution crosses its axis");
   }
   if (!(area > 0)) throw Error(ErrorCode::internal, "the outline is not counter-clockwise");
@@ -134,7 +134,7 @@ field::Field revolved(const Outline& outline) {
     box.extendBy(Vec3d(-corner.x, corner.y, -corner.x));
     box.extendBy(Vec3d(corner.x, corner.y, corner.x));
   }
-  return made("turned", Turned{Polygon(outline, true), box});
+  return made("turned", Revolved{Polygon(outline, true), box});
 }
 
 }  // namespace vug::facade

@@ -62,7 +62,7 @@ void Semantics::add(int node, field::Field solid) {
 int Semantics::node_at(const Vec3d& world) const {
   const Vec3d p = to_facade_.point(world);
   int node = -1;
-  double least = kReach;
+  double least = kMaxWeathering;
   boxes_.visit_nearest(p, least * least, [&](uint32_t item) {
     const Piece& piece = pieces_[item];
     const double away = piece.flat ? std::sqrt(mesh::squared_distance(p, piece.box))

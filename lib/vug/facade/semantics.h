@@ -13,7 +13,7 @@
 namespace vug::facade {
 
 /// Maximum distance between a weathered surface and the carved one, metres.
-inline constexpr double kReach = 0.3;
+inline constexpr double kMaxWeathering = 0.3;
 
 /// Nearest-surface queries on a carved facade. The surfaces are the solids that elements cut and
 /// add, the rectangles of nodes in their planes (except holes), and the sides of offset planes.
@@ -26,7 +26,7 @@ class Semantics {
   const Tree& tree() const { return *placed_.tree; }
   /// Index in Tree::nodes of the nearest surface at a world-space point in metres; of equally near
   /// nodes the inner one (within a plane, the part rather than the whole). -1 if no surface is
-  /// within kReach.
+  /// within kMaxWeathering.
   int node_at(const Vec3d& p) const;
 
  private:

@@ -48,7 +48,7 @@ TEST(Semantics, WeatheredSurfacesAreFoundAndDistantOnesAreNot) {
   const Semantics s(placed(front()));
   EXPECT_EQ(at(s, {-5.5, 4, 0.05}), "Bay");
   EXPECT_EQ(at(s, {0, 4, 0.37}), "wall");
-  EXPECT_EQ(at(s, {0, 4, 0.3 + 1.01 * kReach}), "");
+  EXPECT_EQ(at(s, {0, 4, 0.3 + 1.01 * kMaxWeathering}), "");
   EXPECT_EQ(at(s, {0, 10, 0}), "");
   EXPECT_EQ(at(s, {-4, 4.5, -2}), "") << "far behind the window";
 }
