@@ -7,11 +7,11 @@ namespace {
 
 using Strides = std::vector<py::ssize_t>;
 
-/// The array as numpy sees what was given; its numbers are of one of the kinds ("f" floats, ...).
+/// Converts an argument to an array whose numbers have one of the kinds ("f" floats, ...).
 py::array as_array(const py::handle& given, const std::string& what, const std::string& kinds,
                    const std::string& meaning) {
   const py::array array = py::module_::import("numpy").attr("asarray")(given);
-  // An empty list becomes floats; it holds nothing that could be of another type.
+  // numpy converts an empty list to floats; it holds no values of a wrong type.
   if (array.size() > 0 && kinds.find(array.dtype().kind()) == std::string::npos)
     throw py::type_error(fmt::format("{} must be {}, not {}", what, meaning,
                                      py::str(array.dtype()).cast<std::string>()));
@@ -29,7 +29,7 @@ void require_shape(const py::array& array, const std::string& what, py::ssize_t 
                                     py::str(array.attr("shape")).cast<std::string>()));
 }
 
-/// An empty list has no columns, and needs none.
+/// Whether the array was an empty list, which has no columns.
 bool is_nothing(const py::array& array) { return array.ndim() == 1 && array.shape(0) == 0; }
 
 }  // namespace
@@ -62,7 +62,7 @@ py::array_t<double> number_array(const py::handle& given, const std::string& wha
 
 py::array_t<int64_t> integer_array(const py::handle& given, const std::string& what,
                                    py::ssize_t columns) {
-  const py::array array = as_array(given, what, "iu", "whole numbers");
+  const py::array array = as_array(given, what, "iu", "integers");
   if (!is_nothing(array)) require_shape(array, what, columns, -1);
   return array.cast<py::array_t<int64_t, py::array::c_style | py::array::forcecast>>();
 }

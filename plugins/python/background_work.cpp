@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPollInterval{100};
 
-/// Tells a events; false where the answer is to stop.
+/// Passes events to Python. Returns false if the callback asks to stop.
 bool deliver(const EventQueue::Events& events, const Callback& callback) {
   warn(events.warnings);
   if (!callback) return true;

@@ -1,7 +1,7 @@
-// Long work beside Python: it runs on a thread of its own, and the thread that asked for it waits,
-// without the interpreter's lock, for what there is to tell. So callbacks run on the caller's
-// thread (which may be the only one that may touch Blender's data or a window), Ctrl-C stops work
-// within a tenth of a second, and no thread that works ever waits for Python.
+// Runs long work on a separate thread while the calling thread waits for events without holding the
+// interpreter's lock. Callbacks therefore run on the calling thread (possibly the only one that may
+// access Blender's data or a window), Ctrl-C stops work within a tenth of a second, and working
+// threads never wait for Python.
 #pragma once
 
 #include "binding.h"
@@ -17,19 +17,20 @@
 
 namespace vug::python {
 
-/// What work has to tell, from any of its threads.
+/// Progress reports and warnings from any working thread to the calling thread.
 class EventQueue {
  public:
   void report(const std::string& stage, double share);
   void warn(std::vector<std::string> texts);
 
+  /// Events since the last call of wait().
   struct Events {
-    std::vector<std::pair<std::string, double>> reports;  ///< Of each stage the last.
+    std::vector<std::pair<std::string, double>> reports;  ///< The last report of each stage.
     std::vector<std::string> warnings;
     bool done = false;
   };
   void finish();
-  /// Waits until there is something, at most a tenth of a second; takes it out.
+  /// Waits at most a tenth of a second for events, and removes and returns them.
   Events wait();
 
  private:
@@ -38,12 +39,13 @@ class EventQueue {
   Events events_;
 };
 
-/// Whom to tell; nobody where there is none.
+/// The progress callback, if any.
 using Callback = std::optional<py::function>;
 
-/// Does `work` and calls `callback(share, what)` as it goes; `threads` bounds its
-/// threads, 0: all cores. What the callback or Ctrl-C raises, or a callback that returns False,
-/// cancels `progress`, and is raised when the work has stopped; else what the work throws.
+/// Runs `work` with at most `threads` threads (0: all cores) and calls `callback(share, what)`
+/// during the work. An exception of the callback, Ctrl-C or a callback that returns False cancels
+/// `progress`; the exception is raised after the work has stopped. Exceptions of the work are
+/// rethrown.
 void run_in_background(EventQueue& queue, Progress& progress, const Callback& callback, int threads,
                        const std::function<void()>& work);
 

@@ -1,4 +1,4 @@
-// What every file of the Python module shares: each binds one subject.
+// Declarations shared by the files of the Python module, each of which binds one subject.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -14,7 +14,7 @@ namespace vug::python {
 namespace py = pybind11;
 using namespace py::literals;
 
-/// In the order in which their classes need each other.
+/// Functions that bind the subjects, in the order in which their classes depend on each other.
 void bind_errors(py::module_& module);
 void bind_mesh(py::module_& module);
 void bind_grids(py::module_& module);
@@ -27,7 +27,7 @@ void bind_build(py::module_& module);
 void bind_export(py::module_& module);
 void bind_catalogue(py::module_& module);
 
-/// Text of JSON as dicts, lists and numbers; T is what it holds.
+/// Converts JSON text to dicts, lists and numbers; T is the type of its top-level value.
 template <class T = py::dict>
 T from_json(const std::string& text) {
   return T(py::module_::import("json").attr("loads")(text));

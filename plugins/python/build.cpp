@@ -1,4 +1,4 @@
-// What is made of a scene: level sets, meshes, cells, pictures, files.
+// Products of a scene: level sets, meshes, cells, pictures, files.
 #include "build.h"
 
 #include "cells.h"
@@ -22,7 +22,7 @@ namespace {
 Build make_build(const std::shared_ptr<Scene>& scene, const Memory& max_memory, int threads,
                  const Callback& progress, const std::optional<std::filesystem::path>& checkpoint) {
   if (checkpoint && extension_of(*checkpoint) != ".vdb")
-    throw py::value_error("a checkpoint holds points: its name must end in .vdb");
+    throw py::value_error("a checkpoint is a VDB file of points: its name must end in .vdb");
   return Build(scene, {memory_limit_of(max_memory), checked_threads(threads), progress,
                        checkpoint.value_or(std::filesystem::path())});
 }
@@ -81,14 +81,14 @@ py::dict measure_cells(Build& build, const std::string& name) {
   return from_json(json);
 }
 
-/// All into a folder, or the grids into one file; never over what the scene is made of.
+/// Writes all products to a folder, or the grids to one file. Never overwrites inputs of the scene.
 std::vector<std::filesystem::path> save(Build& build, const std::filesystem::path& to) {
   const bool grids = extension_of(to) == ".vdb";
   const shot::Shot& shot = build.scene()->shot();
   const auto paths = grids ? std::vector{to} : delivery::product_paths(shot, to);
   if (paths.empty() || (grids && shot.volumes.empty()))
     throw Error(ErrorCode::bad_input, "the scene declares nothing to build", {},
-                "add for instance: volume rock = level_set(..., voxel: 5cm)");
+                "add, for instance: volume rock = level_set(..., voxel: 5cm)");
   require_outputs(paths, loading::file_dependencies(build.scene()->loaded()));
   build.work([&](building::Builder& builder) {
     if (grids)
@@ -102,15 +102,18 @@ std::vector<std::filesystem::path> save(Build& build, const std::filesystem::pat
 }
 
 constexpr const char* kRender =
-    "The picture of a render block, or of the first: a vug.Image. What is given replaces what the\n"
-    "block says: camera (a name), size (width, height), spp (samples per pixel), crop (left, top,\n"
-    "right, bottom), layers (names), noise (a share: stop sampling below it), seed (of samples),\n"
-    "exposure (stops), denoise, deep, full_float, multi_part, tiled (truths), eye ('left', "
-    "'right'),\n"
-    "working_space, view, display (names), ocio (a file), checkpoint (a file that keeps what is\n"
-    "rendered; where it is there rendering goes on from it, and Image.save to an EXR removes it).";
+    "Renders a render block, by default the first, and returns a vug.Image. Arguments replace the\n"
+    "values of the block: camera (name), size (width, height), spp (samples per pixel), crop "
+    "(left,\n"
+    "top, right, bottom), layers (names of AOVs), noise (relative error at which sampling stops),\n"
+    "seed (of the samples), exposure (stops), denoise, deep, full_float, multi_part, tiled "
+    "(bools),\n"
+    "eye ('left', 'right'), working_space, view, display (names), ocio (file), checkpoint (file "
+    "of\n"
+    "the unfinished picture; if it exists, rendering continues from it, and Image.save to an EXR\n"
+    "removes it).";
 
-/// The same with a callback of its own, by name.
+/// The method with an additional keyword argument `progress`.
 template <class Result, class What>
 auto with_progress(Result (*call)(Build&, const What&)) {
   return [call](Build& build, const What& what, const Callback& progress) {
@@ -123,33 +126,34 @@ void bind_products(py::class_<Build>& type) {
   const auto progress = "progress"_a = py::none();
   const py::kw_only by_name;
   type.def("level_set", with_progress(&level_set), "name"_a = "", by_name, progress,
-           "The level set of a volume, also of a fog; without a name the first.")
+           "The level set of a volume, also of a fog volume; without a name, of the first.")
       .def("volume", with_progress(&volume_of), "name"_a = "", by_name, progress,
-           "What the .vdb holds of a volume: a level set, or the density of a fog.")
+           "The grid of a volume in the .vdb: a level set, or the density of a fog volume.")
       .def("mesh", with_progress(&mesh), "name"_a = "", by_name, progress,
-           "A mesh, also that which cells have weathered, by their name; without a name the first.")
+           "A mesh, or the weathered mesh of cells, by name; without a name, the first mesh.")
       .def("cells", with_progress(&cells_of), "name"_a = "", by_name, progress,
-           "Cells on a mesh, after their rules have run.")
+           "Cells on a mesh after the simulation of their rules.")
       .def("measure", with_progress(&measure), "mesh"_a = "", by_name, progress,
-           "Area, volume, genus and all that `vug measure --json` tells, as a dict.")
+           "Area, volume, genus and all other metrics of `vug measure --json`, as a dict.")
       .def("measure_cells", with_progress(&measure_cells), "name"_a = "", by_name, progress,
-           "How even cells are and how they are linked, as `vug measure --cells` tells it.")
+           "Regularity and links of cells, as in `vug measure --cells`.")
       .def("save", with_progress(&save), "to"_a, by_name, progress,
-           "Writes what `vug build` writes into a folder, or all grids to a file that ends in "
-           ".vdb;\n"
-           "gives the paths.");
+           "Writes the products of `vug build` to a folder, or all grids to a file that ends in "
+           ".vdb.\n"
+           "Returns the paths.");
 }
 
 }  // namespace
 
 void bind_build(py::module_& module) {
   py::class_<Build> type(module, "Build",
-                         "What is made of a scene: each thing once, when it is first asked for.\n\n"
-                         "`progress(share, what)` is called on the thread that asks: share goes\n"
-                         "from 0 to 1 in each stage `what`. Where it returns False the work stops\n"
-                         "with vug.Cancelled; what it raises is raised. Ctrl-C stops work, too.\n"
-                         "Every method that works takes another `progress` for that call.\n"
-                         "What was made before is kept, and the rest can be asked for again.");
+                         "The products of a scene, each built once, when first requested.\n\n"
+                         "`progress(share, what)` is called on the calling thread; share goes\n"
+                         "from 0 to 1 in each stage `what`. If it returns False, the work stops\n"
+                         "with vug.Cancelled; exceptions of the callback are raised. Ctrl-C stops\n"
+                         "the work, too. Every method takes a `progress` for its own call.\n"
+                         "Finished products are kept after a stop, the others can be requested\n"
+                         "again.");
   bind_products(type);
   type.def(
           "render",
@@ -175,10 +179,10 @@ void bind_build(py::module_& module) {
   scenes.def(
       "build", &make_build, "max_memory"_a = py::none(), "threads"_a = 0, "progress"_a = py::none(),
       "checkpoint"_a = py::none(),
-      "A vug.Build. Refuses work that needs more than max_memory: bytes or '8G', else nine\n"
-      "tenths of what is free. threads: 0 takes all cores; results do not depend on it.\n"
-      "checkpoint: a .vdb that keeps runs of cells while they go on; where it is there they\n"
-      "go on from it. Build.save of a folder removes it.");
+      "Returns a vug.Build. max_memory: limit in bytes or as text such as '8G', by default nine\n"
+      "tenths of the free memory; work that needs more is refused. threads: number of threads, 0\n"
+      "for all cores; results do not depend on it. checkpoint: a .vdb with the state of cell\n"
+      "simulations; if it exists, they continue from it. Build.save of a folder removes it.");
   scenes.def(
       "measure",
       [](const std::shared_ptr<Scene>& self, const std::string& name, const Memory& memory,
@@ -187,7 +191,7 @@ void bind_build(py::module_& module) {
         return measure(build, name);
       },
       "mesh"_a = "", "max_memory"_a = py::none(), "threads"_a = 0, "progress"_a = py::none(),
-      "Build.measure of a build that is not kept.");
+      "Measures a mesh, like Build.measure, with a temporary build.");
   scenes.def(
       "render",
       [](const std::shared_ptr<Scene>& self, const std::string& name, const Memory& memory,

@@ -1,4 +1,4 @@
-// What is made of a scene, as Python holds it.
+// Builds of a scene, as seen from Python.
 #pragma once
 
 #include "image.h"
@@ -15,28 +15,30 @@
 
 namespace vug::python {
 
-/// Bytes, a text such as "8G", or nothing: nine tenths of what is free.
+/// A memory limit: bytes, a text such as "8G", or no value for nine tenths of the free memory.
 using Memory = std::optional<std::variant<int64_t, std::string>>;
 
 struct BuildSettings {
   uint64_t max_memory = 0;  ///< Bytes.
   int threads = 0;          ///< 0: all cores.
   Callback progress;
-  std::filesystem::path checkpoint = {};  ///< Of runs of cells; empty: none is kept.
+  std::filesystem::path checkpoint = {};  ///< Checkpoint of cell simulations; empty: none.
 };
 
-/// A Builder with its scene, that tells Python how it gets on.
+/// A Builder with its scene, which reports its progress to Python.
 class Build {
  public:
   Build(ScenePtr scene, BuildSettings settings);
-  /// Of another shot of the scene's.
+  /// Builds another shot of the scene.
   Build(ScenePtr scene, std::shared_ptr<const shot::Shot> shot, BuildSettings settings);
 
-  /// Calls `work` with the builder, on a thread of its own (see follow). RuntimeError while another
-  /// does: a builder is not for several at once. What was cancelled can be asked for again.
+  /// Calls `work` with the builder on a separate thread (see run_in_background). RuntimeError while
+  /// another call runs, because a builder must not be used concurrently. Cancelled work can be
+  /// requested again.
   void work(const std::function<void(building::Builder&)>& work);
 
-  /// While it lives another callback is told how the build gets on; none leaves it as it is.
+  /// Replaces the progress callback of a build during its lifetime. An empty callback changes
+  /// nothing.
   class ProgressOverride {
    public:
     ProgressOverride(Build& build, const Callback& progress)
@@ -56,7 +58,7 @@ class Build {
   BuildSettings& settings() { return settings_; }
 
  private:
-  /// A builder with its own progress, which stays cancelled once it was.
+  /// A builder with its own Progress, which remains cancelled once it is cancelled.
   struct Context;
   std::unique_ptr<Context> open();
 
@@ -67,10 +69,12 @@ class Build {
   bool busy_ = false;  ///< Guarded by the interpreter's lock.
 };
 
+/// The limit in bytes. ValueError for a limit below 1.
 uint64_t memory_limit_of(const Memory& given);
+/// The argument itself. ValueError unless it is from 0 to 1024.
 int checked_threads(int given);
 
-/// The options of `render` by their names in Python.
+/// The options of `render`, from its keyword arguments.
 picture::RenderOptions render_options(const Scene& scene, const py::kwargs& given);
 
 Image render(Build& build, const picture::RenderOptions& options);

@@ -43,7 +43,7 @@ std::unique_ptr<Build::Context> Build::open() {
 
 void Build::work(const std::function<void(building::Builder&)>& work) {
   if (busy_) {
-    PyErr_SetString(PyExc_RuntimeError, "this build is at work already");
+    PyErr_SetString(PyExc_RuntimeError, "this build is already running");
     throw py::error_already_set();
   }
   if (context_->progress.cancelled()) {

@@ -1,4 +1,4 @@
-// Everything a scene can say, from the schemas of its kinds.
+// The kinds of the scene language, from their schemas.
 #include "binding.h"
 
 #include <vug/base/diagnostics.h>
@@ -23,15 +23,16 @@ py::list kinds_for_python(const std::string& word) {
 void bind_catalogue(py::module_& module) {
   module.def(
       "load_plugin", &loading::load_plugin, "file"_a,
-      "Loads a plugin, a shared library with further kinds; before the first scene. Those in\n"
-      "the folders of $VUG_PLUGIN_PATH are loaded by `import vug`.");
-  module.def("plugins_in_path", &loading::plugins_in_path, "Those that `import vug` loads.");
-  module.def("find_kinds", &kinds_for_python, "word"_a = "",
-             "What `vug list WORD --json` prints: kinds of that name, category or family, or all;\n"
-             "and of each parameter its type, range and default in a line, 'text'.");
-  module.def("kind_words", &loading::kind_words, "Words that find_kinds knows.");
+      "Loads a plugin, a shared library with additional kinds. Call it before loading a scene.\n"
+      "Plugins in the folders of $VUG_PLUGIN_PATH are loaded by `import vug`.");
+  module.def("plugins_in_path", &loading::plugins_in_path, "Plugins that `import vug` loads.");
+  module.def(
+      "find_kinds", &kinds_for_python, "word"_a = "",
+      "The output of `vug list WORD --json`: kinds of that name, category or family, or all.\n"
+      "Each parameter has an additional entry 'text' with its type, range and default.");
+  module.def("kind_words", &loading::kind_words, "Words that find_kinds accepts.");
   module.def("suggestion", &suggestion, "name"_a, "candidates"_a,
-             "A sentence that offers the nearest candidate.");
+             "A sentence that suggests the nearest candidate.");
 }
 
 }  // namespace vug::python

@@ -1,4 +1,4 @@
-// Cells on rock: where they are and what they carry, as arrays that share memory.
+// Cells on a surface: their positions and attributes as arrays that share memory.
 #include "cells.h"
 
 #include "arrays.h"
@@ -11,7 +11,7 @@
 namespace vug::python {
 namespace {
 
-/// An array of the network's.
+/// Getter of an array of the network.
 template <class Member>
 auto network_array(Member cells::Network::*member) {
   return [member](const Cells& self) {
@@ -53,8 +53,9 @@ void save(const Cells& self, const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
   if (extension == ".csv") return delivery::write_table(file, *self.layer);
   if (extension != ".vdb")
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no name for cells", file.string()), {},
-                "end it in .vdb for points, or in .csv for a table");
+    throw Error(ErrorCode::bad_input,
+                fmt::format("invalid file name '{}' for cells", file.string()), {},
+                "use the extension .vdb for points or .csv for a table");
   volume::write(file, {building::cell_points(*self.plan, *self.layer)}, self.write);
 }
 
@@ -63,35 +64,34 @@ void save(const Cells& self, const std::filesystem::path& file) {
 void bind_cells(py::module_& module) {
   using cells::Network;
   py::class_<Cells>(module, "Cells",
-                    "A skin: cells on meshes, and what their rules have made of them.\n\n"
-                    "Its arrays, of n cells, share its memory: nothing is copied, nobody can\n"
-                    "write to them, and each keeps what it shows alive.")
+                    "A layer of n cells on meshes, with the results of its rules.\n\n"
+                    "Its arrays are read-only views that share its memory and keep it alive.")
       .def_property_readonly("name", [](const Cells& c) { return c.plan->name; })
       .def_property_readonly(
           "spacing", [](const Cells& c) { return c.layer->network().spacing; },
-          "Metres from one cell to the next, about.")
+          "Approximate distance between neighbouring cells, metres.")
       .def_property_readonly(
           "step", [](const Cells& c) { return c.layer->simulation.step(); },
-          "Steps that the rules have done.")
+          "Number of completed simulation steps.")
       .def("__len__", [](const Cells& c) { return c.layer->network().size(); })
       .def_property_readonly("positions", network_array(&Network::position),
                              "(n, 3) float32, metres.")
       .def_property_readonly("normals", network_array(&Network::normal),
-                             "(n, 3) float32 of unit length, out of the solid.")
+                             "(n, 3) float32, unit normals that point out of the solid.")
       .def_property_readonly("tangents", network_array(&Network::right),
-                             "(n, 3) float32 of unit length, to the right along the surface.")
+                             "(n, 3) float32, unit tangents that point right along the surface.")
       .def_property_readonly("areas", network_array(&Network::area),
-                             "(n,) float32, square metres that each stands for.")
+                             "(n,) float32, area of each cell, square metres.")
       .def_property_readonly("objects", network_array(&Network::object),
-                             "(n,) uint32, which of the meshes each is on.")
+                             "(n,) uint32, index of the mesh of each cell.")
       .def_property_readonly("states", &states, "(n,) uint8, indices into state_names.")
       .def_property_readonly_static("state_names", [](const py::object&) { return state_names(); })
       .def_property_readonly("links", &links,
                              "(begin, to): neighbours of cell i are to[begin[i]:begin[i + 1]].")
       .def_property_readonly("attributes", &attributes,
-                             "What cells carry by name: (n,) float32 or int32, or (n, 3) float32.")
+                             "Attributes by name: (n,) float32 or int32, or (n, 3) float32.")
       .def("save", &save, "file"_a,
-           "Writes points to a .vdb, or a table to a .csv, as `vug build` does.")
+           "Writes points to a .vdb or a table to a .csv, as `vug build` does.")
       .def("__repr__", [](const Cells& c) {
         return fmt::format("<vug.Cells '{}', {} after {} steps>", c.plan->name,
                            c.layer->network().size(), c.layer->simulation.step());

@@ -1,4 +1,4 @@
-// Skins of cells as Python holds them.
+// Cell layers, as seen from Python.
 #pragma once
 
 #include "binding.h"
@@ -8,7 +8,7 @@
 
 namespace vug::python {
 
-/// Immutable; its arrays share what it points to.
+/// An immutable layer of cells. Its arrays share the memory that it points to.
 struct Cells {
   shot::CellsPtr plan;
   building::CellLayerPtr layer;

@@ -1,4 +1,4 @@
-// Two pictures: the same, or different?
+// Comparison of two pictures.
 #include "image.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ struct DiffResult {
   std::string reference, test;
 };
 
-/// A picture in memory, or a file.
+/// A picture in memory or in a file.
 using Picture = std::variant<Image, std::filesystem::path>;
 
 image::ImageUnderTest image_under_test(const Picture& given, const std::string& name) {
@@ -56,21 +56,22 @@ DiffResult compare(const Picture& reference, const Picture& test,
 }  // namespace
 
 void bind_diff(py::module_& module) {
-  py::class_<DiffResult>(module, "Diff", "A verdict on two pictures. Printed, it is a table.")
+  py::class_<DiffResult>(module, "Diff",
+                         "The result of a comparison of two pictures. str() gives a table.")
       .def_property_readonly(
           "same", [](const DiffResult& v) { return v.diff.same; },
-          "Whether they differ by no more than limits or noise allow.")
+          "Whether the pictures differ by no more than limits or noise allow.")
       .def_property_readonly("verdict",
                              [](const DiffResult& v) { return image::verdict_text(v.diff); })
       .def_property_readonly(
           "reasons", [](const DiffResult& v) { return v.diff.reasons; },
-          "Why they are different, in sentences.")
+          "Sentences that state why the pictures are different.")
       .def(
           "data",
           [](const DiffResult& v) {
             return from_json(image::to_json(v.diff, v.reference, v.test));
           },
-          "What `vug diff --json` writes, in dicts and lists.")
+          "The result as dicts and lists, as in `vug diff --json`.")
       .def("__str__", [](const DiffResult& v) { return image::to_table(v.diff); })
       .def("__repr__", [](const DiffResult& v) {
         return fmt::format("<vug.Diff: {}>", v.diff.same ? "the same" : "different");
@@ -79,9 +80,9 @@ void bind_diff(py::module_& module) {
       "diff", &compare, "reference"_a, "test"_a, "limits"_a = std::map<std::string, double>(),
       "layers"_a = std::vector<std::string>(), "measures"_a = std::vector<std::string>(),
       "alarm"_a = py::none(),
-      "Compares two pictures, each a vug.Image or a file, as `vug diff` does. limits: what a\n"
-      "measure may be at most, {'rmse': 0.01, 'N.max': 0.1}; alarm: demands the test of\n"
-      "significance at this rate of false alarms.");
+      "Compares two pictures, each a vug.Image or a file, as `vug diff` does. limits: bounds of\n"
+      "measures, {'rmse': 0.01, 'N.max': 0.1}; alarm: requires the significance test with this\n"
+      "false-alarm rate.");
 }
 
 }  // namespace vug::python

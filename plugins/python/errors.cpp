@@ -5,7 +5,8 @@
 namespace vug::python {
 namespace {
 
-/// What vug/_errors.py defines. Kept for ever: Python may be gone before static objects are.
+/// A class defined in vug/_errors.py. It is never released, because static objects may be destroyed
+/// after the interpreter.
 py::handle defined(const char* name) {
   return py::object(py::module_::import("vug._errors").attr(name)).release();
 }
@@ -36,7 +37,7 @@ const char* name_of(ErrorCode code) {
   return "internal";
 }
 
-/// Messages quote files, which may hold any bytes.
+/// Converts a message, which may quote files with arbitrary bytes.
 py::str text(const std::string& bytes) {
   return py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(
       bytes.data(), static_cast<py::ssize_t>(bytes.size()), "backslashreplace"));

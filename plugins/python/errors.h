@@ -1,4 +1,4 @@
-// Faults and warnings as Python sees them: vug.Error, vug.Cancelled, vug.SceneWarning.
+// Errors and warnings in Python: vug.Error, vug.Cancelled, vug.SceneWarning.
 #pragma once
 
 #include "binding.h"
@@ -11,14 +11,15 @@
 
 namespace vug::python {
 
-/// Throws the faults of a text as one vug.Error, which lists them all and is placed at the first.
+/// Throws the errors of a text as one vug.Error, which lists all of them and has the location of
+/// the first.
 [[noreturn]] void raise(const loading::Loaded& faulty);
 
-/// Tells warnings through Python's `warnings`, as from the line that called us. Throws where its
-/// filters make errors of them.
+/// Issues warnings through Python's `warnings`, attributed to the calling line. Throws if the
+/// warning filters turn them into errors.
 void warn(const std::vector<std::string>& texts);
 
-/// The diagnostics that are no errors, one text each, with their lines and carets.
+/// The warnings among the diagnostics, one text each, with source lines and carets.
 std::vector<std::string> warnings_of(const loading::Loaded& loaded, const Diagnostics& diagnostics);
 
 }  // namespace vug::python

@@ -1,4 +1,4 @@
-// What other programs read.
+// Export for other programs.
 #include "build.h"
 #include "errors.h"
 
@@ -53,10 +53,11 @@ void bind_export(py::module_& module) {
       "export", &export_scene, "folder"_a, "program"_a = "usd", "up"_a = py::none(),
       "unit"_a = py::none(), "lod"_a = 0, "max_memory"_a = py::none(), "threads"_a = 0,
       "progress"_a = py::none(),
-      "Writes what another program reads best, as `vug export --for PROGRAM` does, and gives\n"
-      "the paths; vug.catalogue.find('program') lists the programs. up: 'y' or 'z', unit: 'm'\n"
-      "or 'cm', instead of the program's own. lod: levels of detail beside the whole, each with a\n"
-      "quarter of the triangles. Warns of what is left out.");
+      "Exports the scene for another program, as `vug export --for PROGRAM` does, and returns the\n"
+      "paths; vug.catalogue.find('program') lists the programs. up: 'y' or 'z', unit: 'm' or "
+      "'cm',\n"
+      "by default those of the program. lod: number of additional levels of detail, each with a\n"
+      "quarter of the triangles. Warns of omitted contents.");
 }
 
 }  // namespace vug::python

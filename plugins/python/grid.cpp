@@ -1,4 +1,4 @@
-// Grids: their numbers, and their voxels as arrays.
+// Grids: their properties, and their voxels as arrays.
 #include "grid.h"
 
 #include "arrays.h"
@@ -15,11 +15,12 @@ namespace {
 
 Vec3i index(const py::handle& given, const std::string& what) {
   const auto numbers = integer_array(given, what, 0);
-  if (numbers.size() != 3) throw py::value_error(what + " must be three whole numbers");
+  if (numbers.size() != 3) throw py::value_error(what + " must be three integers");
   Vec3i out;
   for (int i = 0; i < 3; ++i) {
     const int64_t n = numbers.data()[i];
-    if (n < -(1 << 30) || n > (1 << 30)) throw py::value_error(what + " is no index of a voxel");
+    if (n < -(1 << 30) || n > (1 << 30))
+      throw py::value_error(what + " is not a valid voxel index");
     out[i] = static_cast<int>(n);
   }
   return out;
@@ -35,7 +36,8 @@ py::tuple dense(const Grid& grid, const py::object& lower, const py::object& upp
     shape.push_back(std::max(0, to[i] - from[i] + 1));
     bytes *= static_cast<double>(shape.back());
   }
-  require_memory(bytes, available_memory() / 10 * 9, "so many voxels", "ask for a smaller box");
+  require_memory(bytes, available_memory() / 10 * 9, "the array of voxels",
+                 "request a smaller box");
   py::array_t<float> out(shape);
   float* const data = out.mutable_data();
   {
@@ -67,8 +69,9 @@ py::array_t<double> values(const LevelSet& set, const py::handle& given) {
 void save(const Grid& grid, const std::filesystem::path& file) {
   const py::gil_scoped_release others;
   if (extension_of(file) != ".vdb")
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' is no name for a grid", file.string()), {},
-                "end it in .vdb");
+    throw Error(ErrorCode::bad_input,
+                fmt::format("invalid file name '{}' for a grid", file.string()), {},
+                "use the extension .vdb");
   volume::write(file, {grid.grid}, grid.write);
 }
 
@@ -80,47 +83,46 @@ std::string represent(const char* type, const Grid& grid) {
 }  // namespace
 
 void bind_grids(py::module_& module) {
-  py::class_<Grid>(module, "Grid", "A sparse grid of voxels: a level set, or a fog's density.")
+  py::class_<Grid>(module, "Grid", "A sparse voxel grid: a level set or a fog volume.")
       .def_property_readonly("name", [](const Grid& g) { return g.grid.name(); })
       .def_property_readonly(
           "kind", [](const Grid& g) { return volume::to_string(g.grid.grid_class()); },
           "'level set' or 'fog volume'.")
       .def_property_readonly(
-          "voxel", [](const Grid& g) { return g.grid.voxel_size().x; }, "Edge of a voxel, metres.")
+          "voxel", [](const Grid& g) { return g.grid.voxel_size().x; },
+          "Edge length of a voxel, metres.")
       .def_property_readonly(
           "origin",
           [](const Grid& g) {
             const Vec3d o = volume::origin_of(g.grid);
             return py::make_tuple(o.x, o.y, o.z);
           },
-          "Where voxel (0, 0, 0) is centred in world space, metres.")
+          "World-space centre of voxel (0, 0, 0), metres.")
       .def_property_readonly("active_voxels",
                              [](const Grid& g) { return g.grid.statistics().active_voxels; })
       .def_property_readonly(
-          "memory", [](const Grid& g) { return g.grid.statistics().memory_bytes; }, "Bytes held.")
+          "memory", [](const Grid& g) { return g.grid.statistics().memory_bytes; },
+          "Memory use in bytes.")
       .def_property_readonly(
           "bounds", [](const Grid& g) { return corners(g.grid.statistics().bounds); },
-          "Lowest and highest centre of an active voxel: (2, 3) metres in world space; None\n"
-          "without any.")
+          "Lowest and highest centre of the active voxels: (2, 3), metres in world space; None if\n"
+          "no voxel is active.")
       .def("dense", &dense, "lower"_a = py::none(), "upper"_a = py::none(),
-           "Voxels as (values, first): a float32 array [i, j, k] of those with indices from lower "
-           "to\n"
-           "upper, both included (without them: the box of all active voxels), and the index of "
-           "its\n"
-           "first. Voxel (i, j, k) is centred at origin + voxel * (i, j, k). Beyond the band there "
-           "is\n"
-           "plus or minus the background.")
-      .def("save", &save, "file"_a, "Writes a .vdb of this grid alone.")
+           "Returns (values, first): a float32 array [i, j, k] of the voxels with indices from\n"
+           "lower to upper, both inclusive (default: the box of all active voxels), and the index\n"
+           "of its first voxel. The centre of voxel (i, j, k) is origin + voxel * (i, j, k).\n"
+           "Voxels outside the narrow band have plus or minus the background value.")
+      .def("save", &save, "file"_a, "Writes this grid to a .vdb.")
       .def("__repr__", [](const Grid& g) { return represent("Grid", g); });
 
   py::class_<LevelSet, Grid>(module, "LevelSet",
                              "Signed distances near a surface: metres, negative inside.")
       .def_property_readonly(
           "background", [](const LevelSet& s) { return s.level_set().background(); },
-          "Half the width of the band, metres: the value beyond it.")
+          "Half the width of the narrow band, metres, which is the value outside of it.")
       .def("values", &values, "points"_a,
-           "Distances at points, (n, 3) metres in world space: (n,) metres, by trilinear\n"
-           "interpolation; plus or minus the background beyond the band.")
+           "Distances at points, (n, 3) metres in world space, as (n,) metres, by trilinear\n"
+           "interpolation; plus or minus the background outside the narrow band.")
       .def("__repr__", [](const LevelSet& s) { return represent("LevelSet", s); });
 }
 

@@ -1,4 +1,4 @@
-// Grids as Python holds them.
+// Grids, as seen from Python.
 #pragma once
 
 #include "binding.h"
@@ -8,7 +8,7 @@
 
 namespace vug::python {
 
-/// With what a file of it tells about where it comes from.
+/// A grid with the metadata that its files contain about their origin.
 struct Grid {
   volume::Grid grid;
   volume::WriteOptions write;

@@ -10,14 +10,15 @@
 namespace vug::python {
 namespace {
 
-/// The layer's channels in the picture's memory: (height, width) of one, else (height, width, k).
-/// Channels of a layer follow each other in what is rendered.
+/// View of a layer's channels in the picture's memory: (height, width) for one channel, otherwise
+/// (height, width, k). The channels of a layer are contiguous in rendered pictures.
 py::array layer_view(const Image& self, const image::Layer& layer) {
   const image::Image& picture = self.image();
   const auto first = static_cast<size_t>(picture.find_channel(layer.channels.front()));
   for (size_t c = 0; c < layer.channels.size(); ++c)
     if (picture.find_channel(layer.channels[c]) != static_cast<int>(first + c))
-      throw Error(ErrorCode::internal, fmt::format("the channels of '{}' are apart", layer.name));
+      throw Error(ErrorCode::internal,
+                  fmt::format("the channels of '{}' are not contiguous", layer.name));
   constexpr auto kFloat = static_cast<py::ssize_t>(sizeof(float));
   const auto pixel = kFloat * static_cast<py::ssize_t>(picture.channels.size());
   std::vector<py::ssize_t> shape = {picture.height, picture.width};
@@ -82,35 +83,36 @@ void save(const Image& self, const std::filesystem::path& file) {
 }  // namespace
 
 void bind_image(py::module_& module) {
-  py::class_<Image>(module, "Image",
-                    "A rendered picture: float32 layers of linear light.\n\n"
-                    "Its arrays share its memory: nothing is copied, nobody can write to them,\n"
-                    "and each keeps what it shows alive. Row 0 is the top.")
+  py::class_<Image>(
+      module, "Image",
+      "A rendered picture: float32 layers of linear light.\n\n"
+      "Its arrays are read-only views that share its memory and keep it alive. Row 0\n"
+      "is the top row.")
       .def_property_readonly("width", [](const Image& i) { return i.image().width; })
       .def_property_readonly("height", [](const Image& i) { return i.image().height; })
       .def_property_readonly(
           "channels", [](const Image& i) { return i.image().channels; },
-          "Names as in the EXR: 'R', 'Z', 'albedo.R'.")
+          "Names of the channels as in the EXR: 'R', 'Z', 'albedo.R'.")
       .def_property_readonly(
           "origin",
           [](const Image& i) {
             const render::Region& crop = i.part().header.crop;
             return py::make_tuple(crop.x0, crop.y0);
           },
-          "Where its top left pixel lies in the whole picture, of which it may be a crop.")
+          "Position of the top left pixel in the whole picture, (0, 0) unless cropped.")
       .def_property_readonly("pixels", &pixels, "All channels: (height, width, channels).")
       .def_property_readonly("layers", &layers,
-                             "Arrays by layer: (height, width, k), or (height, width) of layers\n"
-                             "with one channel. 'beauty' is R, G and B.")
-      .def("__getitem__", &layer, "layer"_a, "One of the layers.")
-      .def_property_readonly("metadata", &metadata, "Texts that files keep of where it comes from.")
+                             "Arrays by layer: (height, width, k), or (height, width) for layers\n"
+                             "with one channel. 'beauty' consists of R, G and B.")
+      .def("__getitem__", &layer, "layer"_a, "A layer by name.")
+      .def_property_readonly("metadata", &metadata,
+                             "Metadata of files about the origin of the picture.")
       .def_property_readonly("views", &views,
-                             "Of a camera for stereo the images 'left' and 'right'; else empty.")
+                             "The images 'left' and 'right' of a stereo camera; otherwise empty.")
       .def("save", &save, "file"_a,
-           "Writes NAME.exr with all layers, NAME.png as an eye sees it, or NAME.deep.exr of a "
-           "deep\n"
-           "picture: the files of `vug render`. Of a stereo picture both views, of one of its\n"
-           "`views` that alone.")
+           "Writes the files of `vug render`: NAME.exr with all layers, NAME.png with the view\n"
+           "transform, or NAME.deep.exr of a deep picture. Writes both views of a stereo picture,\n"
+           "or only one for an element of `views`.")
       .def("__repr__", [](const Image& i) {
         return fmt::format("<vug.Image {}x{}, {} channels>", i.image().width, i.image().height,
                            i.image().channels.size());

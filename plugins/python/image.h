@@ -1,4 +1,4 @@
-// Rendered pictures as Python holds them.
+// Rendered pictures, as seen from Python.
 #pragma once
 
 #include "binding.h"
@@ -11,11 +11,11 @@
 
 namespace vug::python {
 
-/// What was rendered, or one view of it. Immutable; its arrays share what it points to.
+/// An immutable rendered picture, or one view of it. Its arrays share the memory that it points to.
 struct Image {
   std::shared_ptr<const std::vector<picture::RenderResult>> rendered;
-  std::optional<size_t> view = {};        ///< None: all, of which arrays show the left one.
-  std::filesystem::path checkpoint = {};  ///< Of its rendering; needed until it is in a file.
+  std::optional<size_t> view = {};        ///< No value: all views; arrays show the left one.
+  std::filesystem::path checkpoint = {};  ///< Checkpoint of the rendering; removed after saving.
 
   const picture::RenderResult& part() const { return (*rendered)[view.value_or(0)]; }
   bool in_stereo() const { return !view && rendered->size() > 1; }

@@ -1,4 +1,4 @@
-// Meshes: arrays that share memory, files, metrics; and meshes made of arrays.
+// Meshes: arrays that share memory, files, metrics, and construction from arrays.
 #include "mesh.h"
 
 #include "arrays.h"
@@ -28,15 +28,15 @@ std::vector<mesh::Triangle> triangles(const py::handle& given, size_t vertices) 
     for (size_t c = 0; c < 3; ++c) {
       const int64_t vertex = array.data()[3 * i + c];
       if (vertex < 0 || static_cast<uint64_t>(vertex) >= vertices)
-        throw py::value_error(
-            fmt::format("triangle {} has the vertex {}, and there are {}", i, vertex, vertices));
+        throw py::value_error(fmt::format(
+            "triangle {} refers to vertex {}, but the mesh has {} vertices", i, vertex, vertices));
       out[i][c] = static_cast<uint32_t>(vertex);
     }
   return out;
 }
 
 mesh::Attribute attribute(const py::handle& name, const py::handle& given, size_t vertices) {
-  if (!py::isinstance<py::str>(name)) throw py::type_error("names of attributes must be texts");
+  if (!py::isinstance<py::str>(name)) throw py::type_error("names of attributes must be strings");
   mesh::Attribute out;
   out.name = name.cast<std::string>();
   const auto array = number_array(given, fmt::format("attribute '{}'", out.name), 0,
@@ -91,13 +91,13 @@ py::dict measure(const Mesh& self) {
 void bind_mesh(py::module_& module) {
   py::class_<Mesh>(module, "Mesh",
                    "Triangles in metres, right-handed, y up; anticlockwise seen from outside.\n\n"
-                   "Its arrays share its memory: nothing is copied, nobody can write to them, and\n"
-                   "each keeps what it shows alive.")
-      .def(py::init(&from_arrays), "positions"_a, "triangles"_a, "normals"_a = py::none(),
-           "attributes"_a = py::dict(),
-           "Of arrays, which are copied: positions (n, 3) metres, triangles (m, 3) indices,\n"
-           "normals (n, 3) of unit length, attributes {name: (n,) or (n, k)}; 'Cd' with three\n"
-           "columns is linear colour. ValueError and TypeError say what does not fit.")
+                   "Its arrays are read-only views that share its memory and keep it alive.")
+      .def(
+          py::init(&from_arrays), "positions"_a, "triangles"_a, "normals"_a = py::none(),
+          "attributes"_a = py::dict(),
+          "Copies arrays: positions (n, 3) in metres, triangles (m, 3) as indices, normals (n, 3)\n"
+          "of unit length, attributes {name: (n,) or (n, k)}; 'Cd' with three columns is linear\n"
+          "colour. Raises ValueError or TypeError for unsuitable arrays.")
       .def_property_readonly(
           "positions", [](const Mesh& m) { return view(m.mesh->positions, capsule_of(m.mesh)); },
           "(n, 3) float32, metres.")
@@ -107,23 +107,23 @@ void bind_mesh(py::module_& module) {
             if (m.mesh->normals.empty()) return std::nullopt;
             return view(m.mesh->normals, capsule_of(m.mesh));
           },
-          "(n, 3) float32 of unit length, out of the solid; None without.")
+          "(n, 3) float32, unit normals that point out of the solid; None without normals.")
       .def_property_readonly("triangles", &triangle_view, "(m, 3) uint32, indices of vertices.")
       .def_property_readonly("attributes", &attributes,
-                             "Numbers of the vertices by name, (n,) or (n, k) float32; 'Cd' is\n"
-                             "linear scene-referred colour.")
+                             "Vertex attributes by name, (n,) or (n, k) float32; 'Cd' is linear\n"
+                             "scene-referred colour.")
       .def_property_readonly(
           "bounds", [](const Mesh& m) { return corners(mesh::bounds(*m.mesh)); },
           "Lowest and highest corner, (2, 3) metres; None without vertices.")
       .def("measure", &measure,
-           "Area, volume, genus and all that `vug measure --json` tells of a mesh file.")
+           "Area, volume, genus and all other metrics of `vug measure --json` for a mesh file.")
       .def(
           "save",
           [](const Mesh& m, const std::filesystem::path& file) {
             const py::gil_scoped_release others;
             mesh::write_mesh(*m.mesh, file, m.notes);
           },
-          "file"_a, "Writes a .ply, .obj or .stl; what the format cannot hold is left out.")
+          "file"_a, "Writes a .ply, .obj or .stl; data that the format cannot store is omitted.")
       .def("__repr__", [](const Mesh& m) {
         return fmt::format("<vug.Mesh of {} vertices, {} triangles>", m.mesh->positions.size(),
                            m.mesh->triangles.size());
@@ -137,7 +137,7 @@ void bind_mesh(py::module_& module) {
         return out;
       },
       "file"_a,
-      "The mesh of a .ply, .obj or .stl; its numbers are metres. Files of it keep the recipe.");
+      "Reads a .ply, .obj or .stl, in metres. Files saved from the mesh keep its recipe.");
 }
 
 }  // namespace vug::python

@@ -1,4 +1,4 @@
-// Meshes as Python holds them.
+// Meshes, as seen from Python.
 #pragma once
 
 #include "binding.h"
@@ -8,10 +8,10 @@
 
 namespace vug::python {
 
-/// Immutable; its arrays share what it points to.
+/// An immutable mesh. Its arrays share the memory that it points to.
 struct Mesh {
   mesh::MeshPtr mesh;
-  mesh::Comments notes = {};  ///< That files of it keep.
+  mesh::Comments notes = {};  ///< Comments that its files contain.
 };
 
 }  // namespace vug::python

@@ -1,4 +1,4 @@
-// The extension module vug._vug. What users import is the package `vug` beside it.
+// The extension module vug._vug, which the Python package `vug` imports.
 #include "binding.h"
 
 PYBIND11_MODULE(_vug, module) {

@@ -1,4 +1,4 @@
-// Pictures of a build.
+// Rendering, with options from Python.
 #include "build.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ double number(const std::string& name, const py::handle& given, double low, doub
 }
 
 int whole(const std::string& name, const py::handle& given, int low) {
-  const int value = read<int>(name, given, "a whole number");
+  const int value = read<int>(name, given, "an integer");
   if (value < low) throw py::value_error(fmt::format("{} must be at least {}", name, low));
   return value;
 }
@@ -41,7 +41,7 @@ image::WorkingSpace space(const std::string& name) {
     names.push_back(each.name);
   }
   throw py::value_error(
-      fmt::format("there is no working space '{}'; {}", name, suggestion(name, names)));
+      fmt::format("unknown working space '{}'; {}", name, suggestion(name, names)));
 }
 
 int eye(const std::string& name) {
@@ -51,15 +51,15 @@ int eye(const std::string& name) {
 }
 
 Vec2i size(const py::handle& given) {
-  const auto both = read<std::pair<int, int>>("size", given, "two whole numbers");
-  if (both.first < 1 || both.second < 1) throw py::value_error("size must be 1 or more");
+  const auto both = read<std::pair<int, int>>("size", given, "two integers");
+  if (both.first < 1 || both.second < 1) throw py::value_error("size must be at least 1 x 1");
   return {both.first, both.second};
 }
 
 std::vector<int> crop(const py::handle& given) {
-  const auto box = read<std::array<int, 4>>("crop", given, "four whole numbers");
+  const auto box = read<std::array<int, 4>>("crop", given, "four integers");
   if (box[0] < 0 || box[1] < 0 || box[0] >= box[2] || box[1] >= box[3])
-    throw py::value_error("crop must be left, top, right, bottom; right and bottom are beyond it");
+    throw py::value_error("crop must be left, top, right, bottom; right and bottom are exclusive");
   return {box.begin(), box.end()};
 }
 
@@ -72,7 +72,7 @@ void flag(PictureOptions& o, const std::string& name, const py::handle& given) {
 }
 template <std::string PictureOptions::*member>
 void text(PictureOptions& o, const std::string& name, const py::handle& given) {
-  o.*member = read<std::string>(name, given, "a text");
+  o.*member = read<std::string>(name, given, "a string");
 }
 
 const std::map<std::string, Setter>& setters() {
@@ -91,7 +91,7 @@ const std::map<std::string, Setter>& setters() {
       {"spp", [](P& o, const std::string& n, const py::handle& v) { o.spp = whole(n, v, 1); }},
       {"seed",
        [](P& o, const std::string& n, const py::handle& v) {
-         o.seed = read<uint64_t>(n, v, "a whole number, 0 or above");
+         o.seed = read<uint64_t>(n, v, "an integer of at least 0");
        }},
       {"noise",
        [](P& o, const std::string& n, const py::handle& v) { o.noise = number(n, v, 0, 1); }},
@@ -135,7 +135,7 @@ picture::RenderOptions render_options(const Scene& scene, const py::kwargs& give
       std::vector<std::string> names = {"checkpoint"};
       for (const auto& each : setters()) names.push_back(each.first);
       throw py::type_error(
-          fmt::format("render has no option '{}'; {}", name, suggestion(name, names)));
+          fmt::format("render: unknown option '{}'; {}", name, suggestion(name, names)));
     }
     if (!value.is_none()) setter->second(options.picture, name, value);
   }
@@ -147,7 +147,7 @@ Image render(Build& build, const picture::RenderOptions& options) {
   auto rendered = std::make_shared<std::vector<picture::RenderResult>>();
   build.work([&](building::Builder& builder) {
     *rendered = picture::render_views(builder, options);
-    picture::warn_of_exposure(builder, rendered->front());
+    picture::warn_about_exposure(builder, rendered->front());
   });
   return {rendered, {}, options.checkpoint};
 }

@@ -1,4 +1,4 @@
-// Scenes: loading, overriding, what they declare.
+// Scenes: loading, overrides and declarations.
 #include "scene.h"
 
 #include "errors.h"
@@ -18,11 +18,11 @@ namespace {
 
 using SharedScene = std::shared_ptr<Scene>;
 
-/// Also sets these parameters.
+/// Adds overrides for these parameters.
 void set_parameters(LoadSettings& settings, const py::dict& changes) {
   std::vector<scene::Override>& all = settings.load.overrides;
   for (const auto& [key, value] : changes) {
-    if (!py::isinstance<py::str>(key)) throw py::type_error("names of parameters must be texts");
+    if (!py::isinstance<py::str>(key)) throw py::type_error("names of parameters must be strings");
     const auto name = key.cast<std::string>();
     const std::string text = override_text(name, value);
     const auto known = std::find_if(all.begin(), all.end(),
@@ -41,7 +41,8 @@ LoadSettings with_changes(LoadSettings settings, const py::dict& params,
                           const py::kwargs& more) {
   if (seed) settings.load.seed = seed;
   if (frame) settings.load.frame = *frame;
-  if (!(std::fabs(settings.load.frame) <= 1e6)) throw py::value_error("frame must be within 1e6");
+  if (!(std::fabs(settings.load.frame) <= 1e6))
+    throw py::value_error("frame must be from -1e6 to 1e6");
   set_parameters(settings, params);
   set_parameters(settings, more);
   return settings;
@@ -53,7 +54,8 @@ LoadSettings default_settings() {
   return settings;
 }
 
-/// Angles need a unit in a scene's text; Python's are radians. False where there are none.
+/// Appends the unit to overrides of angles, which are in radians in Python and need a unit in a
+/// scene text. Returns whether there are any.
 bool add_angle_units(LoadSettings& settings, const loading::Loaded& loaded) {
   bool given = false;
   for (scene::Override& each : settings.load.overrides)
@@ -83,7 +85,8 @@ SharedScene loads(const std::string& text, const std::filesystem::path& base,
                                  with_changes(default_settings(), params, seed, frame, more));
 }
 
-/// Files keep no frame in the text: it is the one argument that they may name.
+/// The scene from which a file was built. The frame is not part of the text, but an argument in the
+/// recipe.
 SharedScene scene_of(const std::filesystem::path& file, const std::filesystem::path& base) {
   const delivery::Recipe recipe = delivery::read_recipe(file);
   std::optional<double> frame;
@@ -143,7 +146,7 @@ const std::string& name_of(const Plan& plan) {
     return plan.first;
 }
 
-/// Names in one of the shot's lists, in the order of the text.
+/// Getter of the names in one of the shot's lists, in the order of the text.
 template <class List>
 auto names(List shot::Shot::*list) {
   return [list](const Scene& scene) {
@@ -162,10 +165,10 @@ std::vector<std::string> names_of(const Plans& plans) {
 
 void bind_names(py::class_<Scene, SharedScene>& type) {
   using shot::Shot;
-  type.def_property_readonly("volumes", names(&Shot::volumes), "Names, as are all these lists.")
+  type.def_property_readonly("volumes", names(&Shot::volumes), "Names of the volumes.")
       .def_property_readonly(
           "meshes", [](const Scene& s) { return names_of(shot::shown_meshes(s.shot())); },
-          "Those that are declared, else one for each level set.")
+          "Names of the declared meshes, or of one mesh per level set if none is declared.")
       .def_property_readonly(
           "cells", [](const Scene& s) { return names_of(shot::declared_cells(s.shot())); })
       .def_property_readonly("objects", names(&Shot::objects))
@@ -206,7 +209,7 @@ std::function<std::shared_ptr<const shot::Shot>(double)> Scene::shot_at_frame() 
     for (const Diagnostic& each : loaded.diagnostics.all())
       if (each.severity == Severity::error)
         throw Error(ErrorCode::bad_input, each.message, each.where, each.hint)
-            .within(fmt::format("loading the moment {}", frame));
+            .within(fmt::format("loading frame {}", frame));
     return std::make_shared<const shot::Shot>(std::move(loaded.shot));
   };
 }
@@ -214,49 +217,52 @@ std::function<std::shared_ptr<const shot::Shot>(double)> Scene::shot_at_frame() 
 void bind_scene(py::module_& module) {
   py::class_<Scene, SharedScene> type(
       module, "Scene",
-      "A scene: a text, with parameters, seed and frame set. It never changes: `with_` gives\n"
-      "another. Made by vug.load and vug.loads.");
-  type.def(
-          "with_", &change, "params"_a = py::dict(), py::kw_only(), "seed"_a = py::none(),
-          "frame"_a = py::none(),
-          "The same text with other parameters, by name or in a dict: scene.with_(LD=3). What was\n"
-          "set before stays set. Numbers are metres, radians or plain; a str is text of the scene\n"
-          "language: '30%', '2m', '45deg'.")
-      .def_property_readonly("params", &params,
-                             "vug.Param by name: value, range, doc; in the order of the text.")
-      .def_property_readonly("derivations", &derivations, "vug.Derivation by its grammar's name.")
+      "An immutable scene: a text with values of its parameters, a seed and a frame. `with_`\n"
+      "returns a modified scene. Created by vug.load and vug.loads.");
+  type.def("with_", &change, "params"_a = py::dict(), py::kw_only(), "seed"_a = py::none(),
+           "frame"_a = py::none(),
+           "Returns the scene with other parameters, by name or in a dict: scene.with_(LD=3). "
+           "Other\n"
+           "values are kept. Numbers are in metres or radians or have no unit; a str is text of "
+           "the\n"
+           "scene language: '30%', '2m', '45deg'.")
+      .def_property_readonly(
+          "params", &params,
+          "vug.Param by name, with value, range and doc; in the order of the text.")
+      .def_property_readonly("derivations", &derivations,
+                             "vug.Derivation by the name of its grammar.")
       .def_property_readonly(
           "name", [](const Scene& s) { return s.shot().name; },
-          "The file's name without its ending.")
+          "The file name without its extension.")
       .def_property_readonly("file", &Scene::file)
       .def_property_readonly(
           "files", &files,
-          "Paths of all that it reads: its texts, and meshes, grids and pictures named in them.")
+          "Paths of all input files: scene texts, and the meshes, grids and pictures they use.")
       .def_property_readonly("text", &Scene::text)
       .def_property_readonly("seed", [](const Scene& s) { return s.shot().seed; })
       .def_property_readonly("frame", [](const Scene& s) { return s.shot().frame; })
       .def_property_readonly(
           "moves", [](const Scene& s) { return s.shot().animated; },
-          "Whether something depends on the frame.")
+          "Whether the scene depends on the frame.")
       .def_property_readonly(
           "recipe", [](const Scene& s) { return s.shot().recipe; },
-          "The text and what was set: what files keep of where they come from.")
+          "The text with all overrides, which files contain as their origin.")
       .def("__repr__", [](const Scene& s) {
         return fmt::format("<vug.Scene '{}', seed {}>", s.shot().name, s.shot().seed);
       });
   bind_names(type);
   module.def("load", &load, "file"_a, "params"_a = py::dict(), py::kw_only(), "seed"_a = py::none(),
              "frame"_a = py::none(),
-             "The scene of a .vug file, with parameters by name or in a dict:\n"
-             "vug.load('grotto.vug', LD=3, seed=7). Raises vug.Error with all faults of the text.");
+             "Loads the scene of a .vug file, with parameters by name or in a dict:\n"
+             "vug.load('grotto.vug', LD=3, seed=7). Raises vug.Error with all errors of the text.");
   module.def("loads", &loads, "text"_a, "base"_a = ".", "name"_a = "scene.vug",
              "params"_a = py::dict(), py::kw_only(), "seed"_a = py::none(), "frame"_a = py::none(),
-             "The same of a text; files that it names are looked for in the folder `base`, and\n"
-             "messages call it `name`.");
+             "Loads a scene from a text. Files are searched relative to the folder `base`, and\n"
+             "messages call the text `name`.");
   module.def(
       "scene_of", &scene_of, "file"_a, "base"_a = ".",
-      "The scene that made a file of ours: a .vdb, a mesh, a picture, what was exported. Files\n"
-      "that its text names are looked for in the folder `base`.");
+      "Loads the scene from which a file was built: a .vdb, mesh, picture or exported file. Files\n"
+      "that its text uses are searched relative to the folder `base`.");
 }
 
 }  // namespace vug::python

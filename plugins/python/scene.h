@@ -1,4 +1,4 @@
-// Scenes as Python holds them.
+// Scenes, as seen from Python.
 #pragma once
 
 #include "binding.h"
@@ -13,17 +13,17 @@
 
 namespace vug::python {
 
-/// What a scene is loaded with.
+/// The options with which a scene is loaded.
 struct LoadSettings {
   loading::LoadOptions load;
-  std::set<std::string> numbers;  ///< Overrides that are Python's numbers: angles are radians.
+  std::set<std::string> numbers;  ///< Overrides given as numbers; angles are in radians.
 };
 
-/// A loaded scene and what it was loaded from, so that it can be loaded with other parameters or at
-/// another moment. Shared by all that is made of it.
+/// A loaded scene with its text and options, so that it can be loaded again with other parameters
+/// or at another frame. It is shared by all its products.
 class Scene {
  public:
-  /// Throws vug.Error with all faults of the text; warns of what is doubtful.
+  /// Throws vug.Error with all errors of the text; issues its warnings.
   Scene(std::string text, std::string file, LoadSettings settings);
 
   const loading::Loaded& loaded() const { return loaded_; }
@@ -32,22 +32,24 @@ class Scene {
   const std::string& file() const { return file_; }
   const LoadSettings& settings() const { return settings_; }
 
-  /// With all that stands still taken from other moments. Faults are in its diagnostics.
+  /// Loads the scene at a frame and reuses everything that does not depend on the frame. Errors are
+  /// in the diagnostics of the result.
   loading::Loaded at(double frame) const;
-  /// For PictureOptions::moment; any thread may call it while the scene lives.
+  /// The function for PictureOptions::shot_at_frame. Any thread may call it during the lifetime of
+  /// the scene.
   std::function<std::shared_ptr<const shot::Shot>(double)> shot_at_frame() const;
 
  private:
   std::string text_;
   std::string file_;
   LoadSettings settings_;
-  mutable loading::StaticCache static_cache_;  ///< Of all its moments.
-  mutable std::mutex load_mutex_;              ///< Guards that.
+  mutable loading::StaticCache static_cache_;  ///< Shared by all frames.
+  mutable std::mutex load_mutex_;              ///< Guards static_cache_.
   loading::Loaded loaded_;
 };
 using ScenePtr = std::shared_ptr<const Scene>;
 
-/// One of a scene's, which it keeps alive.
+/// A derivation of a scene, which it keeps alive.
 struct Derivation {
   ScenePtr scene;
   const shot::Derivation* derivation;
@@ -55,11 +57,12 @@ struct Derivation {
   const grammar::Tree& tree() const { return derivation->tree; }
 };
 
-/// The text after `-D NAME=` for a value from Python: numbers, truths, vectors; a str is text of
-/// the scene language, a path becomes a text in quotes. TypeError, ValueError.
+/// The text after `-D NAME=` for a value from Python: a number, bool or vector; a str is text of
+/// the scene language, and a path becomes a quoted string. Throws TypeError or ValueError.
 std::string override_text(const std::string& name, const py::handle& value);
 
-/// None, number, bool, str, tuple of three numbers, or list of these; metres and radians.
+/// Converts a value to None, a number, a bool, a str, a tuple of three numbers, or a list of these,
+/// in metres and radians.
 py::object to_python(const Value& value);
 
 }  // namespace vug::python

@@ -1,15 +1,15 @@
-"""Writes vug/_vug.pyi: what a type checker knows of the compiled part, from its own signatures.
+"""Writes vug/_vug.pyi, the type stubs of the compiled module, from its signatures.
 
     stubs.py FOLDER_OF_THE_PACKAGE
 
-pybind11 puts a signature in the first line of each docstring; this turns them into Python.
+pybind11 puts a signature into the first line of each docstring; this program turns them into Python.
 """
 import inspect
 import pathlib
 import re
 import sys
 
-HEAD = '''"""Made from the module's signatures by plugins/python/stubs.py."""
+HEAD = '''"""Generated from the module's signatures by plugins/python/stubs.py."""
 import os
 import pathlib
 from typing import Any, Callable, Dict, List, Optional, Tuple, Union

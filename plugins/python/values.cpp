@@ -1,4 +1,4 @@
-// Values of scenes from and to Python.
+// Conversion of scene values from and to Python.
 #include "scene.h"
 
 #include <fmt/format.h>

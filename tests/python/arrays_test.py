@@ -127,7 +127,7 @@ class Voxels(Case):
             rock.dense((0.5, 0, 0), (1, 1, 1))
         with self.assertRaises(ValueError):
             rock.dense((0, 0), (1, 1, 1))
-        with self.assertRaisesRegex(vug.Error, "so many voxels") as caught:
+        with self.assertRaisesRegex(vug.Error, "the array of voxels") as caught:
             rock.dense((-2**20,) * 3, (2**20,) * 3)
         self.assertEqual(caught.exception.code, "too_large")
 
@@ -172,11 +172,11 @@ class Meshes(Case):
                 ((huge, faces), {}, ValueError, "finite|number"),
                 ((fine[:, :2], faces), {}, ValueError, r"positions must have the shape \(n, 3\), not \(4, 2\)"),
                 ((fine.ravel(), faces), {}, ValueError, "shape"),
-                ((fine, [(0, 1, 4)]), {}, ValueError, "triangle 0 has the vertex 4, and there are 4"),
+                ((fine, [(0, 1, 4)]), {}, ValueError, "triangle 0 refers to vertex 4, but the mesh has 4 vertices"),
                 ((fine, [(0, 1, -1)]), {}, ValueError, "vertex -1"),
                 ((fine, [(0, 1, 2**40)]), {}, ValueError, "vertex"),
                 ((fine, [(0, 1)]), {}, ValueError, "triangles must have the shape"),
-                ((fine, [(0.0, 1.0, 2.0)]), {}, TypeError, "triangles must be whole numbers, not float64"),
+                ((fine, [(0.0, 1.0, 2.0)]), {}, TypeError, "triangles must be integers, not float64"),
                 (("abc", faces), {}, TypeError, "positions must be real numbers"),
                 ((fine, faces), {"normals": fine[:3]}, ValueError, r"normals must have the shape \(4, 3\)"),
                 ((fine, faces), {"attributes": {"a": [1, 2]}}, ValueError, "attribute 'a'"),

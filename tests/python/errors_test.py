@@ -65,11 +65,11 @@ class Faults(Case):
     def test_options_of_a_picture(self):
         scene = vug.loads(BALL)
         for options, kind, words in [
-                ({"sp": 3}, TypeError, "render has no option 'sp'; did you mean 'spp'"),
+                ({"sp": 3}, TypeError, "render: unknown option 'sp'; did you mean 'spp'"),
                 ({"spp": 0}, ValueError, "spp must be at least 1"),
-                ({"spp": "many"}, TypeError, "spp must be a whole number"),
+                ({"spp": "many"}, TypeError, "spp must be an integer"),
                 ({"size": (0, 4)}, ValueError, "size"),
-                ({"size": 4}, TypeError, "size must be two whole numbers"),
+                ({"size": 4}, TypeError, "size must be two integers"),
                 ({"crop": (4, 4, 2, 2)}, ValueError, "crop"),
                 ({"noise": numpy.nan}, ValueError, "noise must be from 0 to 1"),
                 ({"exposure": 99}, ValueError, "exposure"),

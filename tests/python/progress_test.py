@@ -67,7 +67,7 @@ class Callbacks(Case):
         build.progress = progress
         build.render(spp=64)
         self.assertAlmostEqual(volumes[0], 4.19, delta=0.1)
-        self.assertEqual(set(refused), {"this build is at work already"})
+        self.assertEqual(set(refused), {"this build is already running"})
 
     def test_a_callback_that_is_none(self):
         with self.assertRaises(TypeError):

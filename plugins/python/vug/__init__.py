@@ -1,4 +1,4 @@
-"""Vug grows film-grade caves out of grammars.
+"""Vug grows film-grade caves from grammars.
 
     import vug
     scene = vug.load("grotto.vug", seed=3)
@@ -11,7 +11,7 @@ Lengths are metres, angles radians; space is right-handed, y up. See docs/guides
 """
 import warnings as _warnings
 
-from . import _requirements  # noqa: F401  says what is missing, before what needs it fails
+from . import _requirements  # noqa: F401  reports missing requirements before an import fails
 from . import _vug
 from ._catalogue import Catalogue, Kind, KindParam
 from ._errors import Cancelled, Diagnostic, Error, SceneWarning
@@ -32,5 +32,5 @@ for _type in (Build, Cells, Derivation, Diff, Grid, Image, LevelSet, Mesh, Scene
 for _plugin in _vug.plugins_in_path():
     try:
         load_plugin(_plugin)
-    except Error as _error:  # the package is of use without it
+    except Error as _error:  # the package works without the plugin
         _warnings.warn(str(_error), SceneWarning, stacklevel=2)

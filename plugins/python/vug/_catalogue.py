@@ -1,4 +1,4 @@
-"""Everything a scene can say, with docs from the schemas of its kinds."""
+"""The kinds of the scene language, with documentation from their schemas."""
 from __future__ import annotations
 
 from typing import Dict, Iterator, List, NamedTuple, Optional, Sequence
@@ -7,12 +7,12 @@ from . import _vug
 
 
 class KindParam(NamedTuple):
-    """A parameter of a kind. Bounds are in `unit`; None where there is none."""
+    """A parameter of a kind. Bounds are in `unit`, or None."""
 
     name: str
     type: str  # "number", "vector", "field", "name", ...
     doc: str
-    default: Optional[str]  # as scene text; None for what is required or optional
+    default: Optional[str]  # as scene text; None for required and optional parameters
     required: bool
     low: Optional[float]
     high: Optional[float]
@@ -23,7 +23,7 @@ class KindParam(NamedTuple):
 
 
 class Kind:
-    """Something a scene can name: a torus, a light, a rule of cells. Printed, it is its manual."""
+    """A kind of the scene language, e.g. a torus, a light or a rule of cells. str() gives its manual."""
 
     def __init__(self, data: dict) -> None:
         self.name: str = data["name"]
@@ -47,7 +47,7 @@ class Catalogue:
     """All kinds: iterate over them, or `vug.catalogue["torus"]`, `vug.catalogue.find("light")`."""
 
     def find(self, word: str) -> List[Kind]:
-        """Kinds of that name, of that category, or of the family that a declaration takes."""
+        """Kinds of that name, of that category, or accepted by that declaration."""
         return [Kind(data) for data in _vug.find_kinds(word)] if word else []
 
     def __iter__(self) -> Iterator[Kind]:
@@ -60,7 +60,7 @@ class Catalogue:
         for data in _vug.find_kinds(name) if name else []:
             if data["name"] == name:
                 return Kind(data)
-        raise KeyError(f"there is no kind '{name}'; {_vug.suggestion(name, _vug.kind_words())}")
+        raise KeyError(f"unknown kind '{name}'; {_vug.suggestion(name, _vug.kind_words())}")
 
     def __contains__(self, name: str) -> bool:
         return any(data["name"] == name for data in _vug.find_kinds(name)) if name else False

@@ -1,11 +1,11 @@
-"""Faults and warnings."""
+"""Errors and warnings."""
 from __future__ import annotations
 
 from typing import NamedTuple, Optional, Sequence
 
 
 class Diagnostic(NamedTuple):
-    """A fault or warning and its place in a scene's text; lines and columns count from 1."""
+    """An error or warning with its location in a scene text; lines and columns count from 1."""
 
     severity: str  # "error" or "warning"
     file: Optional[str]
@@ -16,12 +16,12 @@ class Diagnostic(NamedTuple):
 
 
 class Error(Exception):
-    """What Vug refuses or cannot do. Printed, it says what, where, while doing what, and what helps.
+    """An error of Vug. str() gives the message, location, context and hint.
 
     code: "bad_input", "too_large", "io", "cancelled" or "internal".
-    message: a sentence; hint: what to do about it, or None; context: what was being done.
-    file, line, column: the place in a scene's text, counted from 1; None where there is none.
-    diagnostics: all faults and warnings of a text that has several; else empty.
+    message: a sentence; hint: the remedy, or None; context: the operations during which it occurred.
+    file, line, column: the location in a scene text, counted from 1, or None.
+    diagnostics: all errors and warnings of a faulty text; otherwise empty.
     """
 
     def __init__(self, message: str, *, code: str = "bad_input", file: Optional[str] = None,
@@ -49,7 +49,7 @@ class Error(Exception):
             lines.append(f"hint: {self.hint}")
         return "\n".join(lines)
 
-    def __reduce__(self):  # with its keywords, so that other processes can send it back
+    def __reduce__(self):  # with its keywords, so that errors can be pickled between processes
         return _rebuilt, (type(self), self.message, {
             "code": self.code, "file": self.file, "line": self.line, "column": self.column,
             "hint": self.hint, "context": self.context, "diagnostics": self.diagnostics,
@@ -61,8 +61,8 @@ def _rebuilt(kind, message, keywords):
 
 
 class Cancelled(Error):
-    """Work that a progress callback has stopped by returning False."""
+    """Raised when a progress callback stops the work by returning False."""
 
 
 class SceneWarning(UserWarning):
-    """Something doubtful in a scene's text or in what is made of it."""
+    """A warning about a scene text or its products."""

@@ -7,7 +7,7 @@ Value = Union[float, bool, str, Tuple[float, float, float], None]
 
 
 class Param(NamedTuple):
-    """A parameter of a scene. Lengths are metres, angles radians, ratios parts of 1."""
+    """A parameter of a scene. Lengths are in metres, angles in radians, ratios relative to 1."""
 
     name: str
     value: Value
