@@ -55,16 +55,16 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (size > 4000 || crowded(text)) return 0;
   try {
     modeller::Session session = read(text);
-    const std::string tree = facade::tree_json(session.now().tree());
+    const std::string tree = facade::tree_json(session.current().tree());
     const std::string written = modeller::session_text(session);
     const modeller::Session again = read(written);
-    require(facade::tree_json(again.now().tree()) == tree, "a session's text gives its tree");
+    require(facade::tree_json(again.current().tree()) == tree, "a session's text gives its tree");
     require(modeller::session_text(again) == written, "and its text");
     const size_t done = session.history.undo(session.history.done());
     session.history.redo(done);
-    require(facade::tree_json(session.now().tree()) == tree, "what is undone can be done again");
-    for (const int node : session.now().open())
-      if (node < 20) modeller::choices(session.now(), node);
+    require(facade::tree_json(session.current().tree()) == tree, "what is undone can be done again");
+    for (const int node : session.current().open())
+      if (node < 20) modeller::choices(session.current(), node);
   } catch (const Error& error) {
     require(error.code() == ErrorCode::bad_input || error.code() == ErrorCode::too_large,
             "errors blame the text");

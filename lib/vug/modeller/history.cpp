@@ -7,7 +7,7 @@
 namespace vug::modeller {
 
 void History::apply(const Edit& edit) {
-  FacadeState next = perform_edit(now(), edit);
+  FacadeState next = perform_edit(current(), edit);
   const auto keep = static_cast<std::ptrdiff_t>(done_);
   states_.erase(states_.begin() + keep + 1, states_.end());
   edits_.erase(edits_.begin() + keep, edits_.end());

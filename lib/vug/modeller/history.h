@@ -14,7 +14,7 @@ class History {
  public:
   explicit History(FacadeState start) : states_{std::move(start)} {}
 
-  const FacadeState& now() const { return states_[done_]; }
+  const FacadeState& current() const { return states_[done_]; }
   /// The edits that are in effect, followed by undone edits that can be redone.
   const std::vector<Edit>& edits() const { return edits_; }
   size_t done() const { return done_; }

@@ -144,7 +144,7 @@ double JsonValue::number() const {
   return out;
 }
 
-uint64_t JsonValue::whole() const {
+uint64_t JsonValue::unsigned_integer() const {
   const double out = number();
   if (!(out >= 0 && out <= 9007199254740992.0) || out != std::floor(out))
     throw fault("expected a non-negative integer");

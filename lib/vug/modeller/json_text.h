@@ -31,7 +31,7 @@ class JsonValue {
   std::string text() const;
   double number() const;
   /// At most 2^53.
-  uint64_t whole() const;
+  uint64_t unsigned_integer() const;
   void check_array() const;
   /// Requires an object with no other keys than these.
   void check_object(const std::vector<std::string>& known) const;

@@ -20,7 +20,7 @@ Photo read_photo(const JsonValue& from) {
   if (from.has("pixels")) {
     const JsonValue pixels = from.at("pixels");
     std::vector<uint64_t> sizes;
-    for (const JsonValue& each : pixels.items()) sizes.push_back(each.whole());
+    for (const JsonValue& each : pixels.items()) sizes.push_back(each.unsigned_integer());
     if (sizes.size() != 2 || std::min(sizes[0], sizes[1]) < 1 ||
         std::max(sizes[0], sizes[1]) > 1000000)
       throw pixels.fault("invalid picture size: expected a width and a height in pixels",
@@ -43,7 +43,7 @@ void check_format(const JsonValue& root) {
   if (!root.has("format") || root.at("format").json() != kFormat)
     throw root.fault("this is not a facade session", fmt::format("\"format\": \"{}\"", kFormat),
                      "format");
-  const uint64_t version = root.at("version").whole();
+  const uint64_t version = root.at("version").unsigned_integer();
   if (version != kVersion)
     throw root.fault(fmt::format("unsupported session version {}", version),
                      fmt::format("this program reads version {}", kVersion), "version");
@@ -67,7 +67,7 @@ SessionHeader read_header(const JsonValue& root) {
   out.height = length("height");
   out.min_size = length("least").value_or(out.min_size);
   if (root.has("photo")) out.photo = read_photo(root.at("photo"));
-  if (root.has("seed")) out.seed = root.at("seed").whole();
+  if (root.has("seed")) out.seed = root.at("seed").unsigned_integer();
   return out;
 }
 
@@ -95,9 +95,9 @@ void read_edits(const JsonValue& root, History& history) {
   const std::vector<JsonValue> edits = root.at("edits").items();
   size_t done = edits.size();
   if (root.has("done")) {
-    if (root.at("done").whole() > done)
+    if (root.at("done").unsigned_integer() > done)
       throw root.at("done").fault("the session has " + pluralize(done, "edit"));
-    done = root.at("done").whole();
+    done = root.at("done").unsigned_integer();
   }
   std::map<size_t, std::vector<std::string>> checkpoints;
   if (root.has("checkpoints")) {
@@ -106,9 +106,9 @@ void read_edits(const JsonValue& root, History& history) {
     for (const auto& [name, value] : all.json().items()) {
       const JsonValue one = all.at(name);
       if (name.empty()) throw one.fault("a checkpoint needs a name");
-      if (one.whole() > edits.size())
+      if (one.unsigned_integer() > edits.size())
         throw one.fault("the session has " + pluralize(edits.size(), "edit"));
-      checkpoints[one.whole()].push_back(name);
+      checkpoints[one.unsigned_integer()].push_back(name);
     }
   }
   for (size_t i = 0;; ++i) {
@@ -167,7 +167,7 @@ Json json_of(const Edit& edit) {
 double Session::metres_per_pixel() const {
   if (!header.photo) return 0;
   if (header.photo->scale > 0) return header.photo->scale;
-  return header.photo->width > 0 ? now().canvas().width / header.photo->width : 0;
+  return header.photo->width > 0 ? current().canvas().width / header.photo->width : 0;
 }
 
 Session new_session(SessionHeader header, const StyleLoader& load) {

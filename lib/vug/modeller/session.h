@@ -31,7 +31,7 @@ struct Session {
   SessionHeader header;
   History history;
 
-  const FacadeState& now() const { return history.now(); }
+  const FacadeState& current() const { return history.current(); }
   /// 0 if unknown.
   double metres_per_pixel() const;
 };

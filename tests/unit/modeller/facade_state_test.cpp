@@ -72,23 +72,23 @@ TEST(FacadeState, RulesByName) {
 
 TEST(FacadeState, HistoryGoesBothWays) {
   History history(blank());
-  const std::string first = bytes(history.now());
+  const std::string first = bytes(history.current());
   history.apply(parse_edit("apply 0 rows heights=3"));
   history.set_checkpoint("rows");
-  const std::string second = bytes(history.now());
+  const std::string second = bytes(history.current());
   history.apply(parse_edit("act 0.1 Grid"));
   history.set_checkpoint("grid");
-  const std::string third = bytes(history.now());
+  const std::string third = bytes(history.current());
   EXPECT_EQ(history.undo(5), 2u);
-  EXPECT_EQ(bytes(history.now()), first);
+  EXPECT_EQ(bytes(history.current()), first);
   EXPECT_EQ(history.redo(), 1u);
-  EXPECT_EQ(bytes(history.now()), second);
+  EXPECT_EQ(bytes(history.current()), second);
   history.restore("grid");
-  EXPECT_EQ(bytes(history.now()), third);
+  EXPECT_EQ(bytes(history.current()), third);
   history.restore("rows");
   // A rejected edit changes nothing, including the edits that can be redone.
   EXPECT_THROW(history.apply(parse_edit("apply 0.1 Gridd")), RejectedEdit);
-  EXPECT_EQ(bytes(history.now()), second);
+  EXPECT_EQ(bytes(history.current()), second);
   EXPECT_EQ(history.redo(), 1u);
   history.undo();
   history.apply(parse_edit("act 0.1 IdenticalGrid"));

@@ -80,34 +80,34 @@ TEST(RandomEdits, UndoAfterEveryEditAndReplayAtTheEnd) {
   for (uint64_t seed = 0; seed < 40; ++seed) {
     RandomStream random(RandomKey(seed).at("walk"));
     History history(blank(12 + static_cast<double>(seed % 3) * 7, 15));
-    std::vector<std::string> seen = {bytes(history.now())};
+    std::vector<std::string> seen = {bytes(history.current())};
     for (int step = 0; step < 60; ++step) {
-      const Edit edit = any_edit(history.now(), random);
-      const std::string before = bytes(history.now());
+      const Edit edit = any_edit(history.current(), random);
+      const std::string before = bytes(history.current());
       ASSERT_EQ(before, seen[history.done()]);
       try {
         history.apply(edit);
       } catch (const RejectedEdit&) {
         refused_kinds.insert(edit.kind);
-        ASSERT_EQ(bytes(history.now()), before) << to_string(edit);
+        ASSERT_EQ(bytes(history.current()), before) << to_string(edit);
         continue;
       }
       done_kinds.insert(edit.kind);
-      expect_whole(history.now());
-      const std::string made = bytes(history.now());
+      expect_whole(history.current());
+      const std::string made = bytes(history.current());
       ASSERT_EQ(history.undo(), 1u);
-      ASSERT_EQ(bytes(history.now()), before) << to_string(edit);
+      ASSERT_EQ(bytes(history.current()), before) << to_string(edit);
       ASSERT_EQ(history.redo(), 1u);
-      ASSERT_EQ(bytes(history.now()), made) << to_string(edit);
+      ASSERT_EQ(bytes(history.current()), made) << to_string(edit);
       seen.resize(history.done());
       seen.push_back(made);
       if (random.uniform() < 0.05) history.undo(random.below(4));
     }
     // The same edits from the start, by their text.
-    FacadeState again(history.now().style_ptr(), history.now().canvas());
+    FacadeState again(history.current().style_ptr(), history.current().canvas());
     for (size_t i = 0; i < history.done(); ++i)
       again = perform_edit(again, parse_edit(to_string(history.edits()[i])));
-    ASSERT_EQ(bytes(again), bytes(history.now()));
+    ASSERT_EQ(bytes(again), bytes(history.current()));
   }
   EXPECT_EQ(done_kinds.size(), edit_kinds().size()) << "every kind succeeds at least once";
   EXPECT_EQ(refused_kinds.size(), edit_kinds().size()) << "and refused";

@@ -45,7 +45,7 @@ TEST(Session, RoundTrip) {
   const std::string text = session_text(session);
   const Session again = read(text);
   EXPECT_EQ(session_text(again), text);
-  EXPECT_EQ(bytes(again.now()), bytes(session.now()));
+  EXPECT_EQ(bytes(again.current()), bytes(session.current()));
   EXPECT_EQ(again.history.done(), 3u);
   EXPECT_EQ(again.history.edits(), session.history.edits());
   EXPECT_EQ(again.history.checkpoints(), session.history.checkpoints());
@@ -60,12 +60,12 @@ TEST(Session, ReplayGivesTheSameTree) {
                                    .height = random.uniform(4, 40),
                                    .min_size = random.uniform(1e-6, 1e-2)},
                                   loader());
-    const double height = random.uniform(0.1, 0.9) * session.now().canvas().height;
+    const double height = random.uniform(0.1, 0.9) * session.current().canvas().height;
     session.history.apply({"apply", "0", "rows", {{"heights", {height}}}});
     session.history.apply({"act", "0.1", "RegularGrid", {{"columns", {random.below(5) + 1.0}}}});
     const Session again = read(session_text(session));
-    ASSERT_EQ(bytes(again.now()), bytes(session.now()));
-    ASSERT_EQ(again.now().node(1).rect, session.now().node(1).rect);
+    ASSERT_EQ(bytes(again.current()), bytes(session.current()));
+    ASSERT_EQ(again.current().node(1).rect, session.current().node(1).rect);
     ASSERT_EQ(session_text(again), session_text(session));
   }
 }
@@ -76,8 +76,8 @@ TEST(Session, PhotosDetermineTheSize) {
       "\"photo\": {\"file\": \"front.png\", \"pixels\": [600, 450], \"scale\": 0.02}, \"edits\": "
       "[]}";
   const Session session = read(text);
-  EXPECT_EQ(session.now().canvas().width, 12);
-  EXPECT_EQ(session.now().canvas().height, 9);
+  EXPECT_EQ(session.current().canvas().width, 12);
+  EXPECT_EQ(session.current().canvas().height, 9);
   EXPECT_EQ(session.metres_per_pixel(), 0.02);
   EXPECT_EQ(session_text(read(session_text(session))), session_text(session));
   const Session wide =

@@ -110,7 +110,7 @@ modeller::Session session_from_tree(Options options) {
   if (options.grammar.empty()) options.grammar = grammar_file_of(tree, options);
   options.width = tree.width, options.height = tree.height;
   modeller::Session out = create_session(options);
-  const modeller::TreeEdits way = modeller::tree_to_edits(out.now(), tree);
+  const modeller::TreeEdits way = modeller::tree_to_edits(out.current(), tree);
   for (const modeller::Edit& edit : way.edits) out.history.apply(edit);
   if (!options.work.quiet) print_deviation(way);
   return out;
@@ -123,10 +123,10 @@ modeller::Session read(const Options& options) {
   if (options.session.empty())
     return options.from.empty() ? create_session(options) : session_from_tree(options);
   if (const std::string told = options.first_creation_option(); !told.empty())
-    throw Error(ErrorCode::bad_input,
-                fmt::format("{} applies to new sessions only, but '{}' exists", told,
-                            options.session),
-                {}, "remove it, or create a new session with --grammar");
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("{} applies to new sessions only, but '{}' exists", told, options.session), {},
+        "remove it, or create a new session with --grammar");
   return modeller::read_session(read_text(options.session), options.session,
                                 session::facade_style_loader(folder_of(options.session)));
 }
@@ -184,7 +184,7 @@ void draw(const Options& options, const modeller::Session& session) {
         relative_path_from(to, folder_of(options.session) / session.header.photo->file);
   else if (!options.photo.empty())
     drawing.picture = relative_path_from(to, options.photo);
-  write_text(options.svg, facade::elevation_svg(session.now().tree(), drawing));
+  write_text(options.svg, facade::elevation_svg(session.current().tree(), drawing));
 }
 
 /// Files that the session depends on.
@@ -233,7 +233,7 @@ int run(Options options) {
   if (options.edited() && options.output.empty() && !options.prints() && !options.writes())
     throw Error(ErrorCode::bad_input, "the edits would be lost", {},
                 "write -o SESSION.json to keep them");
-  const modeller::FacadeState& state = session.now();
+  const modeller::FacadeState& state = session.current();
   if (!options.svg.empty()) draw(options, session);
   if (!options.scene.empty())
     write_text(options.scene,
