@@ -56,8 +56,8 @@ class Attributes {
   const std::deque<Attribute>& all() const { return all_; }
   std::deque<Attribute>& all() { return all_; }
   const Attribute* find(std::string_view name) const;
-  /// Like `find`, but throws Error(bad_input), listing the existing attributes, if there is none of
-  /// this name.
+  /// Like `find`, but throws Error(bad_input), listing the existing attributes, for an unknown
+  /// name.
   const Attribute& need(const std::string& name) const;
 
   /// The column of this name; a new one starts with `initial` in every cell. Throws

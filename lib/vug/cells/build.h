@@ -36,8 +36,8 @@ inline double estimate(const Surface& surface, const Grid& grid, double spacing)
   return estimate(surface.area(), grid, spacing);
 }
 
-/// Throws Error(too_large) if this number of cells exceeds the index type, or cannot be scattered
-/// and linked within the memory limit.
+/// Throws Error(too_large) if this number of cells exceeds the index type, or cannot be
+/// scattered and linked within the memory limit.
 void require_feasible(double cells, const BuildOptions& options);
 
 }  // namespace vug::cells

@@ -30,7 +30,7 @@ std::optional<uint32_t> neighbour_toward(const Network& network, uint32_t cell,
                                          const Vec3f& direction);
 
 enum class Side { right, up, left, down };
-/// The same for the sides of the cell's frame; up is `ahead`.
+/// Selects a neighbour by a side of the cell's frame; up is `ahead`.
 std::optional<uint32_t> neighbour_at(const Network& network, uint32_t cell, Side side);
 
 }  // namespace vug::cells

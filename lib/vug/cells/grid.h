@@ -17,7 +17,8 @@ struct Grid {
   Vec2d along{0, 1};   ///< Vector from one row of periods to the next.
   double reach = 1.5;  ///< Cells further apart on the surface are never linked, r_i.
   uint32_t full = 4;   ///< Maximum number of links per cell, l_g.
-  double thin = 0.6;   ///< Of cells nearer than this, for example where facets meet, one remains.
+  double thin =
+      0.6;  ///< Minimum distance: of two closer cells, for example where facets meet, one remains.
   double gap =
       0.85;       ///< A cell is added wherever no cell is nearer than this, also where facets meet.
   int relax = 0;  ///< Recommended number of relaxation steps.

@@ -75,7 +75,7 @@ class Pass {
   AttributeWriter<T> writes(const std::string& name, const T& initial = T(0));
   /// Reads an attribute without creating it.
   OptionalReader reads_optional(const std::string& name, float otherwise) const;
-  /// The same, and records that the simulation's owner should provide the attribute.
+  /// Like `reads_optional`, and records that the simulation's owner should provide the attribute.
   OptionalReader reads_expected(const std::string& name, float otherwise) const;
   bool has(const std::string& name) const;
   /// Reads an attribute of any type that the rule's parameters name.
@@ -99,9 +99,9 @@ class Pass {
   /// become current. A rule that runs several kernels per step requests its attributes before each.
   template <class Kernel>
   void run(const Kernel& kernel);
-  /// The same for two numbers that spread: the next values are react(own, sum, count), with sums
-  /// over the `count` distributing neighbours. Neighbours are fetched once for both numbers, and
-  /// `react` is vectorised if it has no branches.
+  /// Runs a kernel on two numbers that spread: the next values are react(own, sum, count), with
+  /// sums over the `count` distributing neighbours. Neighbours are fetched once for both numbers,
+  /// and `react` is vectorised if it has no branches.
   template <class React>
   void run_on_sums(const AttributeWriter<float>& a, const AttributeWriter<float>& b,
                    const React& react);

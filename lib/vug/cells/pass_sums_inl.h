@@ -64,7 +64,7 @@ void Pass::run_on_sums(const AttributeWriter<float>& a, const AttributeWriter<fl
     const Pairs pairs(first_near, end_near, a.now, b.now);
     constexpr uint32_t kTurn = 512;
     std::array<FloatPair, kTurn> sums;  // NOLINT: set before they are read
-    std::array<float, kTurn> counts;    // NOLINT: likewise
+    std::array<float, kTurn> counts;    // NOLINT: set before they are read
     for (uint32_t from = blocks_->first(block); from < blocks_->end(block); from += kTurn) {
       const uint32_t end = std::min(from + kTurn, blocks_->end(block));
       const auto gather = [=, add = pairs.adder(), to_sum = sums.data(), to_count = counts.data()](

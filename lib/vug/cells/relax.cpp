@@ -21,7 +21,7 @@ struct ForceLaw {
 /// The effect of the surrounding cells on one cell.
 struct Push {
   Vec3f displacement{0, 0, 0};  ///< In spacings times the maximum push.
-  float nearest2;  ///< Squared distance to the nearest cell; that of the reach if there is none.
+  float nearest2;  ///< Squared distance to the nearest cell; that of the reach without cells in it.
 };
 
 Push push_on(uint32_t i, const std::vector<SurfacePoint>& places,

@@ -58,8 +58,8 @@ class SurfaceSearch {
   explicit SurfaceSearch(const Surface& surface);
 
   /// Projects p, which is `limit` metres from the point `from`: perpendicularly onto its triangle,
-  /// otherwise to the nearest point on any triangle with a similar normal. Returns `from` if there
-  /// is none within the limit.
+  /// otherwise to the nearest point on any triangle with a similar normal. Returns `from` if no
+  /// such point lies within the limit.
   SurfacePoint nearest(const Vec3f& p, const SurfacePoint& from, float limit) const;
 
  private:

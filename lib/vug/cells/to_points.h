@@ -24,11 +24,11 @@ volume::Points to_points(const Simulation& simulation, PointFormat keep = PointF
 /// Voxel size of their grid: see volume::voxel_for_points.
 double voxel_of_points(const Network& network);
 
-/// Restores cells from points that to_points created in the same format for an equal network, as if
-/// the simulation had performed `step` steps. Exact points allow continuation to the same bytes as
-/// without interruption, interchange points to approximately the same. With the latter, cells have
-/// moved if a point is farther than `apart` metres from its cell or its normal differs by a tenth
-/// of a degree; attributes that a rule named pscale or object are not restored. Throws
+/// Restores cells from points that to_points created in the same format for an equal network, as
+/// if the simulation had performed `step` steps. Exact points allow continuation to the same bytes
+/// as without interruption, interchange points to approximately the same. With the latter, cells
+/// have moved if a point is farther than `apart` metres from its cell or its normal differs by a
+/// tenth of a degree; attributes that a rule named pscale or object are not restored. Throws
 /// Error(bad_input) if the number of points differs, or ids from 0 or groups for states are
 /// missing.
 void restore(Simulation& simulation, const volume::Points& points, int step, PointFormat keep,

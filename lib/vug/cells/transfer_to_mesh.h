@@ -20,11 +20,11 @@ struct TransferOptions {
 ///
 /// A vertex gets a Shepard mean over the cells within the reach, with weights (1 - d²/r²)² max(0,
 /// n·n')². The weights and their derivatives vanish at the reach r and where the normals n are
-/// perpendicular, so neither facets nor the far side of a thin wall show. r is the network's reach,
-/// or the mean edge length of a coarser mesh, so that no cell is skipped. It is doubled around a
-/// vertex without cells, for example with a wrong normal, until there is one. The mean lies between
-/// its inputs: constants are reproduced exactly, and a function of slope g with an error of at most
-/// g r.
+/// perpendicular, so neither facets nor the far side of a thin wall show. r is the network's
+/// reach, or the mean edge length of a coarser mesh, so that no cell is skipped. It is doubled
+/// around a vertex without cells, for example with a wrong normal, until there is one. The mean
+/// lies between its inputs: constants are reproduced exactly, and a function of slope g with an
+/// error of at most g r.
 ///
 /// Vertices move by the mean displacement of the surrounding cells and by the mean height along
 /// their own normal; normals rotate like the surrounding triangles. Throws Error(bad_input) if the

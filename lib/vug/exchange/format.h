@@ -44,7 +44,7 @@ struct Format {
 };
 
 const std::vector<const Format*>& formats();
-/// Throws Error(bad_input), listing the known formats, if there is none of this name.
+/// Throws Error(bad_input), listing the known formats, for an unknown name.
 const Format& format(const std::string& name);
 
 /// Converts to `space`, or to that of the format, and writes. The same assembly gives the same

@@ -17,7 +17,7 @@ struct Program {
 };
 
 const std::vector<const Program*>& programs();
-/// Throws Error(bad_input), listing the known programs, if there is none of this name.
+/// Throws Error(bad_input), listing the known programs, for an unknown name.
 const Program& program(const std::string& name);
 
 inline Program make_program(std::string name, std::string doc) {

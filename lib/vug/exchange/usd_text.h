@@ -11,8 +11,8 @@
 
 namespace vug::exchange {
 
-/// Writes lines with indentation and blocks in braces. Numbers are the shortest that read back as
-/// the same value.
+/// Writes lines with indentation and blocks in braces. Numbers are the shortest that read back
+/// as the same value.
 class UsdText {
  public:
   explicit UsdText(const mesh::ByteSink& sink) : out_(sink) {}

@@ -9,9 +9,9 @@
 namespace vug::field {
 namespace {
 
-/// Bounds of an operand's values from its box, without evaluating it: outside the box they grow,
-/// and inside they are no lower than the distance to its surface. A fold of thousands of operands
-/// is restricted over large balls with this information alone.
+/// Bounds of an operand's values from its box, without evaluating it: outside the box they
+/// grow, and inside they are no lower than the distance to its surface. A fold of thousands of
+/// operands is restricted over large balls with this information alone.
 struct Reach {
   Box3d box;
   double growth = 0;  // 0: no information from the box.

@@ -8,7 +8,7 @@
 
 namespace vug::field {
 
-/// min over the operands; the empty field if there are none.
+/// min over the operands; the empty field without operands.
 Field unite(std::vector<Field> operands, const Blend& blend = {});
 /// max over at least one operand.
 Field intersect(std::vector<Field> operands, const Blend& blend = {});

@@ -27,7 +27,7 @@ class VerticalLine {
   VerticalLine(const Field& rock, const Vec3d& at, double step)
       : rock_(rock), at_(at), step_(step) {}
 
-  /// The height of the first change of sign below `high`; nothing if there is none above `low`.
+  /// The height of the first change of sign below `high`; nothing if it would be below `low`.
   std::optional<double> crossing(double high, double low) const {
     const bool inside = solid(high);
     for (double y = high; y > low;) {

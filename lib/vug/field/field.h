@@ -32,7 +32,7 @@ class Field {
   }
 
   struct RestrictedField;
-  /// The same field restricted to a ball: operands that cannot matter there are removed.
+  /// Restricts the field to a ball: operands that cannot matter there are removed.
   RestrictedField restricted(const Ball& ball) const;
 
   double lipschitz() const { return node_->traits().lipschitz; }

@@ -12,15 +12,15 @@ struct DenoiseOptions {
   double strength = 0.6;  ///< Differences below this number of standard errors count as noise.
 };
 
-/// Non-local means of R, G, B: pixels are weighted by the colour distance in units of its variance
-/// and, jointly, by albedo, normal and depth (Rousselle, Manzi and Zwicker 2013, "Robust denoising
-/// using feature and color information", cite rousselle2013denoising). Differences from the paper:
-/// one scale instead of three candidates, filtering of light without the albedo if there is an
-/// albedo layer, and a polynomial instead of the exponential. The image needs R, G, B and
-/// variance.R .G .B; albedo, N and Z are used if present. The filter is biased: it smooths features
-/// that no layer distinguishes, such as the edges of soft shadows. Throws Error(bad_input) if a
-/// required channel is missing. The result has the channels denoised.R, denoised.G, denoised.B and
-/// the same bytes for any number of threads.
+/// Non-local means of R, G, B: pixels are weighted by the colour distance in units of its
+/// variance and, jointly, by albedo, normal and depth (Rousselle, Manzi and Zwicker 2013, "Robust
+/// denoising using feature and color information", cite rousselle2013denoising). Differences
+/// from the paper: one scale instead of three candidates, filtering of light without the albedo if
+/// there is an albedo layer, and a polynomial instead of the exponential. The image needs R, G,
+/// B and variance.R .G .B; albedo, N and Z are used if present. The filter is biased: it smooths
+/// features that no layer distinguishes, such as the edges of soft shadows. Throws Error(bad_input)
+/// if a required channel is missing. The result has the channels denoised.R, denoised.G,
+/// denoised.B and the same bytes for any number of threads.
 Image denoise(const Image& picture, const DenoiseOptions& options = {},
               Progress& progress = Progress::none());
 

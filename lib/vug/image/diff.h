@@ -41,8 +41,8 @@ struct Limit {
 
 struct DiffOptions {
   /// Layers to compare, which become the main layers. Empty: all layers except `variance` and
-  /// `samples`, which both images must have in common; the main layer is then the beauty, or all
-  /// layers if there is none.
+  /// `samples`, which both images must have in common; the main layer is then the beauty, or
+  /// without a beauty all layers are.
   std::vector<std::string> layers;
   std::vector<std::string> measures;  ///< For the main layers; empty: all applicable measures.
   /// Layers with limits are judged by them. A beauty layer without limits is judged by the
@@ -107,8 +107,8 @@ struct Diff {
 Diff diff(const ImageUnderTest& reference, const ImageUnderTest& test,
           const DiffOptions& options = {});
 
-/// Parses "beauty.rmse" or "rmse" with its value. Throws Error(bad_input) for an unknown measure,
-/// or if not even equal images would pass.
+/// Parses "beauty.rmse" or "rmse" with its value. Throws Error(bad_input) for an unknown
+/// measure, or if not even equal images would pass.
 Limit limit_of(const std::string& name, double value);
 
 /// Colour map from black through red to pale yellow, with luminance increasing with the value in

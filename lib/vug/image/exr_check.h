@@ -6,9 +6,9 @@
 
 namespace vug::image {
 
-/// Returns the fault in the headers of an EXR as the end of a sentence; empty if there is none, or
-/// if the first bytes are not those of an EXR. OpenImageIO 2.4 terminates the program at a channel
-/// of unknown type, so damaged files must be rejected first.
+/// Returns the fault in the headers of an EXR as the end of a sentence; empty for sound headers and
+/// for files whose first bytes are not those of an EXR. OpenImageIO 2.4 terminates the program at a
+/// channel of unknown type, so damaged files must be rejected first.
 std::string exr_fault(const std::filesystem::path& path);
 
 }  // namespace vug::image

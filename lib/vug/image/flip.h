@@ -34,8 +34,8 @@ struct ExposureRange {
 /// Returns nothing for an image without light.
 std::optional<ExposureRange> exposure_range(const Image& reference);
 
-/// The largest LDR-FLIP over all exposures, from scene-linear R, G, B through the ACES-like curve
-/// of Narkowicz, as in the paper.
+/// The largest LDR-FLIP over all exposures, from scene-linear R, G, B through the ACES-like
+/// curve of Narkowicz, as in the paper.
 Plane flip_hdr(const Image& reference, const Image& test, const ExposureRange& range,
                const FlipOptions& options = {});
 

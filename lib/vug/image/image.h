@@ -32,8 +32,8 @@ struct Image {
 
   /// Returns the index of a channel, or -1.
   int find_channel(std::string_view name) const;
-  /// Returns an image with the named channels in that order; throws Error(bad_input) with the name
-  /// of a missing channel.
+  /// Returns an image with the named channels in that order; throws Error(bad_input) with the
+  /// name of a missing channel.
   Image select(const std::vector<std::string>& names) const;
 
   bool operator==(const Image&) const = default;

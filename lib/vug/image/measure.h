@@ -44,8 +44,8 @@ struct Measure {
 };
 
 const std::vector<const Measure*>& measures();
-/// Returns the measure with this name; throws Error(bad_input) with the nearest name if there is
-/// none.
+/// Returns the measure with this name; throws Error(bad_input) with the nearest name for an unknown
+/// one.
 const Measure& measure_of(const std::string& name);
 /// Computes one measure over all channels and pixels. Throws Error(bad_input) if sizes or channels
 /// differ.
@@ -54,7 +54,7 @@ double measure(const std::string& name, const Image& reference, const Image& tes
 /// Throws Error(bad_input) with a full sentence if sizes or channels differ.
 void require_comparable(const Image& reference, const Image& test);
 
-/// The mean of the map over the compared pixels; 0 if there are none.
+/// The mean of the map over the compared pixels; 0 without such pixels.
 double pooled_mean(const Comparison& pair, const std::vector<float>& map);
 
 /// Differences of the compared values, channel by channel. Two equal infinities or two NaN have no

@@ -15,9 +15,9 @@ namespace vug::image {
 namespace {
 namespace ocio = OCIO_NAMESPACE;
 
-/// A configuration from OpenColorIO's built-in transforms: our spaces, and ACES on an sRGB display.
-/// The interchange space of colours is ACES2065-1, that of displays is CIE XYZ with a white point
-/// of D65.
+/// A configuration from OpenColorIO's built-in transforms: our spaces, and ACES on an sRGB
+/// display. The interchange space of colours is ACES2065-1, that of displays is CIE XYZ with a
+/// white point of D65.
 constexpr const char* kBuiltIn = R"(ocio_profile_version: 2
 roles: {aces_interchange: ACES2065-1, cie_xyz_d65_interchange: XYZ, scene_linear: ACEScg}
 file_rules: [!<Rule> {name: Default, colorspace: ACES2065-1}]

@@ -31,8 +31,8 @@ struct ViewSelection {
 };
 
 /// Returns the options that display light of this space with the selection. Throws Error(bad_input)
-/// for a configuration that cannot be used or does not contain the space, and for an unknown view
-/// or display, listing the known ones.
+/// for a configuration that cannot be used or does not contain the space, and for an unknown
+/// view or display, listing the known ones.
 ViewOptions view_options(const ViewSelection& choice, WorkingSpace space);
 
 /// The file that $OCIO names, or empty.

@@ -6,8 +6,8 @@
 
 namespace vug::image {
 
-/// Returns the fault in a PNG as the end of a sentence: truncated, or a wrong checksum; empty if
-/// there is none, or if the first bytes are not those of a PNG. libpng prints such faults to
+/// Returns the fault in a PNG as the end of a sentence: truncated, or a wrong checksum; empty for
+/// sound files and for files whose first bytes are not those of a PNG. libpng prints such faults to
 /// standard error itself, so damaged files must be rejected first.
 std::string png_fault(const std::filesystem::path& path);
 

@@ -15,11 +15,11 @@ std::string verdict_text(const Diff& diff);
 /// reasons.
 std::string to_table(const Diff& diff);
 
-/// The same as JSON; infinite numbers are null.
+/// The verdict as JSON; infinite numbers are null.
 std::string to_json(const Diff& diff, const std::string& reference, const std::string& test);
 
-/// A self-contained page with both images under a slider, the heat map, the z-scores of the blocks
-/// and the table. `title` and names are plain text.
+/// A self-contained page with both images under a slider, the heat map, the z-scores of the
+/// blocks and the table. `title` and names are plain text.
 std::string to_html(const Diff& diff, const std::string& title, const std::string& reference,
                     const std::string& test);
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kNames[] = {"", "left", "right"};
 
-/// The view prefix of a name; empty if there is none.
+/// The view prefix of a name; empty without a prefix.
 std::string view_in(const std::string& name) {
   for (const std::string view : {"left", "right"})
     if (name == view || name.rfind(view + ".", 0) == 0) return view;

@@ -34,8 +34,8 @@ Image joined(const Image& a, const Image& b);
 /// prefixed with "right.".
 Image stereo_image(const Image& left, const Image& right);
 
-/// The layer of `view` that a name refers to: "right.N" is N of the right view, "right" its beauty,
-/// and "N" that of every view. None if the name belongs to another view.
+/// The layer of `view` that a name refers to: "right.N" is N of the right view, "right" its
+/// beauty, and "N" that of every view. None if the name belongs to another view.
 std::optional<std::string> layer_in(const View& view, const std::string& layer);
 
 }  // namespace vug::image

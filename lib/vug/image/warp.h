@@ -20,8 +20,8 @@ struct Homography {
 
 /// Resamples the image into width x height pixels through `to_target`. Coordinates are in pixels
 /// from the upper left corner, y down; the centre of the first pixel is (0.5, 0.5). The filter is a
-/// Lanczos filter with three lobes [@duchon1979], as wide as the target pixel in the source image
-/// and at least one source pixel; the image is 0 beyond its border. Channels without negative
+/// Lanczos filter with three lobes [@duchon1979], as wide as the target pixel in the source
+/// image and at least one source pixel; the image is 0 beyond its border. Channels without negative
 /// values stay non-negative. Throws Error(bad_input) for sizes that are not positive.
 Image warped(const Image& picture, const Homography& to_target, int width, int height);
 

@@ -18,8 +18,8 @@ class MeshDistance {
     Vec3d normal;  ///< Unit pseudonormal of the nearest face, edge or vertex.
   };
 
-  /// Throws Error(bad_input) if no triangle of the mesh has an area. The object keeps its own copy
-  /// of the data it needs; copies of the object share it.
+  /// Throws Error(bad_input) if no triangle of the mesh has an area. The object keeps its own
+  /// copy of the data it needs; copies of the object share it.
   explicit MeshDistance(const Mesh& mesh);
 
   /// Signed distance in metres, negative inside. Thread-safe.

@@ -28,7 +28,8 @@ struct Format {
 
 const std::vector<const Format*>& formats();
 
-/// Returns the format for a file's extension in any case; throws Error(bad_input) if there is none.
+/// Returns the format for a file's extension in any case; throws Error(bad_input) for an unknown
+/// extension.
 const Format& format_of(const std::filesystem::path& file);
 
 Mesh read_mesh(const std::filesystem::path& file);

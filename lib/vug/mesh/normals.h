@@ -12,8 +12,8 @@ double corner_angle(const std::array<Vec3d, 3>& triangle, int k);
 /// depend on how a face is triangulated. Vertices without triangles get (0, 1, 0).
 std::vector<Vec3f> vertex_normals(const Mesh& mesh);
 
-/// The same sums in double precision, without normalisation: the vertex pseudonormals of
-/// baerentzen2005.
+/// Angle-weighted sums of normals in double precision, without normalisation: the vertex
+/// pseudonormals of baerentzen2005.
 std::vector<Vec3d> vertex_pseudonormals(const Mesh& mesh);
 
 }  // namespace vug::mesh

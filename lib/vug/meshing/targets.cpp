@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kBlock = 8;          ///< Edge of a block of points, voxels.
 constexpr double kTolerance = 1e-4;   ///< Residual at which a vertex is on the surface, voxels.
-constexpr double kSampled = 1e-3;     ///< The same for a sample next to it.
+constexpr double kSampled = 1e-3;     ///< Residual tolerance of a neighbouring sample, voxels.
 constexpr double kGoodSample = 0.02;  ///< Samples further from the surface are not used, voxels.
 constexpr double kBeyondCell = 0.5;   ///< Maximum distance of a crease from its cell, voxels.
 constexpr int kRefinements = 2;

@@ -8,9 +8,10 @@ namespace vug::meshing {
 
 /// The positions that a vertex may move to.
 struct Target {
-  Vec3d crease;       ///< The point of the crease nearest to the vertex,
-  Vec3d alternative;  ///< and the one nearest to the centroid of the surrounding samples.
-  Vec3d surface;      ///< The nearest point of the surface.
+  Vec3d crease;  ///< The point of the crease nearest to the vertex.
+  Vec3d
+      alternative;  ///< The point of the crease nearest to the centroid of the surrounding samples.
+  Vec3d surface;    ///< The nearest point of the surface.
   bool has_crease = false;
 };
 

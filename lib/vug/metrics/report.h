@@ -14,7 +14,7 @@ struct Report {
   double volume = 0;                   ///< Cubic metres, by the divergence theorem.
   std::optional<double> volume_cells;  ///< Cubic metres, by counting cells (eq. 10).
   std::optional<double> cf;            ///< Percentage of bent edges that are convex (eq. 11).
-  std::optional<double> cf_area;       ///< The same, weighted by the area adjacent to each edge.
+  std::optional<double> cf_area;       ///< As `cf`, weighted by the area adjacent to each edge.
   size_t vertices = 0;
   size_t triangles = 0;
   std::optional<size_t> productions;

@@ -20,7 +20,7 @@ std::optional<double> first_hit(const field::Field& field, const Vec3d& origin,
 /// extreme to 1e-6 of the size, it returns the one nearest to the centre line.
 std::optional<Vec3d> support_point(const field::Field& field, int axis, int sign);
 
-/// A point at least 1e-9 of the size below the surface, or nothing if there is none. Bisects the
+/// A point at least 1e-9 of the size below the surface, or nothing for an empty solid. Bisects the
 /// bounds and discards boxes without solid by the Lipschitz bound, until a box is below 1/1024 of
 /// the size. Infinite bounds are cut at 100 m from the origin.
 std::optional<Vec3d> inner_point(const field::Field& field);

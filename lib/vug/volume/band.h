@@ -19,9 +19,9 @@ struct BandPoints {
 };
 BandPoints band_points(const LevelSet& level_set);
 
-/// Creates a grid on the level set's lattice with these values in its active voxels, in the order
-/// of `band_points`, and 0 elsewhere, for lookups of surface attributes in other programs. Its
-/// class is fog volume, as for all grids that are neither level sets nor staggered.
+/// Creates a grid on the level set's lattice with these values in its active voxels, in the
+/// order of `band_points`, and 0 elsewhere, for lookups of surface attributes in other programs.
+/// Its class is fog volume, as for all grids that are neither level sets nor staggered.
 Grid band_grid(const LevelSet& level_set, const std::vector<float>& values);
 Grid band_grid(const LevelSet& level_set, const std::vector<Vec3f>& values);
 

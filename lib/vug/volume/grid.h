@@ -25,10 +25,10 @@ struct Statistics {
   uint64_t leaves = 0;        ///< Dense blocks of 8^3 voxels.
   uint64_t memory_bytes = 0;  ///< Current memory use.
   Vec3i index_min{0, 0,
-                  0};  ///< Inclusive bounds of the active voxels; undefined if there are none.
+                  0};  ///< Inclusive bounds of the active voxels; undefined without active voxels.
   Vec3i index_max{-1, -1, -1};
-  Box3d bounds;  ///< World-space box around the centres of the active voxels; empty if there are
-                 ///< none.
+  Box3d bounds;  ///< World-space box around the centres of the active voxels; empty without active
+                 ///< voxels.
 };
 
 /// Immutable and shared: copies are cheap and refer to the same voxels.

@@ -9,8 +9,8 @@ namespace vug::volume {
 /// Trilinear samples of a level set; the gradient is that of the interpolant.
 std::shared_ptr<const field::SampledGrid> sampled_grid(const LevelSet& level_set);
 
-/// Enables the field kind `grid` to read .vdb files. Call before scenes are read; repeated calls
-/// and calls from any thread are allowed.
+/// Enables the field kind `grid` to read .vdb files. Call before scenes are read; repeated
+/// calls and calls from any thread are allowed.
 void install_grid_loader();
 
 }  // namespace vug::volume

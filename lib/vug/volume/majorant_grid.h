@@ -14,7 +14,7 @@ namespace vug::volume {
 class MajorantGrid {
  public:
   MajorantGrid(int size, const Vec3i& reach);
-  /// The same space in bricks of twice the size.
+  /// Merges the bricks into bricks of twice the size.
   MajorantGrid doubled() const;
 
   int size() const { return size_; }  ///< Voxels along the edge of a brick.

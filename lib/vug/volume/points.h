@@ -37,8 +37,8 @@ struct Points {
 
   size_t size() const { return position.size(); }
   const PointAttribute* find(const std::string& name) const;
-  /// The values of an attribute. Throws Error(bad_input), listing the existing attributes, if there
-  /// is none of this name or its type differs.
+  /// The values of an attribute. Throws Error(bad_input), listing the existing attributes, for an
+  /// unknown name or a different type.
   template <class T>
   const std::vector<T>& values(const std::string& name) const;
   /// The members of a group; throws Error(bad_input) as `values` does.
@@ -65,7 +65,7 @@ bool is_points(const Grid& grid);
 Points points(const Grid& grid);
 
 /// Reads the points of a .vdb file from the grid of that name, or from the first grid with points.
-/// Throws Error(bad_input) with the path if there is none.
+/// Throws Error(bad_input) with the path for a file without such a grid.
 Points read_points(const std::filesystem::path& source, const std::string& name = {});
 
 struct PointsInfo {
@@ -77,7 +77,7 @@ struct PointsInfo {
     uint64_t points = 0;
   };
   uint64_t count = 0;
-  Box3d bounds;  ///< Bounds of the points themselves; empty if there are none.
+  Box3d bounds;  ///< Bounds of the points themselves; empty without points.
   std::vector<Attribute> attributes;
   std::vector<Group> groups;  ///< Sorted by name.
 };

@@ -21,7 +21,7 @@ struct Polygons {
   std::vector<std::array<uint32_t, 3>> triangles;
 };
 
-/// The same polygons in the same order for any number of threads.
+/// Polygonizes a level set, with identical polygons in identical order for any number of threads.
 Polygons polygons_of(const LevelSet& level_set, const PolygonOptions& options = {});
 
 }  // namespace vug::volume

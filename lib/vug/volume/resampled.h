@@ -11,7 +11,7 @@ namespace vug::volume {
 /// (metres); 0 elsewhere. `value` is called from several threads. Constant blocks are stored as
 /// tiles.
 Grid resampled(const Grid& where, const std::function<float(const Vec3f&)>& value);
-/// The same for vectors (vec3s).
+/// `resampled` for vectors (vec3s).
 Grid resampled_vectors(const Grid& where, const std::function<Vec3f(const Vec3f&)>& value);
 
 }  // namespace vug::volume

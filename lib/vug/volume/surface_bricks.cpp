@@ -60,8 +60,8 @@ Brick brick_at(const openvdb::FloatGrid& grid, const Coord& origin, float units)
   return brick;
 }
 
-/// Blocks that can contain a crossed cell: one of its corners lies in a leaf, its first corner in
-/// the same or the previous block.
+/// Blocks that can contain a crossed cell: one of its corners lies in a leaf, its first corner
+/// in the same or the previous block.
 std::vector<Coord> candidates(const openvdb::FloatGrid& grid) {
   std::vector<Coord> all;
   for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf)

@@ -32,10 +32,10 @@ VoxelizeEstimate estimate(const field::Field& field, const VoxelizeOptions& opti
 
 /// The zero set of the level set equals that of the field up to trilinear interpolation; the repair
 /// does not move it. Values are exact distances where the field's are; elsewhere the band ends four
-/// lattice steps from the surface (see trim_band.h). The result has the same bytes for any number
-/// of threads. An empty field gives an empty grid. Throws Error(bad_input) for bounds that are not
-/// finite, options out of range, or lattice points beyond 32-bit indices; Error(too_large) before
-/// the work starts; Error(cancelled).
+/// lattice steps from the surface (see trim_band.h). The result has the same bytes for any
+/// number of threads. An empty field gives an empty grid. Throws Error(bad_input) for bounds that
+/// are not finite, options out of range, or lattice points beyond 32-bit indices; Error(too_large)
+/// before the work starts; Error(cancelled).
 LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options,
                   Progress& progress = Progress::none());
 

@@ -8,7 +8,7 @@ namespace vug::field {
 /// A folder for the files of this test process; removed at exit.
 const std::string& fixture_folder();
 
-/// The path of a file for the kind of this name; empty if there is none.
+/// The path of a file for the kind of this name; empty if the kind needs no file.
 std::string fixture_file(const std::string& kind);
 
 }  // namespace vug::field

@@ -184,7 +184,7 @@ TEST_F(Files, GreyReadsOneOrThreeChannels) {
 
 TEST_F(Files, BrokenFilesAreReportedInSentences) {
   EXPECT_NE(message([&] { read(file("none.exr")); }).find("no such file"), std::string::npos);
-  write_text(file("text.exr"), "this is no picture at all, and never was one");
+  write_text(file("text.exr"), "this is not an image at all, and never was one");
   EXPECT_NE(message([&] { read(file("text.exr")); }).find("text.exr"), std::string::npos);
   write_text(file("empty.png"), "");
   EXPECT_NE(message([&] { read(file("empty.png")); }).find("empty.png"), std::string::npos);

@@ -8,8 +8,8 @@ struct Melting {
 
   static void describe(Schema<Melting>& s) {
     s.doc(
-         "Moves each cell (P) to the mean of its own position and its neighbours', and its normal "
-         "(N) likewise: small features melt first.")
+         "Moves each cell (P) to the mean of its own position and its neighbours', and also "
+         "averages its normal (N): small features melt first.")
         .cite("gobron2006")
         .param("rate", &Melting::rate,
                {.doc = "fraction of that displacement per step; 100% is the paper's",

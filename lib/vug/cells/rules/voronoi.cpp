@@ -5,8 +5,8 @@
 namespace vug::cells {
 namespace {
 
-/// Seeds count from 1; 0 is none. If several arrive in one step the smallest wins, so each cell
-/// belongs to the smallest of the seeds with the fewest links in between.
+/// Seeds count from 1; 0 means no seed. If several arrive in one step the smallest wins, so each
+/// cell belongs to the smallest of the seeds with the fewest links in between.
 struct Voronoi {
   static void describe(Schema<Voronoi>& s) {
     s.doc(
