@@ -1,4 +1,4 @@
-// A plugin that brings one primitive, written as those in lib/vug/field/primitives are:
+// A plugin with one primitive, written like those in lib/vug/field/primitives:
 //   volume glass = level_set(lens(radius: 2m, thickness: 1m), voxel: 5cm)
 #include <vug/field/primitive.h>
 #include <vug/loading/plugin.h>
@@ -8,20 +8,22 @@
 namespace vug::field {
 namespace {
 
-/// What two balls of one size have in common: the distance is that to the farther of both surfaces,
-/// exact on the surface and never more than the true one.
+/// The intersection of two balls of equal size. The value is the distance to the farther of both
+/// surfaces: exact on the surface and nowhere greater than the true distance.
 struct Lens {
   double radius = 1;
   double thickness = 0.5;
 
   static void describe(Schema<Lens>& s) {
-    s.doc("A lens about the origin, its axis upright: what two balls have in common.")
+    s.doc("A lens about the origin with a vertical axis: the intersection of two balls.")
         .param("radius", &Lens::radius, positive_length("of both balls"))
         .param("thickness", &Lens::thickness,
                positive_length("along the axis, less than the balls' diameter"));
   }
   std::string fault() const {
-    return thickness < 2 * radius ? "" : "a lens is thinner than its balls";
+    return thickness < 2 * radius
+               ? ""
+               : "the thickness of a lens must be less than the diameter of its balls";
   }
   template <class T>
   T distance(const Point<T>& p) const {

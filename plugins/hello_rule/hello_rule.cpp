@@ -1,4 +1,4 @@
-// A plugin that brings one rule of cells, written as those in lib/vug/cells/rules are:
+// A plugin with one rule of cells, written like those in lib/vug/cells/rules:
 //   cells skin on wall { spacing 2cm  run sprinkle("heat", share: 1%), cooling(rate: 5%) }
 #include <vug/cells/rule.h>
 #include <vug/loading/plugin.h>
@@ -6,16 +6,18 @@
 namespace vug::cells {
 namespace {
 
-/// Heat goes where there is less of it: a cell takes the mean of its neighbours', and loses a
-/// share.
+/// Heat diffusion: a cell takes the mean of its own heat and that of its neighbours, and loses a
+/// fraction of it.
 struct Cooling {
   double rate = 0.05;
 
   static void describe(Schema<Cooling>& s) {
     s.doc("Heat (heat) spreads to a cell's neighbours and is lost to the air.")
-        .param(
-            "rate", &Cooling::rate,
-            {.doc = "what is lost in a step", .dimension = Dimension::ratio, .min = 0, .max = 1});
+        .param("rate", &Cooling::rate,
+               {.doc = "fraction that is lost in each step",
+                .dimension = Dimension::ratio,
+                .min = 0,
+                .max = 1});
   }
 
   void step(Pass& pass) const {

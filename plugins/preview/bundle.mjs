@@ -1,4 +1,4 @@
-// One page out of page.html, style.css and the modules here, three.js among them.
+// Bundles page.html, style.css, the modules of this folder and three.js into one page.
 import { readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';

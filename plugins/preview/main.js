@@ -1,4 +1,4 @@
-// The page: what it holds, the panels beside the model, and keys.
+// The page: its data, the panels next to the model, and keyboard shortcuts.
 import { showPanels } from './panels.js';
 import { Viewer } from './viewer.js';
 
@@ -23,7 +23,7 @@ function bytesOf(text) {
 function countText(count) {
   const number = (n) => n.toLocaleString('en-US').replaceAll(',', '\u202f');
   const text = `${number(count)} triangle${count === 1 ? '' : 's'}`;
-  return data.triangles < data.whole ? `${text}, thinned out from ${number(data.whole)}` : text;
+  return data.triangles < data.whole ? `${text}, decimated from ${number(data.whole)}` : text;
 }
 
 function connect(viewer) {
@@ -73,6 +73,6 @@ try {
     state.ready = 'yes';
   }).catch((error) => trouble(`The model cannot be shown: ${error.message}`));
 } catch (error) {
-  trouble('There is no WebGL here, so the model cannot be shown. Switch on hardware acceleration, or open '
-    + 'the page in another browser. The panels work all the same.');
+  trouble('WebGL is not available, so the model cannot be shown. Enable hardware acceleration, or open the '
+    + 'page in another browser. The panels work without WebGL.');
 }

@@ -1,4 +1,4 @@
-// The panels beside the model. All texts are set as texts: nothing in a scene becomes markup.
+// The panels next to the model. Texts are inserted as text nodes, so that nothing in a scene becomes markup.
 
 function make(tag, options = {}, ...children) {
   const { class: name, ...rest } = options;
@@ -29,7 +29,7 @@ function picture(data) {
 
 const SMALL_TREE = 80;
 
-/// Of a large tree, branches below the second row are made when they are opened.
+/// Branches of large trees below the second level are created when they are opened.
 function branch(tree, id, depth) {
   const node = tree.nodes[id];
   const rule = tree.productions[node.production];
@@ -61,8 +61,8 @@ const METRICS = {
   components: ['Pieces', ''], genus: ['Genus (handles)', ''],
 };
 const FAULTS = {
-  boundary_edges: 'Open edges', nonmanifold_edges: 'Edges of more than two',
-  misoriented_edges: 'Edges turned the wrong way', self_intersections: 'Triangles that cross',
+  boundary_edges: 'Open edges', nonmanifold_edges: 'Non-manifold edges',
+  misoriented_edges: 'Misoriented edges', self_intersections: 'Self-intersections',
 };
 const row = (name, text, look = '') =>
   make('tr', {}, make('td', { textContent: name }), make('td', { class: look, textContent: text }));
@@ -129,7 +129,7 @@ const PANELS = [
   ['Recipe', recipe, (data) => data.recipe],
 ];
 
-/// A tab and a page for each of those that have something to show.
+/// Creates a tab and a page for each panel with data.
 export function showPanels(data, tabs, pages) {
   const shown = PANELS.filter(([, , has]) => has(data));
   const all = shown.map(([name, build]) => {

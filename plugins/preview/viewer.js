@@ -1,11 +1,11 @@
-// The model: orbits, the scene's cameras and lights, even light, a cut from above.
+// The model view: orbit controls, the scene's cameras and lights, uniform light, and a cutting plane.
 import * as three from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 
 const GROUND = 0x15171a;
-const LUMEN_PER_WATT = 683;  // the exporter's, see lib/vug/exchange/format.h
-const MAX_LIGHTS = 12;       // of a forward renderer; the strongest are taken
+const LUMEN_PER_WATT = 683;  // as in the exporter, see lib/vug/exchange/format.h
+const MAX_LIGHTS = 12;       // limit of a forward renderer; the strongest lights are used
 
 export class Viewer {
   constructor(canvas, data) {
@@ -77,7 +77,7 @@ export class Viewer {
     this.own = named ?? cameras[0] ?? null;
   }
 
-  /// A sky, what the ground gives back, and a light that goes with the viewer: nothing is black.
+  /// Uniform light: a sky, light from the ground and a light at the camera, so that nothing is black.
   addEvenLight() {
     this.even = new three.Group();
     this.even.add(new three.HemisphereLight(0xe6edf5, 0x9a8f82, 1.2));
@@ -85,7 +85,7 @@ export class Viewer {
     sun.position.set(0.5, 1, 0.35);
     this.even.add(sun);
     this.scene.add(this.even);
-    // Stands for what walls give back where the scene's lights shine.
+    // Approximates the indirect light of the scene's lights.
     this.fill = new three.HemisphereLight(0xffffff, 0xc8bdb0, 0.2 / 2 ** this.data.exposure);
     this.fill.visible = false;
     this.scene.add(this.fill);
@@ -125,7 +125,7 @@ export class Viewer {
     this.wanted = true;
   }
   turn(on) { this.controls.autoRotate = on; }
-  /// `share` of the height is left, from below.
+  /// Cuts the model horizontally and keeps the lower `share` of its height.
   cut(share) {
     const { min, max } = this.box;
     this.plane.constant = min.y + (max.y - min.y) * share + (share >= 1 ? this.size : 0);
@@ -144,7 +144,7 @@ export class Viewer {
     this.wanted = true;
   }
 
-  /// Turns about what the scene's camera has in its middle.
+  /// Orbits around the point at the centre of the scene camera's view.
   goHome() {
     if (!this.own) return this.showWhole();
     const from = this.own.getWorldPosition(new three.Vector3());
@@ -163,7 +163,7 @@ export class Viewer {
     this.look(middle.clone().addScaledVector(way, this.size * 1.15), middle, 50, 1);
   }
 
-  /// The whole of the picture that the camera was made for stays in sight.
+  /// Adapts the field of view so that the complete picture of the scene camera is visible.
   resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     if (!width || !height) return;

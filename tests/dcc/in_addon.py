@@ -166,7 +166,7 @@ def stale():
     bpy.ops.vug.update()
     equal((cave().vug.stale, bpy.ops.vug.revert.poll()), ("", True))
     cave()["R"], cave()["SHARE"], cave().vug.use_seed = 0.75, 2.0, True
-    refused(bpy.ops.vug.update, "param 'SHARE' is 2", "set since it was last built: R = 0.75, SHARE = 2")
+    refused(bpy.ops.vug.update, "param 'SHARE' is 2", "changed since the last build: R = 0.75, SHARE = 2")
     assert "SHARE = 2" in cave().vug.stale, cave().vug.stale
     equal(bpy.ops.vug.revert(), {"FINISHED"})
     equal((cave()["R"], cave()["SHARE"], cave().vug.use_seed, cave().vug.stale), (0.7, 0.5, False, ""))
@@ -287,7 +287,7 @@ def block_out():
     assert os.path.exists("no_end.ply") and not os.path.exists("no_end")
     for path, *words in (("", "choose a name"), (f"{folder}/", "choose a name"), ("/proc", "choose a name"),
                          ("/proc/x.ply", "cannot write '/proc/x.ply'"), (f"{folder}/x.obj", "must end in .ply"),
-                         (f"{folder}/no/x.ply", "there is no folder")):
+                         (f"{folder}/no/x.ply", "does not exist")):
         refused(bpy.ops.vug.export_field, *words, filepath=path)
     cube.scale = (1, 0.5, 0)
     bpy.context.view_layer.update()

@@ -72,7 +72,7 @@ class Plugins(unittest.TestCase):
         listed = self.vug(0, "--plugin", self.lens, "list", "lens")
         self.assertIn("lens (primitive): ", listed)
         (self.room / "bad.vug").write_text(SCENE.replace("1m", "4m"))
-        self.assertIn("bad.vug:1:26: error: a lens is thinner than its balls",
+        self.assertIn("bad.vug:1:26: error: the thickness of a lens must be less than the diameter of its balls",
                       self.vug(2, "check", "bad.vug", "--plugin", self.lens))
 
     def test_a_rule(self):

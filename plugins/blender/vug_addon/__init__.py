@@ -1,7 +1,7 @@
-"""Caves of Vug in Blender: .vug scenes with their parameters as sliders, and blocked-out meshes back."""
+"""Vug in Blender: .vug scenes with their parameters as sliders, and export of meshes as fields."""
 bl_info = {
     "name": "Vug",
-    "description": "Caves grown out of grammars, from .vug scenes",
+    "description": "Caves grown from grammars, from .vug scenes",
     "author": "Vug",
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
@@ -11,14 +11,14 @@ bl_info = {
 
 from . import folders, operators, panel, properties  # noqa: E402  Blender reads bl_info first
 
-PARTS = (properties, operators, panel, folders)
+MODULES = (properties, operators, panel, folders)
 
 
 def register():
-    for part in PARTS:
-        part.register()
+    for module in MODULES:
+        module.register()
 
 
 def unregister():
-    for part in reversed(PARTS):
-        part.unregister()
+    for module in reversed(MODULES):
+        module.unregister()

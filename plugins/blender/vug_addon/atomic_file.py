@@ -1,17 +1,17 @@
-"""Files that are whole or not there. No part of bpy here."""
+"""Atomic replacement of files. This module does not use bpy."""
 import contextlib
 import os
 
 
 @contextlib.contextmanager
 def replacing(path):
-    """The path of a file beside `path` to write to, which takes its place at the end; where the work between
-    fails, what was there stays."""
+    """Context manager that yields a temporary path next to `path`, which replaces `path` at the end. If an
+    exception occurs, the old file is kept."""
     folder, name = os.path.split(path)
-    beside = os.path.join(folder, f".{name}.{os.getpid()}")
+    temporary = os.path.join(folder, f".{name}.{os.getpid()}")
     try:
-        yield beside
-        os.replace(beside, path)
+        yield temporary
+        os.replace(temporary, path)
     finally:
-        if os.path.exists(beside):
-            os.remove(beside)
+        if os.path.exists(temporary):
+            os.remove(temporary)

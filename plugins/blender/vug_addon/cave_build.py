@@ -1,5 +1,5 @@
-"""A cave in the build: a job, and where its result goes. Nothing in Blender's file changes before the
-job has ended well."""
+"""The build of a cave: a worker job and the import of its result. Blender's file does not change before the
+job has succeeded."""
 import json
 import os
 
@@ -10,13 +10,13 @@ from .job import Job
 
 
 def settings_of(collection):
-    """What a cave is built with, as JSON can hold it."""
+    """The settings with which a cave is built, as JSON data."""
     cave = collection.vug
     return {"params": parameters.values(collection), "seed": cave.seed if cave.use_seed else None}
 
 
 def set_to_built(collection):
-    """Parameters and seed as they were when the cave was last built."""
+    """Restores the parameters and the seed of the last build of a cave."""
     built = json.loads(collection.vug.built)
     parameters.restore(collection, built["params"])
     collection.vug.use_seed = built["seed"] is not None
@@ -26,9 +26,9 @@ def set_to_built(collection):
 
 
 class CaveBuild:
-    """Of a new cave from `source`, or of a cave's collection that is there. `step` now and then, until it
-    gives True; then `error` or `told` says how it went. A new one may set the scene's `camera`, where it has
-    none, and with it its `resolution`."""
+    """Builds a new cave from `source`, or updates an existing collection. Call `step` repeatedly until it returns
+    True; then `error` or `message` contains the result. A new cave may set the scene's `camera`, if the scene
+    has none, and with it the `resolution`."""
 
     current = None  # one at a time: a build takes all cores
 
@@ -76,8 +76,7 @@ class CaveBuild:
         return True
 
     def mark_stale(self):
-        """The cave stays as it was built, and remembers that its parameters are others; the error names
-        those."""
+        """Keeps the cave as it was built and marks it as out of date; the error lists the changed parameters."""
         collection = bpy.data.collections.get(self.name) if self.name else None
         if not collection:
             return
@@ -85,7 +84,7 @@ class CaveBuild:
         others = [f"{name} = {text_of(value)}" for name, value in self.tried["params"].items()
                   if name in before and before[name] != value]
         if others:
-            self.error += f"; set since it was last built: {', '.join(others)}"
+            self.error += f"; changed since the last build: {', '.join(others)}"
         collection.vug.stale = self.error
 
     def cancel(self):
@@ -108,7 +107,7 @@ class CaveBuild:
             return
         collection = bpy.data.collections.get(self.name) if self.name else None
         if self.name and not collection:
-            self.error = f"the cave '{self.name}' is gone"
+            self.error = f"the cave '{self.name}' no longer exists"
             return
         made = None
         if not collection:
@@ -127,11 +126,11 @@ class CaveBuild:
                 importer.use_camera(bpy.context.scene, self.resolution)
         self.name, self.changed = collection.name, importer.changed
         self.mark_built(collection)
-        self.message = f"{self.name}: {self.changed} meshes made" + "".join(
+        self.message = f"{self.name}: {self.changed} meshes updated" + "".join(
             f"; {each}" for each in job.done["left_out"])
 
     def mark_built(self, collection):
-        """What an artist has set meanwhile is not built yet."""
+        """Records the built settings; changes made during the build are not included."""
         if collection:
             now = settings_of(collection)
             collection.vug.built = json.dumps({**now, "params": {**now["params"], **self.tried.get("params", {})}})

@@ -1,4 +1,4 @@
-"""Closed meshes of Blender as fields of a scene: what was blocked out by hand, for a grammar to dress."""
+"""Exports closed meshes of Blender as fields of a scene, e.g. blocked-out shapes that a grammar details."""
 import os
 
 import bpy
@@ -9,7 +9,7 @@ from .atomic_file import replacing
 
 
 def triangles_of(thing, depsgraph):
-    """Vertices in metres with y up and triangles, of the object with its modifiers, where it stands."""
+    """Vertices in metres with y up, and triangles, of the object with modifiers and transform applied."""
     evaluated = thing.evaluated_get(depsgraph)
     mesh = evaluated.to_mesh()
     try:
@@ -29,7 +29,7 @@ def triangles_of(thing, depsgraph):
 
 
 def require_closed(name, triangles):
-    """ValueError where the triangles bound no solid."""
+    """Raises ValueError unless the triangles bound a solid."""
     if not len(triangles):
         raise ValueError(f"'{name}' has no faces")
     a = triangles.ravel().astype(numpy.int64)
@@ -38,23 +38,23 @@ def require_closed(name, triangles):
     _, counts = numpy.unique(numpy.minimum(a, b) * size + numpy.maximum(a, b), return_counts=True)
     if (counts == 1).any():
         raise ValueError(f"'{name}' is open: {int((counts == 1).sum())} edges have a face on one side only; "
-                         "fill its holes first")
+                         "fill the holes first")
     if (counts > 2).any():
-        raise ValueError(f"'{name}' bounds no solid: {int((counts > 2).sum())} edges have more than two faces")
+        raise ValueError(f"'{name}' does not bound a solid: {int((counts > 2).sum())} edges have more than two faces")
     if len(numpy.unique(a * size + b)) < len(a):
-        raise ValueError(f"the faces of '{name}' look to different sides: recalculate its normals first")
+        raise ValueError(f"the faces of '{name}' are oriented inconsistently: recalculate its normals first")
 
 
 def require_solid(name, points, triangles):
-    """The volume that the triangles enclose, positive where they look outwards; ValueError where it is none.
-    Twice the volume over the area is about how thick a thing is: what is thinner than a millionth of its
-    length is flat, up to what 32 bits hold."""
+    """The volume enclosed by the triangles, positive if their normals point outwards. Raises ValueError for a
+    flat mesh: twice the volume divided by the area approximates the thickness, which must exceed a millionth
+    of the length, about the precision of 32 bits."""
     volume, area = volume_of(points, triangles), area_of(points, triangles)
     length = float(numpy.linalg.norm(points.max(0) - points.min(0)))
     if not numpy.isfinite(volume) or not numpy.isfinite(length):
         raise ValueError(f"'{name}' has vertices at infinity")
     if 2 * abs(volume) <= 1e-6 * length * area:
-        raise ValueError(f"'{name}' encloses no volume: it is flat, or its parts cancel out; give it thickness first")
+        raise ValueError(f"'{name}' encloses no volume: it is flat, or its parts cancel out; add thickness first")
     return volume
 
 
@@ -88,27 +88,27 @@ mesh wall on rock {{}}
 
 
 def file_of(path):
-    """Where it is written; ValueError where that can be no file."""
+    """The path of the output file. Raises ValueError if it is not usable."""
     path = bpy.path.abspath(path)
     name, folder = os.path.basename(path), os.path.dirname(path)
     if not name or os.path.isdir(path):
         raise ValueError("choose a name for the file, such as block.ply")
     end = os.path.splitext(name)[1]
     if end.lower() not in ("", ".ply"):
-        raise ValueError(f"'{name}' must end in .ply: that is what the scene beside it reads")
+        raise ValueError(f"'{name}' must end in .ply, the format that the scene reads")
     if folder and not os.path.isdir(folder):
-        raise ValueError(f"there is no folder '{folder}'")
+        raise ValueError(f"the folder '{folder}' does not exist")
     return path if end else path + ".ply"
 
 
 def replace(path, data):
-    with replacing(path) as beside, open(beside, "wb") as file:
+    with replacing(path) as temporary, open(temporary, "wb") as file:
         file.write(data)
 
 
 def write(thing, depsgraph, path, voxel):
-    """Writes the mesh, and beside it a scene where none of that name is: what an artist has made of it
-    stays. Gives a sentence."""
+    """Writes the mesh and, unless a scene of that name exists, a scene next to it; an edited scene is never
+    overwritten. Returns a summary in one sentence."""
     path = file_of(path)
     points, triangles = triangles_of(thing, depsgraph)
     require_closed(thing.name, triangles)
@@ -119,8 +119,8 @@ def write(thing, depsgraph, path, voxel):
     text = os.path.splitext(path)[0] + ".vug"
     message = f"{len(triangles)} triangles around {volume:.6g} m3"
     if (points.max(0) - points.min(0)).min() < 2 * voxel:
-        message += f"; it is thinner than two voxels of {voxel:.6g} m, which may miss it"
+        message += f"; it is thinner than two voxels of {voxel:.6g} m and may have holes"
     if os.path.exists(text):
-        return f"{message}; {os.path.basename(text)} is there already and stays"
+        return f"{message}; {os.path.basename(text)} exists and is kept"
     replace(text, scene(thing.name, os.path.basename(path), voxel).encode())
     return message

@@ -1,9 +1,9 @@
-"""Where the files of caves lie that Blender reads as files: beside the .blend, or, as long as that has not been
-saved, in a folder of their own among the user's data.
+"""Folders of the files that Blender references: next to the .blend or, while it is unsaved, in a folder in the
+user's data.
 
-When the .blend is saved they are copied beside it. The file on the disk still names the old folder then, so that
-one stays, with a note of who named it, until that file is saved again. What is gone too early is no harm: an
-update misses it and makes it again.
+When the .blend is saved, the files are copied next to it. The file on disk still refers to the old folder, so
+that folder is kept, with a note of its owner, until the file is saved again. Deleting it too early does no harm:
+an update rebuilds missing files.
 """
 import os
 import shutil
@@ -16,7 +16,7 @@ from . import properties
 from .atomic_file import replacing
 
 NOTE = "named_by"  # in a folder that was unused_folders: the .blend that may name it on the disk
-DAYS = 30  # for which one stays whose .blend was never saved: Blender can recover such
+DAYS = 30  # lifetime of folders of unsaved files, which Blender can recover
 
 
 def store():
@@ -24,7 +24,7 @@ def store():
 
 
 def new_folder(name):
-    """For a new cave."""
+    """The folder for a new cave."""
     if bpy.data.filepath:
         return f"//vug/{name}/"
     stem = os.path.join(store(), name)
@@ -40,15 +40,15 @@ def is_stored(folder):
 
 
 def move_beside_blend(collection):
-    """Copies a cave's files beside the .blend; all that reads them does so there from then on."""
+    """Copies a cave's files next to the .blend and updates all references to them."""
     old, new = os.path.normpath(collection.vug.folder), f"//vug/{collection.name}/"
     target = bpy.path.abspath(new)
     if os.path.isdir(old):
         os.makedirs(target, exist_ok=True)
         for name in os.listdir(old):
             if name != NOTE:
-                with replacing(os.path.join(target, name)) as beside:
-                    shutil.copyfile(os.path.join(old, name), beside)
+                with replacing(os.path.join(target, name)) as temporary:
+                    shutil.copyfile(os.path.join(old, name), temporary)
         with open(os.path.join(old, NOTE), "w", encoding="utf-8") as note:
             note.write(bpy.data.filepath)
     for each in (*bpy.data.volumes, *bpy.data.images):
@@ -65,11 +65,11 @@ def move_all_beside_blend():
             try:
                 move_beside_blend(collection)
             except OSError as error:
-                print(f"Vug: the volumes of '{collection.name}' stay in {collection.vug.folder}: {error}")
+                print(f"Vug: the volumes of '{collection.name}' remain in {collection.vug.folder}: {error}")
 
 
 def unused_folders():
-    """(folder, the .blend that may name it or "") of all that no cave of this file needs."""
+    """(folder, .blend that may refer to it or "") of all folders that no cave of this file uses."""
     used = {os.path.normpath(each.vug.folder) for each in properties.caves()}
     for name in sorted(os.listdir(store())) if os.path.isdir(store()) else ():
         folder = os.path.join(store(), name)
@@ -84,7 +84,7 @@ def unused_folders():
 
 
 def sweep():
-    """What was unused_folders by files that are gone, or never were saved and are old."""
+    """Removes folders whose .blend no longer exists, and old folders of unsaved files."""
     for folder, owner in unused_folders():
         old = time.time() - os.path.getmtime(folder) > DAYS * 86400
         if not os.path.exists(owner) if owner else old:
@@ -93,7 +93,7 @@ def sweep():
 
 @persistent
 def after_save(*_):
-    for folder, owner in unused_folders():  # the file on the disk is as it is here
+    for folder, owner in unused_folders():  # the file on disk now equals the open file
         if owner == bpy.data.filepath:
             shutil.rmtree(folder, ignore_errors=True)
     move_all_beside_blend()
@@ -107,7 +107,7 @@ def after_load(*_):
 def register():
     bpy.app.handlers.save_post.append(after_save)
     bpy.app.handlers.load_post.append(after_load)
-    bpy.app.timers.register(sweep, first_interval=5)  # while add-ons are registered there is no data
+    bpy.app.timers.register(sweep, first_interval=5)  # no data is available during registration
 
 
 def unregister():

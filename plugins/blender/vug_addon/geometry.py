@@ -1,4 +1,4 @@
-"""Meshes of Blender from the arrays of a file."""
+"""Conversion of arrays to Blender meshes."""
 import bpy
 import numpy
 
@@ -19,14 +19,14 @@ def add_attribute(mesh, name, values):
 
 
 def add_missing(mesh, surface):
-    """Attributes that somebody has removed."""
+    """Restores attributes that were removed from the mesh."""
     for name, values in surface.attributes.items():
         if name not in mesh.attributes:
             add_attribute(mesh, name, values)
 
 
 def fill(mesh, surface):
-    """Puts a surface in the place of what the mesh holds; its materials stay."""
+    """Replaces the geometry of the mesh by a surface; its materials are kept."""
     mesh.clear_geometry()
     for name in [each.name for each in mesh.attributes]:
         if name in surface.attributes:
@@ -38,7 +38,7 @@ def fill(mesh, surface):
     mesh.loops.foreach_set("vertex_index", surface.triangles.ravel())
     mesh.polygons.add(triangles)
     mesh.polygons.foreach_set("loop_start", numpy.arange(0, 3 * triangles, 3, dtype=numpy.int32))
-    if bpy.app.version < (4, 0):  # it follows from the starts later on
+    if bpy.app.version < (4, 0):  # later versions derive it from loop_start
         mesh.polygons.foreach_set("loop_total", numpy.full(triangles, 3, numpy.int32))
     mesh.polygons.foreach_set("use_smooth", numpy.full(triangles, surface.normals is not None))
     mesh.update(calc_edges=True)

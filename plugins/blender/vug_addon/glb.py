@@ -1,6 +1,6 @@
-"""Reads the binary glTF that vug export writes, whole: Blender's own importer leaves out the attributes
-of vertices that are not colours and rounds colours to 8 bits. What it gives is Blender's: z up, and in
-the units of a scene."""
+"""Reads the binary glTF that vug export writes. Blender's own importer omits vertex attributes other than
+colours and rounds colours to 8 bits. The results use Blender's conventions: z up, and the units of the
+scene."""
 import json
 import struct
 
@@ -9,12 +9,12 @@ from mathutils import Matrix, Quaternion, Vector
 
 TYPES = {5121: numpy.uint8, 5123: numpy.uint16, 5125: numpy.uint32, 5126: numpy.float32}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
-# From y up to z up: the one place where axes turn.
+# Converts y up to z up. Axes are converted only here.
 TURN = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
 
 
 def turned(vectors):
-    """Rows of three numbers, with z up."""
+    """Converts rows of three numbers from y up to z up."""
     return numpy.stack([vectors[:, 0], -vectors[:, 2], vectors[:, 1]], 1)
 
 
@@ -31,7 +31,7 @@ class Surface:
         self.normals = None if normals is None else turned(normals)
         self.triangles = glb.array(primitive["indices"]).reshape(-1, 3).astype(numpy.int32)
         if len(self.triangles) and self.triangles.max() >= len(self.positions):
-            raise ValueError(f"'{self.name}' names vertices that are not there")
+            raise ValueError(f"'{self.name}' has vertex indices out of range")
         self.attributes = {}
         for name, values in arrays.items():
             own = "Cd" if name == "COLOR_0" else name.lstrip("_").lower()
@@ -43,13 +43,13 @@ class Surface:
 
 class Glb:
     def __init__(self, path, scale=1.0):
-        """`scale`: units of Blender in a metre."""
+        """`scale`: Blender units per metre."""
         self.scale = scale
         with open(path, "rb") as file:
             data = file.read()
         magic, _, length, words, _ = struct.unpack_from("<4sIIII", data)
         if magic != b"glTF" or length != len(data):
-            raise ValueError(f"'{path}' is no whole binary glTF")
+            raise ValueError(f"'{path}' is not a complete binary glTF file")
         self.about = json.loads(data[20:20 + words])
         self._bytes = memoryview(data)[20 + words + 8:]
 
@@ -70,7 +70,7 @@ class Glb:
         return self.about.get(name, [])
 
     def extras(self, name):
-        """What glTF has no words for: a list that stands in the scene's extras."""
+        """Data outside the glTF standard: a list in the scene's extras."""
         return self.list("scenes")[0].get("extras", {}).get(name, [])
 
     @property
@@ -86,7 +86,7 @@ class Glb:
                                               Quaternion((w, x, y, z)),
                                               Vector(node.get("scale", (1, 1, 1))))
             light = node.get("extensions", {}).get("KHR_lights_punctual", {}).get("light")
-            if "mesh" in node:  # its vertices are turned already
+            if "mesh" in node:  # its vertices have z up already
                 yield node["name"], "mesh", node["mesh"], place @ TURN.inverted()
             elif "camera" in node:
                 yield node["name"], "camera", node["camera"], place

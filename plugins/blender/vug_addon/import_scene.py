@@ -1,5 +1,5 @@
-"""Puts what a worker has made into a cave's collection. What is there already is filled anew where it has
-changed, so that materials, modifiers and places an artist has given to it stay."""
+"""Imports the output of a worker into a cave's collection. Existing data-blocks are updated in place if they
+have changed, so that materials, modifiers and transforms added by an artist are preserved."""
 import hashlib
 import json
 import os
@@ -28,7 +28,7 @@ def digest(*parts):
 
 
 def has_changed(thing, *parts):
-    """Whether these are others than when it was asked last; they count as known from then on."""
+    """Whether the digest of `parts` differs from the one stored in `thing`, which is then updated."""
     now = digest(*parts)
     if thing.get(DIGEST) == now:
         return False
@@ -44,7 +44,7 @@ class SceneImporter:
         self.before = set(self.objects)
         self.materials = {slot.material[NAME]: slot.material for each in self.objects.values()
                           for slot in each.material_slots if slot.material and NAME in slot.material}
-        self.sharing = {}  # names of the objects that have a mesh, by its number
+        self.sharing = {}  # names of the objects that share a mesh, by mesh index
         for name, kind, index, _ in glb.nodes:
             if kind == "mesh":
                 self.sharing.setdefault(index, []).append(name)
@@ -68,7 +68,7 @@ class SceneImporter:
         return thing
 
     def data_of(self, kind, names, sort=None):
-        """What the first of these objects has that is there, else new."""
+        """The data-block of the first existing object among `names`, or a new one."""
         for name in names:
             thing = self.objects.get(name)
             if thing and thing.type == kind.upper() and sort in (None, getattr(thing.data, "type", None)):
@@ -122,7 +122,7 @@ class SceneImporter:
             self.object(name, kind, data, place)
 
     def use_camera(self, scene, resolution):
-        """The camera of the cave's first picture for a scene that has none; if asked with that one's size."""
+        """Sets the cave's first camera if the scene has none, and optionally the size of its picture."""
         first = next((each for each in self.glb.nodes if each[1] == "camera"), None)
         if scene.camera or not first:
             return
@@ -143,9 +143,9 @@ class SceneImporter:
         level_set = "surface" in data.grids or "air" in data.grids
         if "extinction" in about:
             self.assign_volume_material(data, name, about)
-        # The file is in metres. A volume that grows keeps its opacity: that is Blender's own way.
+        # The file is in metres. Blender does not change the opacity of a scaled volume.
         thing = self.object(name, "volume", data, Matrix.Scale(self.glb.scale, 4))
-        if level_set:  # to work on; as a fog it would hide the mesh
+        if level_set:  # for modelling only; rendered as a fog, it would hide the mesh
             thing.hide_render, thing.display_type = True, "BOUNDS"
 
     def assign_volume_material(self, data, name, about):
@@ -159,7 +159,7 @@ class SceneImporter:
             data.materials.append(material)
 
     def sweep(self):
-        """Takes away what the scene no longer has."""
+        """Removes objects and materials that the scene no longer contains."""
         for name in self.before:
             thing = self.objects[name]
             data = thing.data
@@ -172,8 +172,8 @@ class SceneImporter:
 
 
 def move_files(collection, files, folder):
-    """Brings what Blender reads as files, volumes and pictures of skies, to the cave's folder, each whole or
-    not at all; gives their paths."""
+    """Moves the files that Blender references, volumes and environment maps, to the cave's folder. Each file is
+    replaced atomically. Returns their paths."""
     target = bpy.path.abspath(collection.vug.folder)
     out = []
     for name in files:
@@ -181,14 +181,14 @@ def move_files(collection, files, folder):
             continue
         os.makedirs(target, exist_ok=True)
         path = os.path.join(target, name)
-        with replacing(path) as beside:
-            shutil.copyfile(os.path.join(folder, name), beside)
+        with replacing(path) as temporary:
+            shutil.copyfile(os.path.join(folder, name), temporary)
         out.append(path)
     return out
 
 
 def import_into(collection, scene, files, folder):
-    """Gives the SceneImporter. What can fail does so before a thing is touched."""
+    """Imports a scene and returns the SceneImporter. Errors occur before any data-block is changed."""
     metres = units.metres_per_unit()
     glb = Glb(os.path.join(folder, scene["name"] + ".glb"), 1 / metres)
     for index in range(len(glb.list("meshes"))):

@@ -1,4 +1,4 @@
-"""A worker at work, seen from Blender: what it has said, and how to stop it. No part of bpy here."""
+"""A running worker process, its messages and its cancellation. This module does not use bpy."""
 import json
 import os
 import queue
@@ -12,8 +12,8 @@ WORKER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker.py")
 
 
 class Job:
-    """Starts at once. `poll` takes in what the worker has said; then one of `error`, `same` and `done`
-    is set when it has ended. `close` ends the worker and removes its files, whatever state it is in."""
+    """Starts a worker. `poll` processes its messages; one of `error`, `same` and `done` is set when it has ended.
+    `close` ends the worker in any state and removes its files."""
 
     def __init__(self, order, python="", package=""):
         self.folder = tempfile.mkdtemp(prefix="vug_blender_")
@@ -32,7 +32,7 @@ class Job:
                 stderr=self._complaints, text=True, encoding="utf-8", env=environment)
         except OSError as error:
             self._process = None
-            self.error = f"the Python '{python or sys.executable}' cannot be started: {error.strerror}"
+            self.error = f"cannot start the Python '{python or sys.executable}': {error.strerror}"
             return
         self.pid = self._process.pid
         self._reader = threading.Thread(target=self._listen, daemon=True)
@@ -42,7 +42,7 @@ class Job:
             self._process.stdin.write(json.dumps(order) + "\n")
             self._process.stdin.flush()
         except OSError:
-            pass  # it has ended, and poll says why
+            pass  # the worker has ended, and poll reports why
 
     def _listen(self):
         for line in self._process.stdout:
@@ -54,7 +54,7 @@ class Job:
         return bool(self.error or self.same or self.done is not None)
 
     def poll(self, wait=0.0):
-        """Takes in what was said; waits for it up to so many seconds. True when the work has ended."""
+        """Processes messages and waits up to `wait` seconds for one. Returns whether the worker has ended."""
         while not self.ended:
             try:
                 line = self._said.get(timeout=wait) if wait else self._said.get_nowait()
@@ -64,7 +64,7 @@ class Job:
             if line is None:
                 self._complaints.seek(0)
                 last = self._complaints.read().strip().splitlines()[-1:]
-                self.error = "the worker has ended without a result" + "".join(f": {each}" for each in last)
+                self.error = "the worker ended without a result" + "".join(f": {each}" for each in last)
             else:
                 for name, value in json.loads(line).items():
                     setattr(self, name, value)

@@ -1,8 +1,8 @@
-"""Lights and cameras that mean the same as Vug's. Blender counts the watts that a light would send out if it
-shone in all directions as it does along its axis. See docs/guides/export.md for what a file says of lights.
+"""Lights and cameras equivalent to Vug's. Blender's watts are those of a light that emits in all directions as
+it does along its axis. docs/guides/export.md describes the lights in exported files.
 
-`scale` is the number of Blender's units in a metre: watts grow with its square, so that what is lit from
-farther away in units is as bright, and Blender, which counts so itself, shows the same watts."""
+`scale` is the number of Blender units per metre. Watts are multiplied by its square, so that the illumination
+does not depend on the unit scale, as in Blender itself."""
 import math
 
 LUMEN_PER_WATT = 683  # of each colour; as the file is written

@@ -1,4 +1,4 @@
-"""Materials for Cycles and Eevee: what varies over a mesh comes from its attributes, the rest is numbers."""
+"""Materials for Cycles and Eevee. Varying properties come from mesh attributes, the others are constants."""
 CHANNELS = ("Cd", "roughness", "wetness", "metallic", "transmission", "opacity", "through", "emission")
 
 
@@ -7,7 +7,7 @@ def channels_of(surface):
 
 
 def socket(node, *names):
-    """The input that has the first of these names: Blender 4 has renamed some."""
+    """The input with the first of these names that exists; Blender 4 renamed some inputs."""
     for name in names:
         if name in node.inputs:
             return node.inputs[name]
@@ -39,7 +39,7 @@ class Tree:
         return both.outputs[0]
 
     def feed(self, target, channels, name, value, output="Fac"):
-        """The attribute where the mesh has it, else the number."""
+        """Connects the attribute if the mesh has it, otherwise sets the constant."""
         if name in channels:
             self.links.new(self.attribute(name, output), target)
         else:
@@ -50,18 +50,18 @@ def extension(gltf, name, key, fallback):
     return gltf.get("extensions", {}).get(f"KHR_materials_{name}", {}).get(key, fallback)
 
 
-# Luminance of a black body in W/sr/m2, as Vug counts it: A exp(-B / kelvin), within 2 % from 1000 to 3000 K.
+# Luminance of a black body in W/sr/m2, in Vug's units: A exp(-B / kelvin), within 2 % from 1000 to 3000 K.
 BLACK_BODY = 5.63e8, 24580
 
 
 class VolumeShader(Tree):
-    """A volume's shaders, from what a cloud says of its grids."""
+    """Shader nodes of a volume, from its exported description."""
 
     def __init__(self, material, about):
         super().__init__(material)
         self.about = about
         flame = "flame" in about["grids"]
-        # Where it shines, per metre: its flame, or how much light the place stops.
+        # Density of the emission per metre: the flame grid, or the extinction.
         self.place, self.per_metre = ("flame", 1) if flame else ("density", about["extinction"])
 
     def math(self, operation, *inputs):
@@ -106,8 +106,8 @@ class VolumeShader(Tree):
 
 
 def build_volume(material, about):
-    """Fills a material with what a cloud says. Blender's extinction is that of all colours, too, where
-    nothing is absorbed beyond the albedo."""
+    """Builds a volume material from an exported description. Blender's extinction is also the same for all
+    colours if there is no absorption besides the albedo."""
     tree = VolumeShader(material, about)
     out = tree.body()
     for part in ([tree.emission()] if any(about["emission"]) else []) + ([tree.heat()] if about["heat"] else []):
@@ -116,8 +116,8 @@ def build_volume(material, about):
 
 
 def build(material, gltf, channels):
-    """Fills a material with what a glTF material says. What is only matte becomes a diffuse surface,
-    as Vug's is; Blender's Principled BSDF is no Lambertian surface at any setting."""
+    """Builds a material from a glTF material. A purely diffuse material becomes a diffuse BSDF, as in Vug, because
+    Blender's Principled BSDF is not Lambertian with any settings."""
     tree = Tree(material)
     body = gltf.get("pbrMetallicRoughness", {})
     color = body.get("baseColorFactor", (1, 1, 1, 1))
@@ -141,12 +141,12 @@ def build(material, gltf, channels):
         socket(shader, "Clearcoat Roughness", "Coat Roughness").default_value = extension(
             gltf, "clearcoat", "clearcoatRoughnessFactor", 0.1)
         shader.inputs["IOR"].default_value = ior
-        facing = ((ior - 1) / (ior + 1)) ** 2  # what is mirrored straight on; 0.08 is at 1 in Blender 3
+        facing = ((ior - 1) / (ior + 1)) ** 2  # reflectance at normal incidence; in Blender 3, 0.08 corresponds to 1
         socket(shader, "Specular", "Specular IOR Level").default_value = specular * (
             facing / 0.08 if "Specular" in shader.inputs else 0.5)
     out = shader.outputs[0]
     through = gltf.get("extras", {}).get("vug:through")
-    if through:  # a thin sheet's back shines with what comes from its front
+    if through:  # light that a thin sheet transmits diffusely
         sheet = tree.add("ShaderNodeBsdfTranslucent", 1)
         tree.feed(sheet.inputs["Color"], channels, "through", (*through, 1), "Color")
         out = tree.sum(out, sheet.outputs[0])
@@ -161,12 +161,12 @@ def build(material, gltf, channels):
             emission.inputs["Color"].default_value = (*shine, 1)
         emission.inputs["Strength"].default_value = strength
         out = tree.sum(out, emission.outputs[0])
-    if "opacity" in channels or color[3] < 1:  # what is not there is looked through
+    if "opacity" in channels or color[3] < 1:  # cut-out surface
         air, both = tree.add("ShaderNodeBsdfTransparent", 2), tree.add("ShaderNodeMixShader", 3)
         tree.feed(both.inputs[0], channels, "opacity", color[3])
         tree.links.new(air.outputs[0], both.inputs[1])
         tree.links.new(out, both.inputs[2])
         out = both.outputs[0]
-        if hasattr(material, "blend_method"):  # of Eevee
+        if hasattr(material, "blend_method"):  # Eevee only
             material.blend_method = "HASHED"
     tree.links.new(out, tree.add("ShaderNodeOutputMaterial", 4).inputs["Surface"])

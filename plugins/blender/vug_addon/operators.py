@@ -1,4 +1,4 @@
-"""What can be done: add, update, cancel, parameters back, and a mesh out as a field."""
+"""Operators: add, update and cancel caves, reset parameters, and export a mesh as a field."""
 import os
 
 import bpy
@@ -10,7 +10,7 @@ from .cave_build import CaveBuild, set_to_built
 
 
 class ReportsResult:
-    """Says how a CaveBuild went."""
+    """Reports the result of a CaveBuild."""
 
     def report_result(self, build):
         if build.cancelled:
@@ -23,15 +23,15 @@ class ReportsResult:
         return {"FINISHED"}
 
     def run(self, build):
-        """To its end where a script or a headless Blender calls."""
+        """Runs a build to its end, for scripts and for Blender without a window."""
         while not build.step(wait=0.2):
             pass
         return self.report_result(build)
 
 
 class VUG_OT_work(ReportsResult, bpy.types.Operator):
-    """Waits in the background for what is being made, with a bar. An operator of its own, because one
-    that the file browser calls cannot wait"""
+    """Wait for a build in the background and show its progress. This is a separate operator, because operators
+    called by the file browser cannot be modal"""
 
     bl_idname, bl_label, bl_options = "vug.work", "Build Vug Cave", {"INTERNAL", "UNDO"}
 
@@ -70,9 +70,9 @@ class VUG_OT_add(ReportsResult, bpy.types.Operator, ImportHelper):
     filename_ext = ".vug"
     filter_glob: StringProperty(default="*.vug", options={"HIDDEN"})
     use_camera: BoolProperty(name="Camera", default=True,
-                             description="The cave's first camera becomes the scene's, where it has none")
+                             description="Use the cave's first camera if the scene has none")
     use_resolution: BoolProperty(name="Resolution", default=True,
-                                 description="With the camera, the scene takes the size of its picture")
+                                 description="Also use the picture size of that camera")
     chosen: BoolProperty(default=False, options={"HIDDEN", "SKIP_SAVE"})
 
     def invoke(self, context, event):
@@ -86,7 +86,7 @@ class VUG_OT_add(ReportsResult, bpy.types.Operator, ImportHelper):
     def execute(self, context):
         path = bpy.path.abspath(self.filepath)
         if not os.path.basename(path) or os.path.isdir(path):
-            self.report({"ERROR"}, "choose a .vug file: it holds the scene of a cave")
+            self.report({"ERROR"}, "choose a .vug file, which contains the scene of a cave")
             return {"CANCELLED"}
         build = CaveBuild(source=self.filepath, camera=self.use_camera, resolution=self.use_resolution)
         if bpy.app.background or not self.chosen:
@@ -95,10 +95,10 @@ class VUG_OT_add(ReportsResult, bpy.types.Operator, ImportHelper):
 
 
 class VUG_OT_update(ReportsResult, bpy.types.Operator):
-    """Build the cave again with the parameters as they are; does nothing where nothing has changed"""
+    """Rebuild the cave with the current parameters, if anything has changed"""
 
     bl_idname, bl_label, bl_options = "vug.update", "Update", {"UNDO"}
-    cave: StringProperty(name="Cave", description="Name of its collection; empty: the active one",
+    cave: StringProperty(name="Cave", description="Name of the collection; empty: the active cave",
                          options={"SKIP_SAVE"})
 
     @classmethod
@@ -109,7 +109,7 @@ class VUG_OT_update(ReportsResult, bpy.types.Operator):
         collection = bpy.data.collections.get(self.cave) if self.cave else properties.active_cave(context)
         if collection and collection.vug.source:
             return CaveBuild(collection=collection)
-        self.report({"ERROR"}, "choose a cave: an object of it, or its collection")
+        self.report({"ERROR"}, "select a cave: one of its objects or its collection")
         return None
 
     def invoke(self, context, event):
@@ -123,7 +123,7 @@ class VUG_OT_update(ReportsResult, bpy.types.Operator):
 
 
 class VUG_OT_cancel(bpy.types.Operator):
-    """Stop what is being built; everything stays as it is"""
+    """Stop the running build; nothing changes"""
 
     bl_idname, bl_label = "vug.cancel", "Cancel"
 
@@ -137,7 +137,7 @@ class VUG_OT_cancel(bpy.types.Operator):
 
 
 class VUG_OT_defaults(bpy.types.Operator):
-    """Set all parameters of the cave to what the scene says"""
+    """Reset all parameters of the cave to the defaults of the scene"""
 
     bl_idname, bl_label, bl_options = "vug.defaults", "Defaults", {"REGISTER", "UNDO"}
 
@@ -151,7 +151,7 @@ class VUG_OT_defaults(bpy.types.Operator):
 
 
 class VUG_OT_revert(bpy.types.Operator):
-    """Set all parameters to what the cave that is here was built with"""
+    """Reset all parameters to those of the last build"""
 
     bl_idname, bl_label, bl_options = "vug.revert", "As Built", {"REGISTER", "UNDO"}
 
@@ -166,13 +166,13 @@ class VUG_OT_revert(bpy.types.Operator):
 
 
 class VUG_OT_export_field(bpy.types.Operator, ExportHelper):
-    """Write the active closed mesh as a solid for scenes: a .ply file and a .vug scene that reads it"""
+    """Write the active closed mesh as a solid for scenes: a .ply file and a .vug scene that uses it"""
 
     bl_idname, bl_label = "vug.export_field", "Vug Field"
     filename_ext = ".ply"
     filter_glob: StringProperty(default="*.ply", options={"HIDDEN"})
     voxel: FloatProperty(name="Voxel", default=0.05, min=1e-4,
-                         description="Edge of a voxel of the scene that is written beside the mesh, in metres")
+                         description="Voxel size of the scene that is written with the mesh, in metres")
 
     @classmethod
     def poll(cls, context):

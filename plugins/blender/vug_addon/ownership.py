@@ -1,4 +1,4 @@
-"""What a cave has brought into Blender's file: things that an artist has deleted are missed and come back."""
+"""Objects that a cave has added to Blender's file. Objects that an artist has deleted are restored by an update."""
 import json
 import os
 
@@ -6,16 +6,16 @@ import bpy
 
 from . import parameters, sky
 
-NAME = "vug_name"  # of an object in its scene
+NAME = "vug_name"  # name of an object in its scene
 
 
 def objects(collection):
-    """Those that came from the scene by their names there, also in collections within the cave's."""
+    """Objects of the scene by name, including those in nested collections."""
     return {each[NAME]: each for each in collection.all_objects if NAME in each}
 
 
 def note(collection):
-    """Keeps in the cave what it has now."""
+    """Records the current objects of the cave."""
     things = {name: {"object": thing.name, "type": thing.type,
                      "attributes": [each.name for each in thing.data.attributes] if thing.type == "MESH" else []}
               for name, thing in objects(collection).items()}
@@ -27,7 +27,7 @@ def noted(collection):
 
 
 def adopt(collection):
-    """Objects that have lost the property that tells what they are get it back, by their names in Blender."""
+    """Restores the identifying property of objects that have lost it, by their names in Blender."""
     there = objects(collection)
     lost = {about["object"]: name for name, about in noted(collection)["objects"].items() if name not in there}
     for thing in collection.all_objects:
@@ -47,7 +47,7 @@ def is_whole(thing, about):
 
 
 def missing(collection):
-    """Names of what the cave has had and that is deleted now, or has lost a part."""
+    """Names of recorded objects that are deleted or incomplete, and of missing parameters."""
     known, there = noted(collection), objects(collection)
     out = [name for name, about in known["objects"].items() if not is_whole(there.get(name), about)]
     if known["sky"] and sky.of(collection) is None:

@@ -1,4 +1,4 @@
-"""The sidebar of the 3D view: a cave's parameters."""
+"""The sidebar panel of the 3D view with a cave's parameters."""
 import textwrap
 
 import bpy

@@ -1,10 +1,10 @@
-"""Parameters of a scene as custom properties of a cave's collection: sliders that Blender saves, animates
-and shows by itself, with the scene's ranges and docs. Lengths are metres, whatever a unit of Blender is."""
+"""Parameters of a scene as custom properties of a cave's collection: sliders that Blender saves, animates and
+displays, with the scene's ranges and docs. Lengths are in metres, regardless of Blender's unit scale."""
 import json
 
-RESERVED = ("vug", "cycles")  # names that Blender uses in the same place
+RESERVED = ("vug", "cycles")  # names that are in use on collections
 SUBTYPES = {"length": "DISTANCE", "angle": "ANGLE", "time": "TIME_ABSOLUTE"}
-UNITS = {"ratio": "share, 1 is all", "number per metre": "per metre"}
+UNITS = {"ratio": "ratio", "number per metre": "per metre"}
 
 
 def key_of(name):
@@ -12,12 +12,12 @@ def key_of(name):
 
 
 def about(collection):
-    """What the scene has said of its parameters: dicts as vug.Param has them."""
+    """The declared parameters of the scene: dicts with the members of vug.Param."""
     return json.loads(collection.vug.parameters or "[]")
 
 
 def stored(value, kind):
-    """As a custom property holds it; None where it cannot."""
+    """The value as stored in a custom property, or None if it cannot be stored."""
     if kind == "true or false":
         return int(value)
     if isinstance(value, (float, int, str)):
@@ -33,7 +33,7 @@ def same(a, b):
 
 def set_ui(collection, key, param, metres_per_unit):
     ui = collection.id_properties_ui(key)
-    # Blender shows lengths by the scene's unit, which is ours only where that is a metre.
+    # Blender displays lengths in the scene's unit, which equals ours only if it is a metre.
     foreign = param["dimension"] == "length" and metres_per_unit != 1
     unit = "metres" if foreign else UNITS.get(param["dimension"])
     doc = param["doc"] + (f" ({unit})" if unit else "")
@@ -54,8 +54,8 @@ def set_ui(collection, key, param, metres_per_unit):
 
 
 def update(collection, params, metres_per_unit):
-    """Makes the properties of these parameters. What an artist has set stays; what still has the old
-    default gets the new one; parameters that are gone go."""
+    """Creates or updates the properties of these parameters. Values set by an artist are kept, values equal to
+    the old default get the new default, and obsolete parameters are removed."""
     before = {param["name"]: param for param in about(collection)}
     for param in params:
         key, kind = key_of(param["name"]), param["type"]
@@ -76,19 +76,19 @@ def update(collection, params, metres_per_unit):
 
 
 def shown(collection):
-    """(param, key) of all that can be set."""
+    """(param, key) of all parameters that can be set."""
     return [(param, key_of(param["name"])) for param in about(collection)
             if key_of(param["name"]) in collection]
 
 
 def missing(collection):
-    """Names of those that somebody has deleted."""
+    """Names of parameters whose properties were deleted."""
     return [param["name"] for param in about(collection) if key_of(param["name"]) not in collection
             and stored(param["default"], param["type"]) is not None]
 
 
 def values(collection):
-    """All that are set, by name, as JSON can hold them."""
+    """All values by name, as JSON data."""
     return {param["name"]: plain(collection[key]) for param, key in shown(collection)}
 
 
@@ -103,7 +103,7 @@ def plain(value):
 
 
 def changed(collection):
-    """Values by name of what differs from its default, as the worker takes them."""
+    """Values by name that differ from the default, in the form of the worker's order."""
     out = {}
     for param, key in shown(collection):
         value = collection[key]

@@ -1,22 +1,22 @@
-"""What a cave keeps in the .blend, and where the add-on finds Vug."""
+"""Properties of a cave in the .blend, and the preferences of the add-on."""
 import bpy
 from bpy.props import BoolProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
 
 class VugCave(bpy.types.PropertyGroup):
-    """Of a collection that holds a cave; `source` is empty in all others."""
+    """Properties of a collection that contains a cave; `source` is empty in other collections."""
 
     source: StringProperty(name="Scene", subtype="FILE_PATH", description="The .vug file")
-    use_seed: BoolProperty(name="Own Seed", description="Another seed than the scene's")
-    seed: IntProperty(name="Seed", min=0, description="Another number, another cave of the same kind")
+    use_seed: BoolProperty(name="Own Seed", description="Replace the scene's seed")
+    seed: IntProperty(name="Seed", min=0, description="Each seed gives another cave of the same kind")
     folder: StringProperty(name="Volumes", subtype="DIR_PATH",
-                           description="Where the .vdb files of this cave are kept")
-    parameters: StringProperty(options={"HIDDEN"})  # what the scene has said of them, in JSON
-    metres_per_unit: FloatProperty(default=1, options={"HIDDEN"})  # of the scene it was made for
-    owned: StringProperty(options={"HIDDEN"})  # what it has brought; see ownership.py
-    built: StringProperty(options={"HIDDEN"})  # what it was last built with; see cave_build.py
-    stale: StringProperty(options={"HIDDEN"})  # why the last update failed; empty: all is up to date
-    known: StringProperty(options={"HIDDEN"})  # the key of what Blender has; see worker.py
+                           description="Folder of this cave's .vdb files")
+    parameters: StringProperty(options={"HIDDEN"})  # declared parameters as JSON
+    metres_per_unit: FloatProperty(default=1, options={"HIDDEN"})  # unit scale of the last build
+    owned: StringProperty(options={"HIDDEN"})  # imported objects; see ownership.py
+    built: StringProperty(options={"HIDDEN"})  # settings of the last build; see cave_build.py
+    stale: StringProperty(options={"HIDDEN"})  # error of the last update; empty if up to date
+    known: StringProperty(options={"HIDDEN"})  # key of the imported result; see worker.py
 
 
 class VugPreferences(bpy.types.AddonPreferences):
@@ -24,10 +24,10 @@ class VugPreferences(bpy.types.AddonPreferences):
 
     python: StringProperty(
         name="Python", subtype="FILE_PATH",
-        description="The Python 3 that Vug's package is made for; empty: the one of Blender")
+        description="Python 3 for which Vug's package was built; empty: Blender's Python")
     package: StringProperty(
         name="Package", subtype="DIR_PATH",
-        description="The folder that holds the package 'vug'; empty: where that Python looks by itself")
+        description="Folder that contains the package 'vug'; empty: the default search path")
 
     def draw(self, context):
         self.layout.prop(self, "python")
@@ -44,7 +44,7 @@ def caves():
 
 
 def active_cave(context):
-    """The one of the active object, else the active collection, else the only one; or None."""
+    """The cave of the active object, else the active collection, else the only cave, or None."""
     thing = getattr(context, "object", None)
     candidates = [each for each in (thing.users_collection if thing else ()) if each.vug.source]
     if context.collection and context.collection.vug.source:

@@ -1,4 +1,4 @@
-"""Skies as Blender's world: every dome of a scene in one world that is the cave's."""
+"""Environment lights as Blender's world: all domes of a scene in one world that belongs to the cave."""
 import os
 
 import bpy
@@ -7,25 +7,25 @@ from mathutils import Matrix, Quaternion
 from .glb import TURN
 
 NAME = "vug_sky"
-# Our pictures have straight ahead, -z with y up and +y with z up, in their middle; Blender's have +x there.
+# The middle of Vug's environment maps is straight ahead: -z with y up, +y with z up. Blender's is +x.
 AHEAD = Matrix(((0, 1, 0), (-1, 0, 0), (0, 0, 1)))
 
 
 def is_plain(world):
-    """Whether nobody has made anything of a world: Blender's own has one even grey."""
+    """Whether a world is unmodified: Blender's default world is a uniform grey."""
     return not world.use_nodes or all(node.type in ("BACKGROUND", "OUTPUT_WORLD")
                                       for node in world.node_tree.nodes)
 
 
 def lookup(rotation):
-    """From directions in Blender's space to those in which it looks a picture up."""
+    """Rotation from directions in Blender's space to lookup directions in the environment map."""
     x, y, z, w = rotation
     turn = (TURN @ Quaternion((w, x, y, z)).to_matrix().to_4x4() @ TURN.inverted()).to_3x3()
     return AHEAD @ turn.inverted()
 
 
 def background(tree, about, folder):
-    """What a dome sends out, as a shader's output."""
+    """The radiance of a dome, as a shader output."""
     nodes, links = tree.nodes, tree.links
     shader = nodes.new("ShaderNodeBackground")
     shader.inputs["Color"].default_value = (*about["radiance"], 1)
@@ -34,7 +34,7 @@ def background(tree, about, folder):
         picture = nodes.new("ShaderNodeTexEnvironment")
         mapping.inputs["Rotation"].default_value = lookup(about.get("rotation", (0, 0, 0, 1))).to_euler()
         picture.image = bpy.data.images.load(os.path.join(folder, about["file"]), check_existing=True)
-        picture.image.reload()  # of the same name, from another build
+        picture.image.reload()  # the file may be from another build
         picture.image.colorspace_settings.name = "Non-Color"  # linear Rec.709, as Blender works in
         tint = nodes.new("ShaderNodeMixRGB")
         tint.blend_type = "MULTIPLY"
@@ -69,9 +69,8 @@ def of(collection):
 
 
 def update_world(collection, skies, folder, changed):
-    """A world of the cave's name for the skies of its scene, none where it has none. The file's scene
-    takes it where it has no other that somebody has made. `changed(world, what)` tells whether these are
-    others than when it was asked last."""
+    """Creates, updates or removes the world for the skies of the cave's scene. The Blender scene uses it unless
+    it has a world made by the user. `changed(world, ...)` returns whether the data differ from the last call."""
     world = of(collection)
     if not skies:
         if world:

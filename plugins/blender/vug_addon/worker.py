@@ -1,9 +1,9 @@
-"""Runs beside Blender, in a Python of its own: builds a scene and writes what Blender takes.
+"""Runs in a separate Python process: builds a scene and writes the files that the add-on imports.
 
-The first line of its input is the order, in JSON: `source`, `params` (changed ones by name), `seed`
-or null, `known` (the key of what Blender has) and `folder`, where files go. It prints lines of JSON:
-`scene` (what there is to set), `share` and `what` as work goes on, and at last `same`, `done` or
-`error`. It ends when its input does, so that it never outlives Blender.
+The first line of its input is the order, in JSON: `source`, `params` (changed parameters by name), `seed`
+or null, `known` (key of the result that Blender has) and `folder` for the output. It prints lines of JSON:
+`scene` (parameters that can be set), `share` and `what` during the work, and finally `same`, `done` or
+`error`. It ends at the end of its input, so that it never outlives Blender.
 """
 import hashlib
 import json
@@ -24,7 +24,7 @@ def end_with_input():
 
 
 def text_of(value, kind):
-    """A value as vug takes it: a name is text of the language as it is, a text has quotes."""
+    """Converts a value for vug: names are passed as text of the scene language, strings are quoted."""
     if kind == "true or false":
         return bool(value)
     return json.dumps(value, ensure_ascii=False) if kind == "text" else value
@@ -39,7 +39,7 @@ def scene_of(vug, order):
 
 
 def key_of(vug, scene):
-    """Changes with everything that the scene is made of: its texts, what was set, files it reads."""
+    """A hash of all inputs of the scene: its texts, overrides and files."""
     digest = hashlib.sha256(json.dumps([vug.__version__, scene.recipe, scene.seed]).encode())
     for name in sorted(map(str, scene.files)):
         about = os.stat(name)
@@ -75,25 +75,25 @@ def work(order):
 
 
 def main():
-    del sys.path[0]  # beside this file are parts of Blender's, which it must not meet
+    del sys.path[0]  # modules next to this file need bpy and must not be imported
     order = json.loads(sys.stdin.readline())
     threading.Thread(target=end_with_input, daemon=True).start()
     try:
         work(order)
     except ImportError as error:
         say(error=f"Vug's Python package cannot be loaded ({error}): set its folder in the add-on's preferences")
-    except Exception as error:  # whatever it is, Blender must be told
+    except Exception as error:  # every error must be reported to Blender
         faults = [each for each in getattr(error, "diagnostics", ()) if each.severity == "error"]
         first = (faults or [error])[0]
         place = ":".join(str(part) for part in (getattr(first, "file", None), getattr(first, "line", None),
                                                 getattr(first, "column", None)) if part)
-        if place.startswith("-D "):  # what was set is in no file
+        if place.startswith("-D "):  # overrides have no file
             place = ""
         sentence = getattr(first, "message", None) or str(error) or type(error).__name__
         hint = getattr(first, "hint", None)
         say(error=(f"{place}: " if place else "") + sentence + (f" ({hint})" if hint else ""))
     sys.stdout.flush()
-    os._exit(0)  # the thread that waits for input holds it
+    os._exit(0)  # the thread that waits for input does not end
 
 
 main()
