@@ -1,5 +1,5 @@
-# One line for each dependency, nowhere else. Read by this project, where all are required, and by
-# the installed VugConfig.cmake, which only asks for what the libraries need.
+# All dependencies, one per line. This file is used by this project, which requires all of them, and by
+# the installed VugConfig.cmake, which requires only those of the libraries.
 if(CMAKE_FIND_PACKAGE_NAME)
   include(CMakeFindDependencyMacro)
   macro(vug_needs)
@@ -22,7 +22,7 @@ vug_needs(nlohmann_json CONFIG)
 vug_needs(TinyGLTF CONFIG)
 vug_needs(meshoptimizer CONFIG)
 vug_needs(OpenImageIO CONFIG)
-# Debian's target names include folders of OpenCV, which its headers do not need.
+# Debian's target contains include folders of OpenCV, which its headers do not need.
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
   INTERFACE_INCLUDE_DIRECTORIES ${OpenImageIO_INCLUDE_DIR})
 vug_needs(embree 3 CONFIG)
@@ -30,9 +30,9 @@ vug_needs(boost_context CONFIG)
 vug_needs(PkgConfig)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 pkg_check_modules(log4cplus REQUIRED IMPORTED_TARGET log4cplus)
-# Debian's CMake package of it names folders that are not there.
+# Debian's CMake package of OpenColorIO refers to missing folders.
 pkg_check_modules(OpenColorIO REQUIRED IMPORTED_TARGET OpenColorIO>=2.1)
-# Debian ships OpenVDB's find module beside its libraries.
+# Debian installs OpenVDB's find module next to its libraries.
 list(APPEND CMAKE_MODULE_PATH /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenVDB)
 set(CMAKE_FIND_PACKAGE_QUIET_BOOST TRUE)
 vug_needs(OpenVDB)

@@ -1,4 +1,4 @@
-# Image tests of a project that uses an installed Vug: pictures that shall stay as they are.
+# Image tests for a project that uses an installed Vug: pictures are compared with references.
 #
 #   find_package(Vug REQUIRED)
 #   enable_testing()
@@ -6,22 +6,22 @@
 #   vug_add_image_test(hall SCENE hall.vug REFERENCE hall.exr RENDER --size 64x36 --spp 64)
 #
 # vug_add_image_test(NAME FOLDER folder [OUTPUT folder] [ARGS options of `vug test`...])
-#   One test that runs all cases of the folder, each a folder with a case.json.
+#   Adds one test that runs all cases of the folder. A case is a folder with a case.json.
 # vug_add_image_test(NAME SCENE file REFERENCE file [RENDER options of `vug render`...]
 #                    [LIMITS measure=value...] [LAYERS names...] [MASK file] [ALARM rate]
 #                    [OUTPUT folder] [ARGS ...])
-#   One case without a folder of its own.
+#   Adds one case without a case folder.
 #
-# Either way the reports of what failed are in OUTPUT, by default image_tests/NAME in the folder of
-# the build, with index.html and junit.xml. The target update_NAME takes the pictures as they are
-# now for the references; the reason stands in the environment: VUG_REASON="..." cmake --build
-# build --target update_NAME. The program is Vug_EXECUTABLE.
+# The reports of failed cases, index.html and junit.xml are written to OUTPUT, by default
+# image_tests/NAME in the build folder. The target update_NAME replaces the references by the current
+# pictures, with the reason given in the environment: VUG_REASON="..." cmake --build build --target
+# update_NAME. The program is Vug_EXECUTABLE.
 
 function(vug_add_image_test name)
   cmake_parse_arguments(ARG "" "FOLDER;SCENE;REFERENCE;MASK;ALARM;OUTPUT" "RENDER;LIMITS;LAYERS;ARGS"
     ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS OR ARG_KEYWORDS_MISSING_VALUES)
-    message(FATAL_ERROR "vug_add_image_test(${name}): cannot use "
+    message(FATAL_ERROR "vug_add_image_test(${name}): invalid arguments "
       "'${ARG_UNPARSED_ARGUMENTS}${ARG_KEYWORDS_MISSING_VALUES}'")
   endif()
   if(NOT ARG_OUTPUT)
@@ -31,7 +31,7 @@ function(vug_add_image_test name)
     vug_write_image_case(${CMAKE_CURRENT_BINARY_DIR}/image_cases/${name})
     set(ARG_FOLDER ${CMAKE_CURRENT_BINARY_DIR}/image_cases/${name})
   elseif(NOT ARG_FOLDER OR ARG_SCENE OR ARG_REFERENCE)
-    message(FATAL_ERROR "vug_add_image_test(${name}): give FOLDER, or SCENE and REFERENCE")
+    message(FATAL_ERROR "vug_add_image_test(${name}): pass either FOLDER, or SCENE and REFERENCE")
   endif()
   cmake_path(ABSOLUTE_PATH ARG_FOLDER BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
   set(command ${Vug_EXECUTABLE} test ${ARG_FOLDER} ${ARG_ARGS})
@@ -39,7 +39,7 @@ function(vug_add_image_test name)
   add_custom_target(update_${name} COMMAND ${command} --update VERBATIM USES_TERMINAL)
 endfunction()
 
-# Writes the case.json of vug_add_image_test(SCENE ...), whose arguments are in ARG_*.
+# Writes the case.json for vug_add_image_test(SCENE ...), from the variables ARG_*.
 function(vug_write_image_case folder)
   foreach(file SCENE REFERENCE MASK)
     if(ARG_${file})

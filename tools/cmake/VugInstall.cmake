@@ -1,5 +1,4 @@
-# What `cmake --install` copies, and the CMake package others find: Vug::field and so on for one
-# module, Vug::Vug for all of them.
+# Installation and the CMake package: targets Vug::field etc. for single modules, Vug::Vug for all.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

@@ -1,7 +1,7 @@
 # vug_module(NAME [FOLDERS folders...] [DEPENDS modules...] [PUBLIC libs...] [PRIVATE libs...]
 #            [OPTIONS of the compiler...] [HEADERS to precompile...])
-# A module is lib/vug/NAME; every .cpp at its top and in FOLDERS is compiled. Folders of kinds below it are
-# added by vug_kinds, which is the one place where a kind's name is listed.
+# A module is the folder lib/vug/NAME. All .cpp files at its top level and in FOLDERS are compiled. Folders
+# of kinds are added by vug_kinds, which contains the only list of kinds.
 function(vug_module name)
   cmake_parse_arguments(ARG "" "" "FOLDERS;DEPENDS;PUBLIC;PRIVATE;OPTIONS;HEADERS" ${ARGN})
   list(TRANSFORM ARG_FOLDERS APPEND /*.cpp)
@@ -23,8 +23,8 @@ function(vug_module name)
 endfunction()
 
 # vug_kinds(MODULE FOLDER names...)
-# Compiles FOLDER/NAME.cpp for each kind and writes <vug/MODULE/FOLDER_kinds.inc>, one
-# VUG_KIND(NAME) line for each, from which the module's registry is made. No second list.
+# Compiles FOLDER/NAME.cpp for each kind and writes <vug/MODULE/FOLDER_kinds.inc> with one line
+# VUG_KIND(NAME) per kind, from which the module's registry is generated.
 function(vug_kinds module folder)
   set(lines "")
   foreach(kind ${ARGN})

@@ -1,4 +1,4 @@
-# Build options and the compile contract every target shares.
+# Build options and the compile flags shared by all targets.
 option(VUG_TESTS "Build the tests" ON)
 option(VUG_BENCH "Build the benchmarks" OFF)
 option(VUG_FUZZ "Build the libFuzzer targets (needs clang)" OFF)
@@ -11,32 +11,32 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 find_program(VUG_CCACHE ccache)
 if(VUG_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # It looks into precompiled headers only when it is told to.
+  # ccache supports precompiled headers only with these settings.
   set(CMAKE_CXX_COMPILER_LAUNCHER
     ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_PCH_EXTSUM=1 ${VUG_CCACHE})
 endif()
 
 add_library(vug_contract INTERFACE)
 target_compile_features(vug_contract INTERFACE cxx_std_20)
-# x86-64-v3 (AVX2, 2013 and later) is the baseline; contraction into FMA stays off so that
-# every such machine computes the same bits (docs/explanation/decisions/0002-deterministic-arithmetic.md).
+# The baseline is x86-64-v3 (AVX2, processors since 2013). Contraction into FMA is disabled so that all
+# machines compute identical results (docs/explanation/decisions/0002-deterministic-arithmetic.md).
 target_compile_options(vug_contract INTERFACE -march=x86-64-v3 -ffp-contract=off)
 target_include_directories(vug_contract INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/lib> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/lib>
   $<INSTALL_INTERFACE:include>)
 
-# Warnings bind our own code only, not a consumer's: linked PRIVATE by every target here.
+# Warnings for our own code, not for consumers: linked PRIVATE by all targets of this project.
 add_library(vug_strict INTERFACE)
 target_compile_options(vug_strict INTERFACE -Wall -Wextra -Wshadow -Wconversion
   $<$<BOOL:${VUG_WERROR}>:-Werror>)
 target_compile_options(vug_strict INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)  # for ccache
-# What calls the libraries and does no work of its own is linked with this: it need not be fast, and
-# compiles in two thirds of the time. At -O1 g++ 12 sees ends of std::string that are none.
+# For code that calls the libraries and need not be fast itself: reduces its compile time by one third.
+# g++ 12 emits false warnings about std::string at -O1.
 add_library(vug_light INTERFACE)
 target_compile_options(vug_light INTERFACE $<$<CONFIG:Release>:-O1>
   "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-restrict>")
-# The sources we compile are instrumented, the linked system libraries are not: what those report
-# by mistake is listed in tests/sanitizers.
+# Our sources are instrumented, system libraries are not; false reports due to the latter are suppressed
+# in tests/sanitizers.
 if(VUG_SANITIZE)
   target_compile_options(vug_strict INTERFACE -fsanitize=${VUG_SANITIZE} -fno-omit-frame-pointer
     -fno-sanitize-recover=all)
@@ -46,7 +46,7 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 if(VUG_FUZZ)
-  # Counters of covered code, by which the fuzzer steers.
+  # Coverage counters that guide the fuzzer.
   target_compile_options(vug_strict INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 if(VUG_TIDY)

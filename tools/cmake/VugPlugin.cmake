@@ -1,10 +1,10 @@
-# Plugins of a project that uses an installed Vug (docs/guides/plugins.md).
+# Plugins for projects that use an installed Vug (docs/guides/plugins.md).
 #
 #   find_package(Vug REQUIRED)
 #   vug_add_plugin(hello hello.cpp ...)
 #
-# makes hello.so. Nothing of it is seen but the two functions through which it is entered: its
-# copies of the library and the program's do not meet.
+# builds hello.so, which exports only its two entry functions: its copy of the library does not conflict
+# with that of the program.
 function(vug_add_plugin name)
   add_library(${name} MODULE ${ARGN})
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX .so CXX_VISIBILITY_PRESET hidden

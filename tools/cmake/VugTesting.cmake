@@ -1,4 +1,4 @@
-# What tests are made of: vug_test, vug_fuzz and vug_bench.
+# Functions that define tests: vug_test, vug_fuzz and vug_bench.
 include(GoogleTest)
 
 # vug_test(NAME SOURCES... LINK modules... [LABEL label]): one executable of unit tests, mirroring
@@ -16,7 +16,7 @@ endfunction()
 
 # vug_fuzz(NAME SOURCES... LINK modules...): a fuzz target, i.e. sources with
 # LLVMFuzzerTestOneInput. With VUG_FUZZ it is linked with libFuzzer (clang); with VUG_TESTS a test
-# replays tests/fuzz/corpus/NAME through it, under whatever compiler and sanitizer is on.
+# replays tests/fuzz/corpus/NAME, with any compiler and sanitizer.
 function(vug_fuzz name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   list(TRANSFORM ARG_LINK PREPEND vug_)
@@ -35,7 +35,7 @@ function(vug_fuzz name)
   endif()
 endfunction()
 
-# vug_bench(NAME SOURCES... LINK modules...): Google Benchmark; nothing asserts a time.
+# vug_bench(NAME SOURCES... LINK modules...): a program with Google Benchmark; times are not asserted.
 function(vug_bench name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   list(TRANSFORM ARG_LINK PREPEND vug_)
