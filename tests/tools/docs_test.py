@@ -78,7 +78,7 @@ class SourcesTest(unittest.TestCase):
         rows = re.findall(r"^\| ([^|]+) \| ([^|]+) \| ([^|]+) \|$", (ROOT / "docs/glossary.md").read_text(), re.M)[1:]
         self.assertGreater(len(rows), 50)
         for terms, _, _ in rows:
-            for term in terms.lower().split(", "):
+            for term in re.sub(r" \(.*?\)", "", terms.lower()).split(", "):
                 self.assertRegex(text, rf"\b{re.escape(term.strip())}(?:s|es)?\b")
 
 
