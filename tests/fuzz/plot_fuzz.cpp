@@ -36,7 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   try {
     const flora::Plot plot(corners);
     require(plot.area() > 0 && std::isfinite(plot.area()), "a plot has an area");
-    require(plot.dent() < static_cast<int>(corners.size()), "a dent is a corner");
+    require(plot.first_reflex_corner() < static_cast<int>(corners.size()),
+            "a reflex corner is a corner");
     double turned = 0;  // twice the area, from the first corner
     for (size_t i = 0; i < corners.size(); ++i)
       turned += (corners[i] - corners[0]).cross(corners[(i + 1) % corners.size()] - corners[0]);
@@ -49,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       require(p.x >= plot.low().x - reach && p.x <= plot.high().x + reach &&
                   p.y >= plot.low().y - reach && p.y <= plot.high().y + reach,
               "points lie in the box");
-      require(plot.contains(p) || plot.to_border(p) <= reach, "points lie inside");
+      require(plot.contains(p) || plot.border_distance(p) <= reach, "points lie inside");
     }
   } catch (const Error& error) {
     require(error.code() == ErrorCode::bad_input, "errors blame the corners");
