@@ -37,7 +37,7 @@ class Arguments(VugTest):
         self.expect(0, *RENDER)
         diff = ("diff", "a.exr", "a.exr")
         self.refused("no image can meet the limit -1 of rmse", *diff, "--max", "rmse=-1")
-        self.refused("equal pictures have 1", *diff, "--min", "ssim=2")
+        self.refused("equal images have 1", *diff, "--min", "ssim=2")
         self.expect(0, *diff, "--max", "rmse=0", "--max", "albedo.rmse=0", "--min", "psnr=-1")
         self.refused("duplicate limit for rmse\n", *diff, "--max", "rmse=1", "--max", "rmse=2")
         self.refused("duplicate limit for albedo.rmse\n", *diff, "--max", "albedo.rmse=1", "--max", "rmse=2",

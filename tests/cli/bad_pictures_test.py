@@ -38,7 +38,7 @@ class BadPictures(VugTest):
             rows[1][2] = (0.5, bad, 0.5)
             write_pfm(self.folder / "bad.pfm", rows)
             self.textured("bad.pfm")
-            self.refused("'bad.pfm' holds a number that is not finite", "pixel (2, 1)")
+            self.refused("'bad.pfm' contains a number that is not finite", "pixel (2, 1)")
         rows[1][2] = (0.5, 0.5, 0.5)
         write_pfm(self.folder / "bad.pfm", rows)
         self.expect(0, "render", "room.vug", "-o", "room.exr")

@@ -172,13 +172,13 @@ class OfRenders(VugTest):
                  "a.exr", "--ch", "variance.R,variance.G,variance.B,Z", "--siappend"]
         subprocess.run(["oiiotool", *parts, "-o", "parts.exr"], cwd=self.folder, check=True)
         self.expect(0, "diff", "a.exr", "parts.exr", "--layer", "beauty,Z,variance")
-        self.assertIn("noise explains", self.expect(0, "diff", "parts.exr", "b.exr", "--layer", "beauty").out)
+        self.assertIn("within the noise", self.expect(0, "diff", "parts.exr", "b.exr", "--layer", "beauty").out)
 
     def test_crops_and_parts(self):
         common = ("room.vug", "--sample-seed", "1")
         self.expect(0, "render", *common, "-o", "left.exr", "--crop", "0,0,24,32")
         self.expect(0, "render", *common, "-o", "right.exr", "--crop", "24,0,48,32")
-        self.assertIn("from 24, 0 on", self.expect(2, "diff", "left.exr", "right.exr").err)
+        self.assertIn("crop from 24, 0", self.expect(2, "diff", "left.exr", "right.exr").err)
         self.expect(0, "render", *common, "-o", "whole.exr")
         self.expect(0, "render", *common, "-o", "parts.exr", "--multi-part")
         self.assertTrue(self.expect(0, "diff", "whole.exr", "parts.exr").out.endswith("\nidentical\n"))

@@ -72,7 +72,7 @@ TEST(Obj, FaultsNameTheirLine) {
                            {"v 0 0 0\nf -2 1 1\n", 2, "unknown vertex -2"},
                            {"v 0 0 0\nf 1//1 1 1\n", 2, "unknown normal 1"},
                            {"v 0 0 0\nf 1 1\n", 2, "at least 3 corners"},
-                           {"v 0 0 0\nf 1 1 1.5\n", 2, "no whole number"},
+                           {"v 0 0 0\nf 1 1 1.5\n", 2, "not an integer"},
                            {"v 0 0 0\nhello\n", 2, "unknown OBJ statement 'hello'"},
                            {"# nothing\n", 2, "no vertex"},
                        });

@@ -33,9 +33,9 @@ TEST(Stl, FaultsOfTextNameTheirLine) {
   expect_faults(
       "stl", {
                  {"solid\nfacet normal 0 0\n", 3, "missing"},
-                 {"solid\nvertex", 2, "neither facet nor endsolid"},
-                 {text.substr(0, text.find("vertex 1 1")), 6, "ends where 'vertex' should"},
-                 {text + "more", 17, "stands where 'solid' should"},
+                 {"solid\nvertex", 2, "expected 'facet' or 'endsolid'"},
+                 {text.substr(0, text.find("vertex 1 1")), 6, "ends where 'vertex' is expected"},
+                 {text + "more", 17, "expected 'solid'"},
                  {"solid\nfacet normal 0 0 1 outer loop\nvertex 0 0 1e60\n", 3, "single precision"},
              });
 }

@@ -126,7 +126,7 @@ TEST(PlyCloud, InvalidFilesAreRejected) {
               HasSubstr("have no x, y or z"));
   const std::string xyz = "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
   EXPECT_THAT(fault_of(head + "0" + xyz).what(), HasSubstr("empty"));
-  EXPECT_THAT(fault_of(head + "2" + xyz + "1 2 3 4\n").what(), HasSubstr("cannot be in"));
+  EXPECT_THAT(fault_of(head + "2" + xyz + "1 2 3 4\n").what(), HasSubstr("do not fit into"));
   const Error word = fault_of(head + "2" + xyz + "1 2 3\n4 five 6\n");
   EXPECT_THAT(word.what(), HasSubstr("'five' is not a number"));
   EXPECT_EQ(word.where().line, 9);
