@@ -28,17 +28,19 @@ void describe_leaf(Schema<P>& s) {
     return ParamSpec{.doc = std::move(doc), .dimension = Dimension::angle, .min = -kPi, .max = kPi};
   };
   s.param("length", &LeafParams::length, positive_length("from its base to its tip"))
-      .param("width", &LeafParams::width, positive_length("where it is widest, laid flat"))
+      .param("width", &LeafParams::width, positive_length("at the widest point, laid flat"))
       .param("widest", &LeafParams::widest,
-             {.doc = "share of the length where that is", .min = 0.05, .max = 0.95})
+             {.doc = "share of the length at which it is widest", .min = 0.05, .max = 0.95})
       .param("tip", &LeafParams::tip,
-             {.doc = "the larger, the longer and finer it tapers", .min = 0.1, .max = 10})
-      .param("bend", &LeafParams::bend, angle("that the tip points further down than the base"))
-      .param("fold", &LeafParams::fold, angle("that each half stands up from the flat"))
+             {.doc = "taper of the tip; larger values make it longer and finer",
+              .min = 0.1,
+              .max = 10})
+      .param("bend", &LeafParams::bend, angle("by which the tip points further down than the base"))
+      .param("fold", &LeafParams::fold, angle("by which each half rises from the flat"))
       .param("twist", &LeafParams::twist, angle("about the midrib, from base to tip"))
-      .param("rows", &LeafParams::rows, {.doc = "pieces along it", .min = 2, .max = 1000})
+      .param("rows", &LeafParams::rows, {.doc = "segments along its length", .min = 2, .max = 1000})
       .param("card", &LeafParams::card,
-             {.doc = "a strip, whose outline the opacity leaf_blade() cuts out"});
+             {.doc = "a plain strip; the opacity leaf_blade() cuts out its outline"});
 }
 
 }  // namespace vug::flora
