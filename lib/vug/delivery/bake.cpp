@@ -14,7 +14,7 @@ namespace {
 /// Smaller variations are treated as constant.
 constexpr double kSame = 1.0 / 1024;
 
-double part_of(const exchange::Channel& channel, const exchange::Look& look, int part) {
+double component_of(const exchange::Channel& channel, const exchange::Look& look, int part) {
   return channel.color ? (look.*channel.color)[part] : look.*channel.number;
 }
 
@@ -38,7 +38,7 @@ bool may_vary(const render::Object& object, const exchange::Channel& channel, bo
 }
 
 /// Bakes the mesh without cutting it. `solid`: the opacity is 1 everywhere.
-BakeResult bake_as_it_is(const render::Object& object, bool solid) {
+BakeResult bake_uncut(const render::Object& object, bool solid) {
   const MaterialProbe probe(object);
   mesh::Mesh out = *object.mesh;
   const size_t vertices = out.positions.size();
@@ -64,7 +64,7 @@ BakeResult bake_as_it_is(const render::Object& object, bool solid) {
         for (size_t c = 0; c < found.size(); ++c)
           for (int k = 0; k < found[c].arity && !found[c].values.empty(); ++k)
             found[c].values[v * static_cast<size_t>(found[c].arity) + static_cast<size_t>(k)] =
-                static_cast<float>(part_of(exchange::channels()[c], look, k));
+                static_cast<float>(component_of(exchange::channels()[c], look, k));
       },
       256);
   for (size_t c = 0; c < found.size(); ++c) {
@@ -105,10 +105,10 @@ BakeResult bake_as_it_is(const render::Object& object, bool solid) {
 
 BakeResult bake(const render::Object& object) {
   std::optional<mesh::Mesh> kept = cutout_mesh(object);
-  if (!kept) return bake_as_it_is(object, false);
+  if (!kept) return bake_uncut(object, false);
   render::Object cut = object;
   cut.mesh = std::make_shared<const mesh::Mesh>(std::move(*kept));
-  return bake_as_it_is(cut, true);
+  return bake_uncut(cut, true);
 }
 
 }  // namespace vug::delivery

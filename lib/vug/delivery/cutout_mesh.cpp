@@ -23,7 +23,7 @@ constexpr double kSoftShare = 0.05;
 /// Bisection steps for the crossing of an outline with an edge: a thousandth of its length.
 constexpr int kHalvings = 10;
 
-mesh::Mesh fine(const mesh::Mesh& mesh) {
+mesh::Mesh refined_mesh(const mesh::Mesh& mesh) {
   mesh::Mesh out = mesh;
   if (out.normals.empty()) out.normals = mesh::vertex_normals(out);
   if (static_cast<double>(out.triangles.size()) >= kTriangles) return out;
@@ -53,7 +53,7 @@ Opacities sampled(const MaterialProbe& probe, size_t triangles) {
 }
 
 /// Whether there are holes and the opacity is nearly binary.
-bool cuts(const Opacities& opacities) {
+bool is_binary_cutout(const Opacities& opacities) {
   size_t soft = 0, holes = 0;
   for (const auto& places : opacities)
     for (const double o : places) {
@@ -120,10 +120,10 @@ class Cutter {
 std::optional<mesh::Mesh> cutout_mesh(const render::Object& object) {
   if (!object.material || !object.material->cut_out() || object.mesh->triangles.empty()) return {};
   render::Object finer = object;
-  finer.mesh = std::make_shared<const mesh::Mesh>(fine(*object.mesh));
+  finer.mesh = std::make_shared<const mesh::Mesh>(refined_mesh(*object.mesh));
   const MaterialProbe probe(finer);
   const Opacities opacities = sampled(probe, finer.mesh->triangles.size());
-  if (!cuts(opacities)) return {};
+  if (!is_binary_cutout(opacities)) return {};
   return Cutter(*finer.mesh, probe, opacities).take();
 }
 

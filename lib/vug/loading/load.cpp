@@ -35,18 +35,18 @@ std::vector<std::string> declaration_words() {
 void check_target(const scene::Declaration& declaration, const DeclarationKind& kind,
                   Diagnostics& diagnostics) {
   if (!declaration.target) return;
-  if (!kind.stands_on.empty()) {
-    if (!declaration.more_targets.empty() && !kind.on_several)
+  if (!kind.target_type.empty()) {
+    if (!declaration.more_targets.empty() && !kind.several_targets)
       diagnostics.error(
           declaration.more_targets[0]->where,
-          fmt::format("'{}' takes a single {} after 'on'", declaration.kind, kind.stands_on),
+          fmt::format("'{}' takes a single {} after 'on'", declaration.kind, kind.target_type),
           "several are allowed for: cells");
     return;
   }
   std::vector<std::string> standing;
   for (const DeclarationKind* each : declaration_kinds())
-    if (!each->stands_on.empty())
-      standing.push_back(fmt::format("{} (on a {})", each->info.name, each->stands_on));
+    if (!each->target_type.empty())
+      standing.push_back(fmt::format("{} (on a {})", each->info.name, each->target_type));
   diagnostics.error(
       declaration.on_where, fmt::format("'{}' does not take 'on'", declaration.kind),
       fmt::format("remove 'on'; declarations with 'on': {}", fmt::join(standing, ", ")));

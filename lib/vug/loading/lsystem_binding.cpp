@@ -58,7 +58,7 @@ std::optional<shot::LSystemBlock> block_of(const scene::Grammar& grammar, ReadCo
 bool check_queries(const scene::LSystem& text, bool has_field, Diagnostics& diagnostics) {
   std::vector<std::string> known;
   for (const lsystem::TurtleQuery& query : lsystem::turtle_queries()) known.push_back(query.name);
-  bool sound = true, told = false;
+  bool sound = true, warned = false;
   const auto check = [&](const auto& modules) {
     for (const auto& module : modules) {
       if (!lsystem::System::is_query(module.name)) continue;
@@ -66,7 +66,7 @@ bool check_queries(const scene::LSystem& text, bool has_field, Diagnostics& diag
         diagnostics.error(module.where, fmt::format("unknown query '{}'", module.name),
                           fmt::format("known queries: {}", fmt::join(known, ", ")));
         sound = false;
-      } else if (module.name == "?D" && !has_field && !std::exchange(told, true)) {
+      } else if (module.name == "?D" && !has_field && !std::exchange(warned, true)) {
         diagnostics.warning(module.where,
                             "'?D' queries the distance to the 'field', but the block has none: the "
                             "result is 1e6 m everywhere",

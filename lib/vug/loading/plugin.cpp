@@ -55,8 +55,8 @@ void load_plugin(const std::filesystem::path& file) {
   if (loaded.count(whole)) return;
   void* const library = dlopen(whole.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library) {
-    const char* const told = dlerror();
-    throw unusable(file, fmt::format("cannot be loaded: {}", told ? told : "unknown reason"));
+    const char* const message = dlerror();
+    throw unusable(file, fmt::format("cannot be loaded: {}", message ? message : "unknown reason"));
   }
   const auto interface = entry<const char* (*)()>(library, "vug_plugin_interface");
   const auto give = entry<void (*)(PluginKinds&)>(library, "vug_plugin_kinds");

@@ -157,18 +157,18 @@ Value read_kind_block(const KindRegistry& registry, const std::string& fallback,
         [&](const RegisteredKind& kind) { return has_choice(*kind.info, key, word); });
   };
   Arguments arguments = block_arguments(declaration, is_choice, context);
-  bool told = false;
+  bool has_kind = false;
   for (size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i].name != "kind") continue;
     if (arguments[i].value.empty()) return Value();
-    told = true;
+    has_kind = true;
     const auto* given = arguments[i].value.get<Value::Name>();
     where = arguments[i].where;
     name = given ? given->text : to_string(arguments[i].value);
     arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i));
     break;
   }
-  if (!told && declaration.incomplete && context.document.skipped.may_mention("kind"))
+  if (!has_kind && declaration.incomplete && context.document.skipped.may_mention("kind"))
     return Value();  // it may be one of the lost entries
   if (name.empty() && declaration.incomplete) return Value();
   if (name.empty()) {

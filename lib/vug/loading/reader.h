@@ -23,8 +23,8 @@ struct ReadContext {
 struct DeclarationKind {
   KindInfo info;
   std::function<Value(const scene::Declaration&, ReadContext&)> read;
-  std::string stands_on = {};  ///< Type after `on`: "volume", "mesh"; empty: no `on`.
-  bool on_several = false;     ///< Whether `on` takes several, separated by commas.
+  std::string target_type = {};  ///< Type after `on`: "volume", "mesh"; empty: no `on`.
+  bool several_targets = false;  ///< Whether `on` takes several, separated by commas.
 };
 
 const std::vector<const DeclarationKind*>& declaration_kinds();
@@ -110,8 +110,8 @@ std::vector<T> read_targets(const scene::Declaration& declaration, ReadContext& 
     }
     const SourceLocation& where = declaration.target_at(i).where;
     Diagnostics own;
-    own.error(where, "'" + declaration.kind + "' stands on a " + ValueTraits<T>::type() + ", not " +
-                         value.type_name());
+    own.error(where, "'" + declaration.kind + "' expects a " + ValueTraits<T>::type() +
+                         " after 'on', not " + value.type_name());
     context.evaluator.report(own, {{"on", value, where}});
   }
   return all.size() == count ? all : std::vector<T>();

@@ -67,8 +67,8 @@ bool is_declared(const std::string& name, const scene::Document& document) {
 }
 
 /// Warns about portals in scenes without a sky that needs them.
-void warn_of_dark_portals(const shot::Shot& shot, const scene::Document& document,
-                          Diagnostics& diagnostics) {
+void warn_about_dark_portals(const shot::Shot& shot, const scene::Document& document,
+                             Diagnostics& diagnostics) {
   const auto shines_through = [](const auto& named) {
     const render::Light& light = *named.second;
     return light.is_infinite() && !light.is_portal() && !light.sampled_with_portals();
@@ -138,7 +138,7 @@ void validate(const shot::Shot& shot, const scene::Document& document, Diagnosti
               fmt::format("the light is linked to '{}', but no shown object has that name", linked),
               link_hint(shot, linked));
   if (!whole) return;
-  warn_of_dark_portals(shot, document, diagnostics);
+  warn_about_dark_portals(shot, document, diagnostics);
   for (const shot::RenderPlan& plan : shot.renders) try {
       require_valid(shot, plan);
     } catch (const Error& error) {

@@ -9,12 +9,12 @@ namespace vug::picture {
 namespace {
 namespace fs = std::filesystem;
 
-bool whole(const render::RenderSlice& slice) {
+bool is_whole_picture(const render::RenderSlice& slice) {
   return slice.bands == 1 && slice.band == 0 && slice.begin == 0 && slice.end == 0;
 }
 
-void require_fit(const RenderOptions& options) {
-  if (!whole(options.slice) && options.part.empty())
+void require_consistent(const RenderOptions& options) {
+  if (!is_whole_picture(options.slice) && options.part.empty())
     throw Error(ErrorCode::bad_input, "a partial render needs a file of its own", {},
                 "name the file with --part, and combine all parts with vug merge");
   if (options.resume && options.checkpoint.empty())
@@ -64,7 +64,7 @@ render::RenderState initial_state(const PictureJob& job, const RenderOptions& op
 }  // namespace
 
 RenderResult render_picture(building::Builder& builder, const RenderOptions& options) {
-  require_fit(options);
+  require_consistent(options);
   const bool kept =
       !options.part.empty() || !options.checkpoint.empty() || !options.preview.empty();
   PictureJob job = prepare_picture(builder, options.picture, kept);

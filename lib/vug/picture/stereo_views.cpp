@@ -31,7 +31,7 @@ std::vector<PictureView> picture_views(const std::vector<RenderResult>& rendered
   return views;
 }
 
-void warn_of_exposure(const building::Builder& builder, const RenderResult& picture) {
+void warn_about_exposure(const building::Builder& builder, const RenderResult& picture) {
   constexpr double kOff = 5;  // stops
   const OutputSettings settings = from_header_attributes(picture.header.notes);
   const double exposure = settings.exposure;

@@ -16,6 +16,6 @@ std::vector<PictureView> picture_views(const std::vector<RenderResult>& rendered
 
 /// Warns about a picture that is nearly black or white at its exposure, as the first picture of a
 /// scene often is.
-void warn_of_exposure(const building::Builder& builder, const RenderResult& picture);
+void warn_about_exposure(const building::Builder& builder, const RenderResult& picture);
 
 }  // namespace vug::picture

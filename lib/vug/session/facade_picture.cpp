@@ -67,7 +67,7 @@ std::optional<image::Image> to_rgb(const std::filesystem::path& file, const imag
 
 /// Computes each pixel from its value and the values of its 3x3 neighbourhood, in no order.
 template <class Of>
-image::Image from_nine(const image::Image& depth, const Of& of) {
+image::Image filter_3x3(const image::Image& depth, const Of& of) {
   image::Image out = depth;
   std::array<float, 9> near{};
   for (int y = 0; y < depth.height; ++y)
@@ -84,9 +84,9 @@ image::Image from_nine(const image::Image& depth, const Of& of) {
 
 /// Sharpens depth steps: a mixed pixel takes the closer of the minimum and the maximum of its
 /// neighbourhood (toggle mapping, cite kramer1975).
-image::Image stepped(const image::Image& depth) {
+image::Image sharpen_steps(const image::Image& depth) {
   constexpr float kStep = 0.05F;  // metres; smaller steps are relief or noise
-  return from_nine(depth, [&](float own, auto begin, auto end) {
+  return filter_3x3(depth, [&](float own, auto begin, auto end) {
     if (!std::isfinite(own)) return own;
     float least = own, most = own;
     for (auto at = begin; at != end; ++at)
@@ -97,9 +97,9 @@ image::Image stepped(const image::Image& depth) {
 }
 
 /// 3x3 median filter; holes count as deeper than all other values.
-image::Image smoothed(const image::Image& depth) {
+image::Image median_filter(const image::Image& depth) {
   constexpr float kDeepest = std::numeric_limits<float>::infinity();
-  return from_nine(depth, [&](float, auto begin, auto end) {
+  return filter_3x3(depth, [&](float, auto begin, auto end) {
     for (auto at = begin; at != end; ++at)
       if (!std::isfinite(*at)) *at = kDeepest;
     const auto middle = begin + (end - begin) / 2;
@@ -109,7 +109,8 @@ image::Image smoothed(const image::Image& depth) {
 }
 
 void set_depth(FacadePicture& picture, const image::Image& depth) {
-  picture.depth = smoothed(stepped(fit::downsampled(depth, {picture.width, picture.height})));
+  picture.depth =
+      median_filter(sharpen_steps(fit::downsampled(depth, {picture.width, picture.height})));
   scan::Mask solid(picture.width, picture.height);
   for (size_t i = 0; i < solid.on.size(); ++i)
     solid.on[i] = std::isfinite(picture.depth->pixels[i]);
@@ -131,7 +132,7 @@ bool of_one_colour(const image::Image& picture) {
 }
 
 /// The width in metres from the file's header; 0 if unknown.
-double told_width(const image::FileInfo& info) {
+double width_from_header(const image::FileInfo& info) {
   return scan::pixel_from_metadata(info.metadata) * info.width;
 }
 
@@ -157,7 +158,7 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
   } else {
     const image::FileInfo beside = image::read_info(options.depth);
     const image::Image other = fit::read_with_limit(options.depth, beside, options.max_memory);
-    out.metres_wide = told_width(beside);
+    out.metres_wide = width_from_header(beside);
     const double shape =
         static_cast<double>(other.width) / other.height * whole.height / whole.width;
     if (std::abs(shape - 1) > 0.02 || other.width < out.width || other.height < out.height)
@@ -173,7 +174,7 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
     set_depth(out, *depth);
   else if (of_one_colour(*out.colours))
     refuse(photo, "has only one colour", "windows cannot be distinguished from walls");
-  if (out.metres_wide == 0) out.metres_wide = told_width(info);
+  if (out.metres_wide == 0) out.metres_wide = width_from_header(info);
   return out;
 }
 

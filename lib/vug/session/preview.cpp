@@ -108,7 +108,7 @@ Json picture(const std::filesystem::path& file, const std::string& note) {
   if (!*type)
     throw Error(ErrorCode::bad_input,
                 fmt::format("'{}' is neither a PNG nor a JPEG", file.string()), {},
-                "vug render writes a PNG beside its .exr");
+                "vug render writes a PNG next to its .exr");
   return {{"type", type}, {"data", base64(bytes)}, {"note", note}};
 }
 

@@ -249,10 +249,10 @@ TEST(ExportSet, CloudsOfFilesAndHazeAreReported) {
   ASSERT_TRUE(haze.usable()) << haze.report();
   const shot::Shot other = with_meshes(haze.shot);
   building::Builder again(other);
-  const std::vector<std::string> told = export_set(again, folder, options).unsupported;
-  EXPECT_NE(
-      std::find(told.begin(), told.end(), "the haze 'air', which fills all space and has no grid"),
-      told.end());
+  const std::vector<std::string> reported = export_set(again, folder, options).unsupported;
+  EXPECT_NE(std::find(reported.begin(), reported.end(),
+                      "the haze 'air', which fills all space and has no grid"),
+            reported.end());
   std::filesystem::remove_all(folder);
 }
 

@@ -133,7 +133,7 @@ TEST(GrovePlaces, DiametersChooseTheModelAndItsSize) {
 }
 
 /// The warnings while the instances are computed.
-std::string told(const std::string& grove) {
+std::string warnings(const std::string& grove) {
   const Loaded scene =
       load_text(std::string(kThings) + "place p { of thin  at grove(" + grove + ") }\n", "t.vug");
   EXPECT_TRUE(scene.usable()) << scene.report();
@@ -152,7 +152,7 @@ std::string told(const std::string& grove) {
 TEST(GrovePlaces, ReasonsForNoInstances) {
   const std::string square = "polygon: [(30, 30), (39, 30), (39, 39), (30, 39)], count: 20";
   const auto hint = [&](const std::string& more) {
-    const std::string said = told(square + more);
+    const std::string said = warnings(square + more);
     EXPECT_NE(said.find("t.vug:10:7: warning: 'p' has no instances"), std::string::npos) << said;
     return said.substr(std::min(said.find("hint: "), said.size()));
   };
@@ -164,11 +164,11 @@ TEST(GrovePlaces, ReasonsForNoInstances) {
   EXPECT_EQ(hint(", on: half_space(normal: (0, 0.1, 1)), from: 900m, spacing: 50m"),
             "hint: of its points, 19 closer than 'spacing' to another, 1 on ground steeper than "
             "'steepest'\n");
-  EXPECT_EQ(told(square), "");
+  EXPECT_EQ(warnings(square), "");
 }
 
 TEST(GrovePlaces, TooManyAreReportedWithTheirLocation) {
-  const std::string said = told("polygon: [(0, 0), (9, 0), (9, 9)], density: 1e12");
+  const std::string said = warnings("polygon: [(0, 0), (9, 0), (9, 9)], density: 1e12");
   EXPECT_NE(said.find("t.vug:10:7: error: "), std::string::npos) << said;
   EXPECT_NE(said.find("exceed the limit of"), std::string::npos) << said;
 }

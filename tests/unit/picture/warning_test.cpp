@@ -8,7 +8,7 @@ namespace vug::picture {
 namespace {
 
 /// All messages of loading the scene and rendering a small picture.
-std::string told(const std::string& text) {
+std::string messages(const std::string& text) {
   const loading::Loaded loaded = loading::load_text(text, "t.vug");
   std::string out = loaded.report();
   if (!loaded.usable()) return out;
@@ -36,31 +36,31 @@ const std::string kRoom =
     "volume rock = level_set(box(size: (6, 6, 6)) - sphere(2m), voxel: 20cm)\n";
 
 TEST(Warning, ACameraInsideRock) {
-  const std::string report = told(kRoom + "camera main { eye (2.5, 0, 0) }\n");
+  const std::string report = messages(kRoom + "camera main { eye (2.5, 0, 0) }\n");
   EXPECT_EQ(report,
             "t.vug:2:8: warning: the camera is inside the solid of 'rock'\n"
             "camera main { eye (2.5, 0, 0) }\n"
             "       ^\n"
             "hint: move its eye out of the solid\n");
-  EXPECT_EQ(told(kRoom + "camera main { eye (1, 0, 0) }\n"), "");
-  EXPECT_EQ(told(kRoom + "camera main { eye (9, 0, 0) }\n"), "");
-  EXPECT_EQ(told(kRoom), "") << "the camera that looks from outside";
+  EXPECT_EQ(messages(kRoom + "camera main { eye (1, 0, 0) }\n"), "");
+  EXPECT_EQ(messages(kRoom + "camera main { eye (9, 0, 0) }\n"), "");
+  EXPECT_EQ(messages(kRoom), "") << "the camera that looks from outside";
 }
 
 TEST(Warning, OnlyTheCameraAndTheObjectsOfThePictureCount) {
   const std::string cameras = "camera out { eye (9, 0, 0) }\ncamera inside { eye (2.5, 0, 0) }\n";
-  EXPECT_EQ(told(kRoom + cameras), "");
-  EXPECT_EQ(lines(told(kRoom + cameras + "render main { camera inside }\n"), "t.vug:"),
+  EXPECT_EQ(messages(kRoom + cameras), "");
+  EXPECT_EQ(lines(messages(kRoom + cameras + "render main { camera inside }\n"), "t.vug:"),
             "t.vug:3:8: warning: the camera is inside the solid of 'rock'\n");
   const std::string shown =
       "volume ball = level_set(sphere(1m), voxel: 20cm)\n"
       "mesh wall on ball {}\nobject all on wall {}\n";
-  EXPECT_EQ(told(kRoom + shown + "camera inside { eye (2.5, 0, 0) }\n"), "");
+  EXPECT_EQ(messages(kRoom + shown + "camera inside { eye (2.5, 0, 0) }\n"), "");
 }
 
 TEST(Warning, AnEmptyGrid) {
   const auto hint = [](const std::string& volume) {
-    const std::string report = told("volume rock = " + volume + "\n");
+    const std::string report = messages("volume rock = " + volume + "\n");
     EXPECT_EQ(lines(report, "t.vug:"), "t.vug:1:8: warning: the volume 'rock' is empty\n");
     return lines(report, "hint: ");
   };
@@ -79,12 +79,12 @@ TEST(Warning, AGrammarThatProducesNothing) {
            "\n  Room if N > 0 -> + sphere(1m)\n}\n" +
            "volume rock = level_set(box() + cave, voxel: 20cm)\n";
   };
-  EXPECT_EQ(lines(told(grammar("Room*N")), "t.vug:"),
+  EXPECT_EQ(lines(messages(grammar("Room*N")), "t.vug:"),
             "t.vug:2:9: warning: the grammar 'cave' produces nothing\n");
-  EXPECT_EQ(lines(told(grammar("Room")), "t.vug:"),
+  EXPECT_EQ(lines(messages(grammar("Room")), "t.vug:"),
             "t.vug:2:9: warning: 'Room' at cave/Room[0] was never expanded to a production\n"
             "t.vug:2:9: warning: the grammar 'cave' produces nothing\n");
-  EXPECT_EQ(told(grammar("+ sphere(1m) Room*N")), "");
+  EXPECT_EQ(messages(grammar("+ sphere(1m) Room*N")), "");
 }
 
 }  // namespace

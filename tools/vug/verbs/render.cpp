@@ -124,7 +124,7 @@ void render_one(const Options& options, building::Builder& builder) {
   if (views.empty()) {
     fmt::print("{}\n", options.part);
   } else {
-    picture::warn_of_exposure(builder, rendered.front());
+    picture::warn_about_exposure(builder, rendered.front());
     for (const auto& path : picture::write_picture(options.output, views))
       fmt::print("{}\n", path.string());
   }

@@ -57,7 +57,7 @@ Schema<shot::CellsPlan> schema() {
 }
 
 /// Reports unknown names among the values of `files` and returns false for them.
-bool are_files(const scene::ExprPtr& expr, Diagnostics& diagnostics) {
+bool check_files(const scene::ExprPtr& expr, Diagnostics& diagnostics) {
   const std::vector<std::string>& known = shot::cell_files();
   bool fine = true;
   if (expr->kind == scene::ExprKind::text &&
@@ -67,7 +67,7 @@ bool are_files(const scene::ExprPtr& expr, Diagnostics& diagnostics) {
                       suggestion(expr->text, known));
   }
   for (const scene::Operand& operand : expr->operands)
-    fine &= are_files(operand.value, diagnostics);
+    fine &= check_files(operand.value, diagnostics);
   return fine;
 }
 
@@ -117,7 +117,7 @@ Arguments arguments_of(const scene::Declaration& declaration, ReadContext& conte
     }
     if (each.name == "files")
       for (const scene::ExprPtr& value : declaration.find_entry("files")->values)
-        if (!are_files(value, context.diagnostics)) each.value = Value();
+        if (!check_files(value, context.diagnostics)) each.value = Value();
     arguments.push_back(std::move(each));
   }
   still = context.resolver.frame_uses() == frame_uses;
@@ -144,7 +144,7 @@ std::vector<shot::MeshPtr> supports(const scene::Declaration& declaration, ReadC
 }
 
 /// The supporting meshes with the cell layer.
-std::vector<shot::MeshPtr> worn(const shot::CellsPtr& cells) {
+std::vector<shot::MeshPtr> meshes_with_cells(const shot::CellsPtr& cells) {
   std::vector<shot::MeshPtr> all;
   for (const shot::MeshPtr& bare : cells->on) {
     shot::MeshPlan plan = *bare;
@@ -156,7 +156,7 @@ std::vector<shot::MeshPtr> worn(const shot::CellsPtr& cells) {
   return all;
 }
 
-shot::MeshPtr in_one(const std::string& name, const std::vector<shot::MeshPtr>& parts) {
+shot::MeshPtr combined(const std::string& name, const std::vector<shot::MeshPtr>& parts) {
   if (parts.size() == 1) return parts.front();
   shot::MeshPlan plan;
   plan.name = name;
@@ -187,9 +187,10 @@ const DeclarationKind& cells_declaration() {
           if (each.name == "spacing") plan->spacing_where = each.where;
         plan->resumable = still;
         shot::resolve_attribute_names(*plan, context.diagnostics);
-        const auto made = worn(std::make_shared<const shot::CellsPlan>(std::move(*plan)));
+        const auto made =
+            meshes_with_cells(std::make_shared<const shot::CellsPlan>(std::move(*plan)));
         for (const shot::MeshPtr& mesh : made) context.shot.meshes.push_back(mesh);
-        return Object{"mesh", in_one(declaration.name, made)};
+        return Object{"mesh", combined(declaration.name, made)};
       },
       "mesh", true};
   return kind;

@@ -78,8 +78,8 @@ mesh::Mesh read_file(const std::filesystem::path& file, double scale) {
 }
 
 /// Warns about an empty mesh: an animation of growth may begin with one, but it may be a mistake.
-void warn_of_nothing(const shot::MeshSource& drawn, const scene::Entry& entry,
-                     Diagnostics& diagnostics) {
+void warn_about_empty_mesh(const shot::MeshSource& drawn, const scene::Entry& entry,
+                           Diagnostics& diagnostics) {
   diagnostics.warning(
       entry.values.at(0)->where,
       drawn.polygons ? "the L-system draws no polygons" : "there are no stems: the mesh is empty",
@@ -88,8 +88,8 @@ void warn_of_nothing(const shot::MeshSource& drawn, const scene::Entry& entry,
 }
 
 /// The plan of a mesh from a file or a source; null, with a diagnostic, for invalid entries.
-mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration,
-                    ReadContext& context) {
+mesh::MeshPtr read_source(const Block& block, const scene::Declaration& declaration,
+                          ReadContext& context) {
   const bool drawn = declaration.find_entry("of") != nullptr;
   const scene::Entry& entry = *declaration.find_entry(drawn ? "of" : "file");
   const char* source = drawn ? "of stems" : "from a file";
@@ -108,7 +108,7 @@ mesh::MeshPtr given(const Block& block, const scene::Declaration& declaration,
     const auto made =
         std::make_shared<const mesh::Mesh>(drawn ? shot::mesh_from_source(block.of, block.tolerance)
                                                  : read_file(block.file, block.scale));
-    if (made->triangles.empty()) warn_of_nothing(block.of, entry, context.diagnostics);
+    if (made->triangles.empty()) warn_about_empty_mesh(block.of, entry, context.diagnostics);
     return made;
   } catch (const Error& error) {
     const SourceLocation& there = error.where();
@@ -136,7 +136,7 @@ shot::VolumePtr read_volume(const scene::Declaration& declaration, ReadContext& 
 }
 
 /// Fills plan.elements; false, with a diagnostic, for values that are not facades.
-bool tell_elements(const Block& block, const scene::Declaration& declaration, ReadContext& context,
+bool read_elements(const Block& block, const scene::Declaration& declaration, ReadContext& context,
                    shot::MeshPlan& plan) {
   for (const field::Field& each : block.elements_of) {
     const std::optional<facade::FacadeInstance> placed = facade::find_facade(each);
@@ -166,8 +166,8 @@ const DeclarationKind& mesh_declaration() {
         shot::MeshPlan plan = *block;
         plan.name = declaration.name;
         plan.volume = volume;
-        if (!tell_elements(*block, declaration, context, plan)) return Value();
-        if (is_given) plan.file_mesh = given(*block, declaration, context);
+        if (!read_elements(*block, declaration, context, plan)) return Value();
+        if (is_given) plan.file_mesh = read_source(*block, declaration, context);
         if (!plan.volume && !plan.file_mesh) return Value();
         const shot::MeshPtr made = std::make_shared<const shot::MeshPlan>(std::move(plan));
         context.shot.meshes.push_back(made);

@@ -42,7 +42,8 @@ scene::Override override_of(const std::string& text) {
 
 /// The file relative to the scene text, else in the include folders, as for `include`; the first of
 /// these paths if there is none.
-fs::path found(const fs::path& file, const SourceLocation& where, const LoadOptions& options) {
+fs::path find_scene_file(const fs::path& file, const SourceLocation& where,
+                         const LoadOptions& options) {
   std::error_code failed;
   if (fs::exists(file, failed)) return file;
   const fs::path named = file.lexically_relative(fs::path(where.file).parent_path());
@@ -91,9 +92,9 @@ std::shared_ptr<const shot::Shot> load_model(const shot::Model& model, const Sou
 }
 
 /// Resolves the model: its object, mesh or scene; false with a diagnostic.
-bool complete(shot::Model& model, const SourceLocation& where, ReadContext& context) {
+bool resolve_model(shot::Model& model, const SourceLocation& where, ReadContext& context) {
   if (!model.file.empty()) {
-    model.file = found(model.file, where, context.options);
+    model.file = find_scene_file(model.file, where, context.options);
     model.scene = load_model(model, where, context);
     return model.scene != nullptr;
   }
@@ -116,8 +117,8 @@ SourceLocation where_of(const char* key, const scene::Declaration& declaration) 
 }
 
 /// An error about shares and model numbers that do not match the models; else nothing.
-std::optional<Error> misfit(const shot::PointInstancer& plan,
-                            const scene::Declaration& declaration) {
+std::optional<Error> find_mismatch(const shot::PointInstancer& plan,
+                                   const scene::Declaration& declaration) {
   const auto refuse = [&](const char* key, const std::string& what, const std::string& hint = {}) {
     return Error(ErrorCode::bad_input, what, where_of(key, declaration), hint);
   };
@@ -152,12 +153,12 @@ const DeclarationKind& place_declaration() {
         plan->name = declaration.name;
         plan->where = declaration.where;
         plan->key = context.evaluator.key(declaration);
-        if (const std::optional<Error> fault = misfit(*plan, declaration)) {
+        if (const std::optional<Error> fault = find_mismatch(*plan, declaration)) {
           context.diagnostics.error(fault->where(), fault->what(), fault->hint());
           return Value();
         }
         for (shot::Model& model : plan->of)
-          if (!complete(model, declaration.where, context)) return Value();
+          if (!resolve_model(model, declaration.where, context)) return Value();
         context.shot.instancers.push_back(std::move(*plan));
         return Value(Value::Name{declaration.name});
       }};

@@ -15,12 +15,12 @@ namespace vug {
 namespace loading {
 
 /// A corner of the polygon.
-struct PlanPoint {
+struct PolygonCorner {
   Vec2d at;
 };
 
 /// The ground: a field, a mesh, or neither.
-struct Earth {
+struct GroundSource {
   std::optional<field::Field> field;
   shot::MeshPtr mesh;
 };
@@ -28,31 +28,31 @@ struct Earth {
 }  // namespace loading
 
 template <>
-struct ValueTraits<loading::PlanPoint> {
+struct ValueTraits<loading::PolygonCorner> {
   static std::string type() { return "corner (x, z)"; }
-  static std::optional<loading::PlanPoint> read(const Value& v) {
+  static std::optional<loading::PolygonCorner> read(const Value& v) {
     if (const auto* vector = v.get<Value::Vector>())
-      return loading::PlanPoint{{vector->value.x, vector->value.z}};
+      return loading::PolygonCorner{{vector->value.x, vector->value.z}};
     const List* pair = v.get<List>();
     if (!pair || pair->size() != 2) return std::nullopt;
     const Number *x = (*pair)[0].get<Number>(), *z = (*pair)[1].get<Number>();
     if (!x || !z) return std::nullopt;
-    return loading::PlanPoint{{x->value, z->value}};
+    return loading::PolygonCorner{{x->value, z->value}};
   }
-  static Value write(const loading::PlanPoint& p) { return List{p.at.x, p.at.y}; }
+  static Value write(const loading::PolygonCorner& p) { return List{p.at.x, p.at.y}; }
 };
 
 template <>
-struct ValueTraits<loading::Earth> {
+struct ValueTraits<loading::GroundSource> {
   static std::string type() { return "field, level set or mesh"; }
-  static std::optional<loading::Earth> read(const Value& v) {
-    if (const auto* field = v.object<field::Field>()) return loading::Earth{*field, nullptr};
-    if (const auto* mesh = v.object<shot::MeshPtr>()) return loading::Earth{{}, *mesh};
+  static std::optional<loading::GroundSource> read(const Value& v) {
+    if (const auto* field = v.object<field::Field>()) return loading::GroundSource{*field, nullptr};
+    if (const auto* mesh = v.object<shot::MeshPtr>()) return loading::GroundSource{{}, *mesh};
     const auto* volume = v.object<shot::VolumePtr>();
     if (!volume || (*volume)->fog || (*volume)->source_mesh) return std::nullopt;
-    return loading::Earth{(*volume)->field, nullptr};
+    return loading::GroundSource{(*volume)->field, nullptr};
   }
-  static Value write(const loading::Earth& earth) {
+  static Value write(const loading::GroundSource& earth) {
     if (earth.field) return Object{"field", *earth.field};
     return earth.mesh ? Value(Object{"mesh", earth.mesh}) : Value();
   }
@@ -64,11 +64,11 @@ namespace {
 constexpr double kSteepest = 60 * kPi / 180;
 
 struct Grove {
-  std::vector<PlanPoint> polygon;
+  std::vector<PolygonCorner> polygon;
   flora::DistributionPtr distribution;
   double density = 0;
   int count = 0;
-  Earth on;
+  GroundSource on;
   std::optional<double> from;
   double spacing = 0;
   paint::Mask where;
@@ -180,7 +180,7 @@ flora::Ground ground_for(const Grove& g, building::Builder& builder) {
   return g.on.mesh ? flora::ground_of(builder.mesh(g.on.mesh), options) : flora::level_ground();
 }
 
-building::Instance place_of(const Grove& g, const flora::Stem& stem) {
+building::Instance instance_of(const Grove& g, const flora::Stem& stem) {
   RandomStream random(stem.key.at("pose"));
   const double yaw = (random.uniform() - 0.5) * g.turn, tilt = random.uniform() * g.lean;
   double side = random.uniform() * 2 * kPi;
@@ -226,12 +226,12 @@ flora::GroveOptions options_for(const Grove& g, const flora::Plot& plot, buildin
   return options;
 }
 
-std::vector<building::Instance> plant(const Grove& g, const flora::Plot& plot,
-                                      building::Builder& builder, RandomKey key) {
+std::vector<building::Instance> grove_instances(const Grove& g, const flora::Plot& plot,
+                                                building::Builder& builder, RandomKey key) {
   std::vector<building::Instance> places;
   for (const flora::Stem& stem :
        flora::grove(plot, options_for(g, plot, builder, key), builder.progress()))
-    places.push_back(place_of(g, stem));
+    places.push_back(instance_of(g, stem));
   return places;
 }
 
@@ -261,10 +261,10 @@ VUG_INSTANCE_SOURCE_KIND(grove) {
   return make_kind<shot::InstanceSource, Grove>(
       "grove", "places", [](const Grove& g) -> shot::InstanceSource {
         flora::Corners corners;
-        for (const PlanPoint& corner : g.polygon) corners.push_back(corner.at);
+        for (const PolygonCorner& corner : g.polygon) corners.push_back(corner.at);
         const auto make = [g, plot = flora::Plot(corners)](building::Builder& builder,
                                                            RandomKey key) {
-          return plant(g, plot, builder, key);
+          return grove_instances(g, plot, builder, key);
         };
         const auto why = [g, plot = flora::Plot(corners)](building::Builder& builder,
                                                           RandomKey key) {

@@ -33,7 +33,7 @@ struct Instances {
   }
 };
 
-std::vector<building::Instance> places_of(const Instances& wanted, RandomKey key) {
+std::vector<building::Instance> instances_of(const Instances& wanted, RandomKey key) {
   const lsystem::DrawingPtr drawing = wanted.of->drawing();
   std::vector<building::Instance> places;
   for (size_t i = 0; i < drawing->instances.size(); ++i) {
@@ -53,6 +53,6 @@ std::vector<building::Instance> places_of(const Instances& wanted, RandomKey key
 VUG_INSTANCE_SOURCE_KIND(instances) {
   return instance_source_kind<Instances>(
       "instances", [](const Instances& wanted, building::Builder&, RandomKey key) {
-        return places_of(wanted, key);
+        return instances_of(wanted, key);
       });
 }

@@ -58,7 +58,7 @@ struct Scatter {
   }
 };
 
-building::Instance place_at(const Scatter& s, const mesh::SurfaceSample& spot) {
+building::Instance scatter_instance(const Scatter& s, const mesh::SurfaceSample& spot) {
   RandomStream random(spot.key.at("pose"));
   const Vec3d up(0, 1, 0);
   Vec3d axis = spot.normal * (1 - s.upright) + up * s.upright;
@@ -88,7 +88,7 @@ std::vector<building::Instance> scatter_on_mesh(const Scatter& s, building::Buil
     };
   std::vector<building::Instance> places;
   for (const mesh::SurfaceSample& spot : mesh::scatter(*mesh, options, builder.progress()))
-    places.push_back(place_at(s, spot));
+    places.push_back(scatter_instance(s, spot));
   return places;
 }
 
