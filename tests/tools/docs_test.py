@@ -32,8 +32,9 @@ class DocsTest(unittest.TestCase):
             raise unittest.SkipTest(missing())
         cls.folder = tempfile.TemporaryDirectory()
         cls.site = pathlib.Path(cls.folder.name, "site")
+        options = [] if shutil.which("doxygen") else ["--no-api"]
         cls.done = subprocess.run(
-            [ROOT / "tools/docs", "--no-api", "--vug", BUILD / "bin/vug", "--out", cls.site],
+            [ROOT / "tools/docs", *options, "--vug", BUILD / "bin/vug", "--out", cls.site],
             capture_output=True, text=True, env={**os.environ, "TMPDIR": cls.folder.name})
 
     @classmethod
@@ -54,7 +55,7 @@ class DocsTest(unittest.TestCase):
 
     def test_local_links_lead_to_files(self):
         for page in self.site.rglob("*.html"):
-            if page.name == "404.html":
+            if page.name == "404.html" or "api" in page.relative_to(self.site).parts:
                 continue
             for target in re.findall(r'<(?:a|img|script|link)\b[^>]*?\b(?:href|src)="([^"#]+)', page.read_text()):
                 if re.match(r"\w+:|/|\.$", target) or "api/cpp" in target:

@@ -118,7 +118,8 @@ def kinds_pages(vug, entries):
     for kind in kinds:
         categories[kind["category"]].append(kind)
     pages = {}
-    overview = ["# Kinds", "", "Everything that a scene, a comparison or an export can name, generated from `vug list`.", "",
+    overview = ["# Kinds", "",
+                "Everything that a scene, a comparison or an export can name, generated from `vug list`.", "",
                 "| category | kinds |", "|---|---|"]
     for category, members in categories.items():
         file = category.replace(" ", "_") + ".md"
@@ -128,14 +129,16 @@ def kinds_pages(vug, entries):
         for kind in members:
             lines += [f"## {kind['name']}", "", escaped(kind["doc"]), ""]
             if kind.get("cite") in entries:
-                lines += [f"Source: [{label(kind['cite'], entries[kind['cite']])}](../../sources.md#{kind['cite']})", ""]
+                name = label(kind["cite"], entries[kind["cite"]])
+                lines += [f"Source: [{name}](../../sources.md#{kind['cite']})", ""]
             if kind.get("params"):
                 lines += ["| parameter | value | default | description |", "|---|---|---|---|"]
                 for param in kind["params"]:
                     default = "required" if param.get("required") else param.get("default", "")
                     default = f"`{default}`" if default not in ("", "required") else default
-                    lines.append(f"| `{param['name']}` | {escaped(limits(param))} | {str(default).replace('|', '&#124;')} | "
-                                 f"{escaped(param.get('doc', ''))} |")
+                    default = str(default).replace("|", "&#124;")
+                    lines.append(f"| `{param['name']}` | {escaped(limits(param))} | {default} "
+                                 f"| {escaped(param.get('doc', ''))} |")
                 lines.append("")
         pages[f"reference/kinds/{file}"] = "\n".join(lines)
     pages["reference/kinds/index.md"] = "\n".join(overview) + "\n"
