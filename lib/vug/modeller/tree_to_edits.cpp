@@ -253,16 +253,17 @@ class TreeTracer {
       now[state_.node(one.node).element->kind()].push_back(one.rect);
     for (const facade::ElementInstance& one : facade::element_instances(tree_)) {
       ++out_.elements;
-      double least = INFINITY;
+      double distance = INFINITY;
       for (const Rect& r : now[node(one.node).element->kind()])
-        least = std::min(least, std::max({std::abs(r.x - one.rect.x), std::abs(r.y - one.rect.y),
-                                          std::abs(r.right() - one.rect.right()),
-                                          std::abs(r.top() - one.rect.top())}));
-      if (std::isinf(least)) {
+        distance = std::min(
+            distance,
+            std::max({std::abs(r.x - one.rect.x), std::abs(r.y - one.rect.y),
+                      std::abs(r.right() - one.rect.right()), std::abs(r.top() - one.rect.top())}));
+      if (std::isinf(distance)) {
         ++out_.missing;
-      } else if (least >= kDisplaced) {
+      } else if (distance >= kDisplaced) {
         ++out_.displaced;
-        out_.max_distance = std::max(out_.max_distance, least);
+        out_.max_distance = std::max(out_.max_distance, distance);
       }
     }
   }

@@ -48,7 +48,7 @@ Opening opening_of(const PixelBox& box, const RangeImage& range, const SurfaceMa
 /// they are at least `least` wide and the rest shows something: a shop sign in front of the wall
 /// hides it like window glass does, but its shadow has no frame.
 std::vector<PixelBox> split_empty_borders(const PixelBox& box, const RangeImage& range,
-                                          const SurfaceMap& map, int least) {
+                                          const SurfaceMap& map, int min_pixels) {
   constexpr double kNothing = 0.02, kSomething = 0.1;  // Shares of a row and of the rest.
   const auto part_behind = [&](const PixelBox& part) {
     int64_t behind = 0;
@@ -68,9 +68,9 @@ std::vector<PixelBox> split_empty_borders(const PixelBox& box, const RangeImage&
                                     {rows(box.y0, bottom), rows(bottom, box.y1)},
                                     {columns(left, box.x1), columns(box.x0, left)},
                                     {columns(box.x0, right), columns(right, box.x1)}}) {
-    if (std::min(empty.x1 - empty.x0, empty.y1 - empty.y0) < least) continue;
+    if (std::min(empty.x1 - empty.x0, empty.y1 - empty.y0) < min_pixels) continue;
     if (part_behind(rest) < kSomething) continue;
-    std::vector<PixelBox> out = split_empty_borders(rest, range, map, least);
+    std::vector<PixelBox> out = split_empty_borders(rest, range, map, min_pixels);
     out.push_back(empty);
     return out;
   }
@@ -124,14 +124,14 @@ std::vector<Opening> extract_openings(const Mask& open, const RangeImage& range,
   require_memory(kPixelBytes * static_cast<double>(range.pixel_count()), options.memory,
                  "the search for openings", "use larger pixels");
   std::vector<PixelBox> boxes;
-  const int least = pixels_of(options.min_size, range.pixel, INT32_MAX);
+  const int min_pixels = pixels_of(options.min_size, range.pixel, INT32_MAX);
   each_component(open, [&](const Component& group) {
     if (!options.tidy) {
       boxes.push_back(group.box);
       return;
     }
     for (const PixelBox& box : split_component(group, range, options)) {
-      const std::vector<PixelBox> parts = split_empty_borders(box, range, map, least);
+      const std::vector<PixelBox> parts = split_empty_borders(box, range, map, min_pixels);
       boxes.insert(boxes.end(), parts.begin(), parts.end());
     }
   });

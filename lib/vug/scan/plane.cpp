@@ -135,17 +135,18 @@ class PlaneFitter {
     const Vec3d mean = m.sum / m.count;
     const Eigen::Vector3d e(mean.x, mean.y, mean.z);
     Eigen::Matrix3d spread = m.products / m.count - e * e.transpose();
-    const auto least = [](const Eigen::Matrix3d& of) {
+    const auto smallest_eigenvector = [](const Eigen::Matrix3d& of) {
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(of);
       const Eigen::Vector3d v = solver.eigenvectors().col(0);
       return Vec3d(v.x(), v.y(), v.z());
     };
-    Vec3d normal = least(spread);
+    Vec3d normal = smallest_eigenvector(spread);
     if (lean_of(normal, up_) > options_.max_lean) {
       // Covariance of the points in plan, with the vertical direction made the largest.
       const Eigen::Vector3d u(up_.x, up_.y, up_.z);
       const Eigen::Matrix3d level = Eigen::Matrix3d::Identity() - u * u.transpose();
-      normal = least(level * spread * level + 2 * spread.trace() * u * u.transpose());
+      normal =
+          smallest_eigenvector(level * spread * level + 2 * spread.trace() * u * u.transpose());
       normal = (normal - up_ * normal.dot(up_)).normalized();
     }
     if (normal.dot(before.normal) < 0) normal = -normal;

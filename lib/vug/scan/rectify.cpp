@@ -33,12 +33,12 @@ double turn(const Vec2d& a, const Vec2d& b, const Vec2d& c) { return (b - a).cro
 
 /// The smallest turn of the four corners, relative to the square over the longest side.
 double min_turn(const FourPoints& p, double sign) {
-  double least = kInfinity, longest = 0;
+  double smallest = kInfinity, longest = 0;
   for (size_t i = 0; i < 4; ++i) {
-    least = std::min(least, sign * turn(p[i], p[(i + 1) % 4], p[(i + 2) % 4]));
+    smallest = std::min(smallest, sign * turn(p[i], p[(i + 1) % 4], p[(i + 2) % 4]));
     longest = std::max(longest, (p[(i + 1) % 4] - p[i]).length2());
   }
-  return longest > 0 ? least / longest : -1;
+  return longest > 0 ? smallest / longest : -1;
 }
 
 void require_convex(const FourPoints& corners) {

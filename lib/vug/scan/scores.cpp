@@ -18,7 +18,7 @@ Box common(const Box& a, const Box& b) {
 /// IoU of each true object (row) with each detection (column).
 using Table = std::vector<std::vector<double>>;
 
-Scores matched(const Table& table, size_t found, double least) {
+Scores matched(const Table& table, size_t found, double min_iou) {
   Scores out;
   out.found = found;
   out.truth.resize(table.size());
@@ -26,7 +26,7 @@ Scores matched(const Table& table, size_t found, double least) {
   for (size_t t = 0; t < table.size(); ++t)
     for (size_t f = 0; f < found; ++f) {
       out.truth[t].best = std::max(out.truth[t].best, table[t][f]);
-      if (table[t][f] > least) pairs.emplace_back(-table[t][f], t, f);
+      if (table[t][f] > min_iou) pairs.emplace_back(-table[t][f], t, f);
     }
   std::sort(pairs.begin(), pairs.end());
   std::vector<bool> used(found, false);
@@ -81,7 +81,7 @@ double union_area(const std::vector<Box>& boxes) {
   return out;
 }
 
-Scores score(const std::vector<Box>& found, const std::vector<Box>& truth, double least) {
+Scores score(const std::vector<Box>& found, const std::vector<Box>& truth, double min_iou) {
   Table table(truth.size(), std::vector<double>(found.size()));
   std::vector<Box> both, all = found;
   all.insert(all.end(), truth.begin(), truth.end());
@@ -90,13 +90,13 @@ Scores score(const std::vector<Box>& found, const std::vector<Box>& truth, doubl
       table[t][f] = iou(truth[t], found[f]);
       both.push_back(common(truth[t], found[f]));
     }
-  Scores out = matched(table, found.size(), least);
+  Scores out = matched(table, found.size(), min_iou);
   const double together = union_area(all);
   out.area_iou = together > 0 ? union_area(both) / together : 0;
   return out;
 }
 
-Scores score(const std::vector<Box>& found, const ObjectMap& truth, double least) {
+Scores score(const std::vector<Box>& found, const ObjectMap& truth, double min_iou) {
   const size_t width = static_cast<size_t>(std::max(truth.width, 0));
   if (truth.label.size() != width * static_cast<size_t>(std::max(truth.height, 0)) ||
       !(truth.pixel > 0))
@@ -130,7 +130,7 @@ Scores score(const std::vector<Box>& found, const ObjectMap& truth, double least
     for (uint32_t t = 0; t < objects; ++t)
       if (const double n = table[t][f]; n > 0) table[t][f] = n / (sizes[t] + pixels - n);
   }
-  Scores out = matched(table, found.size(), least);
+  Scores out = matched(table, found.size(), min_iou);
   const double together = all + union_area(found) / (truth.pixel * truth.pixel) - both;
   out.area_iou = together > 0 ? both / together : 0;
   return out;

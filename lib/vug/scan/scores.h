@@ -28,8 +28,8 @@ struct Scores {
   double area_iou = 0;   ///< IoU of the union of all detections and the union of all true objects.
 };
 
-/// Matches pairs with an IoU above `least`, best first, each object once [@everingham2010].
-Scores score(const std::vector<Box>& found, const std::vector<Box>& truth, double least = 0.5);
+/// Matches pairs with an IoU above `min_iou`, best first, each object once [@everingham2010].
+Scores score(const std::vector<Box>& found, const std::vector<Box>& truth, double min_iou = 0.5);
 
 /// Ground truth as masks: pixels with `label` above 0 belong to object label - 1. Row 0 is the top
 /// row and `pixel` metres high; the lower left corner is (0, 0). Error(bad_input) if the sizes do
@@ -39,6 +39,6 @@ struct ObjectMap {
   double pixel = 0.01;
   std::vector<uint32_t> label;
 };
-Scores score(const std::vector<Box>& found, const ObjectMap& truth, double least = 0.5);
+Scores score(const std::vector<Box>& found, const ObjectMap& truth, double min_iou = 0.5);
 
 }  // namespace vug::scan

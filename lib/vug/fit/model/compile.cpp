@@ -90,12 +90,12 @@ class Compiler {
     production.head = find(rule.head);
     for (const facade::Item& part : item.parts) production.parts.push_back(symbol(part));
     production.op = op(rule, item, production);
-    const size_t most =
+    const size_t max_parts =
         production.op == Op::rows || production.op == Op::mirror || production.op == Op::windows
             ? 2
             : 1;
-    const size_t least = production.op == Op::rows ? 2 : 1;
-    if (production.parts.size() < least || production.parts.size() > most)
+    const size_t min_parts = production.op == Op::rows ? 2 : 1;
+    if (production.parts.size() < min_parts || production.parts.size() > max_parts)
       refuse(rule, "it has the wrong number of parts");
     out_.productions.push_back(std::move(production));
   }

@@ -22,10 +22,10 @@ std::vector<double> best_of(const SizeGains& gains, const std::vector<size_t>& s
 std::pair<size_t, double> best_addition(const SizeGains& gains, const std::vector<double>& others) {
   std::vector<double> together(gains.count(), 0);
   for (size_t cell = 0; cell < others.size(); ++cell) {
-    const double least = others[cell];
+    const double current = others[cell];
     const double* own = gains.cells[cell].data();
     for (size_t size = 0; size < together.size(); ++size)
-      together[size] += own[size] > least ? own[size] : least;
+      together[size] += own[size] > current ? own[size] : current;
   }
   const auto most = std::max_element(together.begin(), together.end());
   return {static_cast<size_t>(most - together.begin()), *most};

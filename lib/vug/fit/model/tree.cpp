@@ -17,15 +17,15 @@ Lines nearest_even(const Lines& lines, int count) {
   constexpr int kNear = 3;
   const int span = lines[static_cast<size_t>(count - 1)] - lines[0];
   Lines best = lines;
-  int least = -1;
+  int smallest = -1;
   for (int first = std::max(0, lines[0] - kNear); first <= lines[0] + kNear; ++first)
     for (int wide = count > 1 ? span - 2 * kNear : 0; wide <= (count > 1 ? span + 2 * kNear : 0);
          ++wide) {
       const Lines even = even_lines(first, wide, count);
       int off = 0;
       for (size_t i = 0; i < static_cast<size_t>(count); ++i) off += std::abs(even[i] - lines[i]);
-      if (least >= 0 && off >= least) continue;
-      least = off;
+      if (smallest >= 0 && off >= smallest) continue;
+      smallest = off;
       best = even;
     }
   return best;

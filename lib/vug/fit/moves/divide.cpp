@@ -18,8 +18,8 @@ bool divide(const MoveContext& context, TreeState& state, Choices& forward, Choi
   int by = 0;
   if (far) {  // To a position that the picture hints at.
     const Area& above = state.area(tree.parent(i));
-    const int bottom = above.y + above.height, least = context.model.limits().min_size;
-    const int low = above.y + least, high = bottom - least + 1;
+    const int bottom = above.y + above.height, min_size = context.model.limits().min_size;
+    const int low = above.y + min_size, high = bottom - min_size + 1;
     back.among(context.hints.floor, low, high, bottom - tree[i].extent);
     by = bottom - forward.among(context.hints.floor, low, high) - tree[i].extent;
   } else {

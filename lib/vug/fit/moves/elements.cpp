@@ -20,10 +20,10 @@ bool elements(const MoveContext& context, TreeState& state, Choices& forward, Ch
   const int i = split ? pick(state, forward, plain) : pick(state, forward, pair);
   if (i < 0) return false;
   const int above = tree.parent(i);
-  const int width = state.area(i).width, least = limits.min_size;
+  const int width = state.area(i).width, min_size = limits.min_size;
   if (split) {
     const bool last = tree.end(i) == tree.end(above);
-    const int first = forward.between(least, width - least);
+    const int first = forward.between(min_size, width - min_size);
     if (!forward.possible()) return false;
     Node node = tree[i];
     node.extent = static_cast<int16_t>(last ? 0 : width - first);
@@ -40,7 +40,7 @@ bool elements(const MoveContext& context, TreeState& state, Choices& forward, Ch
   tree[i].extent = static_cast<int16_t>(last ? 0 : both);
   state.invalidate_bits(i);
   score_pick(state, back, i, plain);
-  back.between(least, both - least, width);
+  back.between(min_size, both - min_size, width);
   return context.model.compute_areas(state);
 }
 

@@ -9,9 +9,9 @@ namespace {
 void choose_size(const MoveContext& context, const TreeState& state, int i, Choices& choices,
                  Node& window) {
   const Area& area = state.area(i);
-  const int least = context.model.limits().min_size;
-  window.width = static_cast<int16_t>(choices.between(least, area.width, window.width));
-  window.height = static_cast<int16_t>(choices.between(least, area.height, window.height));
+  const int min_size = context.model.limits().min_size;
+  window.width = static_cast<int16_t>(choices.between(min_size, area.width, window.width));
+  window.height = static_cast<int16_t>(choices.between(min_size, area.height, window.height));
 }
 
 bool holds(const Node& grid, int kind) {

@@ -12,8 +12,8 @@ int shortened(int span, int count) {
 
 /// Span after adding a line: a span that shortens to the current one, or any span with room if
 /// there is a single line.
-int choose_longer(int count, int span, int room, int least, Choices& choices, int fixed) {
-  if (count == 1) return choices.between(least + 1, room, fixed);
+int choose_longer(int count, int span, int room, int min_size, Choices& choices, int fixed) {
+  if (count == 1) return choices.between(min_size + 1, room, fixed);
   int low = span;
   while (shortened(low, count + 1) < span) ++low;
   int high = low;
@@ -22,11 +22,11 @@ int choose_longer(int count, int span, int room, int least, Choices& choices, in
 }
 
 /// Inserts before the first line of a regular grid or after the last one.
-bool insert_at_end(GridAxis& axis, int least, Choices& forward, Choices& back) {
+bool insert_at_end(GridAxis& axis, int min_size, Choices& forward, Choices& back) {
   const bool low = forward.flip();
   const int first = axis.at(0), last = first + axis.span();
-  const int room = low ? last : axis.room - least - first;
-  const int span = choose_longer(axis.count, axis.span(), room, least, forward, 0);
+  const int room = low ? last : axis.room - min_size - first;
+  const int span = choose_longer(axis.count, axis.span(), room, min_size, forward, 0);
   if (!forward.possible()) return false;
   const int line = low ? 0 : axis.count;
   axis.insert_line(line, 0);
@@ -35,22 +35,24 @@ bool insert_at_end(GridAxis& axis, int least, Choices& forward, Choices& back) {
   return axis.choose_cells(line, forward);
 }
 
-bool delete_at_end(GridAxis& axis, int least, Choices& forward, Choices& back) {
+bool delete_at_end(GridAxis& axis, int min_size, Choices& forward, Choices& back) {
   const bool low = forward.flip();
   back.flip(low);
   const int line = low ? 0 : axis.count - 1;
   const int first = axis.at(0), span = axis.span(), last = first + span;
   const int left = shortened(span, axis.count);
-  choose_longer(axis.count - 1, left, low ? last : axis.room - least - first, least, back, span);
+  choose_longer(axis.count - 1, left, low ? last : axis.room - min_size - first, min_size, back,
+                span);
   axis.choose_cells(line, back);
   axis.remove_line(line);
   axis.space_evenly(low ? last - left : first, left);
   return true;
 }
 
-bool insert_anywhere(GridAxis& axis, int least, Choices& forward, Choices& back) {
+bool insert_anywhere(GridAxis& axis, int min_size, Choices& forward, Choices& back) {
   const int place =
-      forward.among(axis.profile, axis.origin, axis.origin + axis.room - least + 1) - axis.origin;
+      forward.among(axis.profile, axis.origin, axis.origin + axis.room - min_size + 1) -
+      axis.origin;
   int line = 0;
   while (line < axis.count && axis.at(line) < place) ++line;
   axis.insert_line(line, place);
@@ -58,9 +60,9 @@ bool insert_anywhere(GridAxis& axis, int least, Choices& forward, Choices& back)
   return axis.choose_cells(line, forward);
 }
 
-bool delete_any(GridAxis& axis, int least, Choices& forward, Choices& back) {
+bool delete_any(GridAxis& axis, int min_size, Choices& forward, Choices& back) {
   const int line = forward.below(axis.count);
-  back.among(axis.profile, axis.origin, axis.origin + axis.room - least + 1,
+  back.among(axis.profile, axis.origin, axis.origin + axis.room - min_size + 1,
              axis.origin + axis.at(line));
   axis.choose_cells(line, back);
   axis.remove_line(line);

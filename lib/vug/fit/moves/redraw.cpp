@@ -10,8 +10,10 @@ struct Edge {
   int origin, room, low, size;
   bool is_low;
 
-  int window_begin(int least) const { return origin + (is_low ? 0 : low + least); }
-  int window_end(int least) const { return origin + (is_low ? low + size - least : room) + 1; }
+  int window_begin(int min_size) const { return origin + (is_low ? 0 : low + min_size); }
+  int window_end(int min_size) const {
+    return origin + (is_low ? low + size - min_size : room) + 1;
+  }
   int place() const { return origin + (is_low ? low : low + size); }
 };
 
@@ -21,7 +23,7 @@ bool redraw(const MoveContext& context, TreeState& state, Choices& forward, Choi
   if (i < 0) return false;
   const bool along_x = forward.flip(), low_edge = forward.flip();
   back.flip(along_x), back.flip(low_edge);
-  const int least = context.model.limits().min_size;
+  const int min_size = context.model.limits().min_size;
   const Node& node = state.tree[i];
   const Node& above = state.tree[state.tree.parent(i)];
   const int stands = along_x ? node.x : node.y;
@@ -34,7 +36,7 @@ bool redraw(const MoveContext& context, TreeState& state, Choices& forward, Choi
                   context.model.in_grid(node) ? first_line : stands,
                   along_x ? node.width : node.height, low_edge};
   if (edge.low + edge.size > edge.room) return false;  // A kind without instances.
-  const int begin = edge.window_begin(least), end = edge.window_end(least);
+  const int begin = edge.window_begin(min_size), end = edge.window_end(min_size);
   back.among(profile, begin, end, edge.place());
   const int by = forward.among(profile, begin, end) - edge.place();
   return forward.possible() && move_edge(context, state, i, along_x, low_edge, by);

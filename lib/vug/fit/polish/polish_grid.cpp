@@ -57,11 +57,11 @@ class Axis {
   }
 
   /// The best lines for windows of these sizes; `gain` receives their gain.
-  Lines best(const Sizes& sizes, int least, double& gain) const {
+  Lines best(const Sizes& sizes, int min_size, double& gain) const {
     std::vector<std::vector<double>> gains;
     std::vector<int> widest;
     for (int line = 0; line < count_; ++line) {
-      widest.push_back(size_of(line, sizes, least));
+      widest.push_back(size_of(line, sizes, min_size));
       gains.push_back(table(line, sizes, widest.back()));
     }
     return regular_ ? even(gains, widest, gain) : free(gains, widest, gain);
@@ -77,8 +77,8 @@ class Axis {
     return sizes[static_cast<size_t>(kind) - 1];
   }
   /// Size of the line's largest window.
-  int size_of(int line, const Sizes& sizes, int least) const {
-    int out = least;
+  int size_of(int line, const Sizes& sizes, int min_size) const {
+    int out = min_size;
     for (int other = 0; other < across(); ++other)
       if (const int kind = kind_of(line, other)) out = std::max(out, size_of_kind(sizes, kind));
     return out;
@@ -176,7 +176,7 @@ bool polish_grid(const MoveContext& context, const Evidence& evidence, TreeState
   const Model& model = context.model;
   const int grid = i + 1;
   if (state.tree[grid].production < 0 || !model.likelihood()) return false;
-  const int least = model.limits().min_size;
+  const int min_size = model.limits().min_size;
   bool better = false;
   const Gains gains = gains_from_grid(model, evidence, state, i);
   const FoldedIntegral integral(GainMap(evidence, gains), state, state.area(i));
@@ -195,9 +195,9 @@ bool polish_grid(const MoveContext& context, const Evidence& evidence, TreeState
       for (int by = -kReach; by <= kReach; ++by) {
         Axis::Sizes sizes = lines.sizes(kinds);
         for (const size_t kind : group) sizes[kind] += by;
-        if (*std::min_element(sizes.begin(), sizes.end()) < least) continue;
+        if (*std::min_element(sizes.begin(), sizes.end()) < min_size) continue;
         double gain = 0;
-        const Lines found = lines.best(sizes, least, gain);
+        const Lines found = lines.best(sizes, min_size, gain);
         if (!(gain > most)) continue;
         most = gain;
         (along_x ? other.tree[grid].left : other.tree[grid].top) = found;

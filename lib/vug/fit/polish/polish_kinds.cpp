@@ -11,9 +11,9 @@ namespace vug::fit {
 namespace {
 
 /// Gains of the grid's cells, row by row from the top.
-SizeGains size_gains(const GridGains& windows, const Node& grid, int least) {
+SizeGains size_gains(const GridGains& windows, const Node& grid, int min_size) {
   SizeGains out;
-  out.min_size = out.max_size = {least, least};
+  out.min_size = out.max_size = {min_size, min_size};
   const auto each = [&](const auto& visit) {
     for (int row = 0; row < grid.rows; ++row)
       for (int column = 0; column < grid.columns; ++column) visit(column, row);

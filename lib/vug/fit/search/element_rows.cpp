@@ -36,21 +36,21 @@ class ElementRowSearch {
   /// none.
   std::vector<TreeState> make() const {
     const size_t n = xs_.size();
-    // least[k]: minimum bits of everything before position k, counting wall outside of the
+    // min_bits[k]: bits of everything before position k, counting wall outside of the
     // elements.
-    std::vector<double> least(n, 0);
+    std::vector<double> min_bits(n, 0);
     std::vector<RowElement> last(n);
     std::vector<size_t> from(n, 0);
     const int x_bits = bits_for(model_.width()), y_bits = bits_for(model_.height());
     const double node = std::log2(static_cast<double>(rules_.symbols.size()));
     const double cost = 2 * node + 3 * x_bits + 2 * y_bits;
     for (size_t k = 1; k < n; ++k) {
-      least[k] = least[k - 1];
+      min_bits[k] = min_bits[k - 1];
       from[k] = k - 1;
       for (size_t j = 0; j < k; ++j) {
         const RowElement element = between(xs_[j], xs_[k]);
-        if (element.id < 0 || least[j] + element.bits + cost >= least[k]) continue;
-        least[k] = least[j] + element.bits + cost;
+        if (element.id < 0 || min_bits[j] + element.bits + cost >= min_bits[k]) continue;
+        min_bits[k] = min_bits[j] + element.bits + cost;
         last[k] = element;
         from[k] = j;
       }
@@ -77,12 +77,12 @@ class ElementRowSearch {
   /// The element that saves most there, relative to the area's code as wall.
   RowElement between(int x0, int x1) const {
     RowElement best;
-    const int least = model_.limits().min_size;
-    if (x1 - x0 < least) return best;
+    const int min_size = model_.limits().min_size;
+    if (x1 - x0 < min_size) return best;
     const Likelihood& likelihood = *model_.likelihood();
     for (size_t top = 0; top + 1 < ys_.size(); ++top)
       for (size_t bottom = top + 1; bottom < ys_.size(); ++bottom) {
-        if (ys_[bottom] - ys_[top] < least) continue;
+        if (ys_[bottom] - ys_[top] < min_size) continue;
         const Rect rect{x0, ys_[top], x1, ys_[bottom]};
         const Sums sums = sum_of(evidence_, state_, area_, rect);
         Sums rest = whole_;
@@ -195,13 +195,13 @@ std::vector<Rect> ground_elements_between(const MoveContext& context, const Evid
   for (const Segment& c : columns)
     rest -= sum_of(evidence, state, area, {c.start, 0, c.end, area.height});
   const double wall = likelihood.bits(RegionType::wall, rest);
-  const int least = model.limits().min_size;
+  const int min_size = model.limits().min_size;
   std::vector<std::pair<double, Rect>> found;
   for (const int top : tops) {
     std::pair<double, Rect> best;
     for (size_t a = 0; a < xs.size(); ++a)
       for (size_t b = a + 1; b < xs.size() && !inside(xs[a], xs[b]); ++b) {
-        if (xs[b] - xs[a] < least || area.height - top < least) continue;
+        if (xs[b] - xs[a] < min_size || area.height - top < min_size) continue;
         const Rect rect{xs[a], top, xs[b], area.height};
         const Sums sums = sum_of(evidence, state, area, rect);
         Sums left = rest;

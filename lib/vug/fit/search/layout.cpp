@@ -128,7 +128,7 @@ void add_doors(const MoveContext& context, const TreeState& state, int i, const 
     for (size_t row = 0; row < static_cast<size_t>(grid.rows); ++row)
       places.push_back(
           {grid.left[column], grid.top[row], grid.left[column] + state.tree[i + 2].width, ground});
-  double least = std::numeric_limits<double>::infinity();
+  double lowest = std::numeric_limits<double>::infinity();
   TreeState best;
   for (const Rect& place : places) {
     TreeState with = state;
@@ -141,11 +141,11 @@ void add_doors(const MoveContext& context, const TreeState& state, int i, const 
     with.insert(i + 1, with.tree.end(i + 1), door);
     with.tree[i + 1].production = static_cast<int16_t>(id);
     const double bits = context.model.energy(with);
-    if (!(bits < least)) continue;
-    least = bits;
+    if (!(bits < lowest)) continue;
+    lowest = bits;
     best = std::move(with);
   }
-  if (std::isfinite(least)) out.push_back(std::move(best));
+  if (std::isfinite(lowest)) out.push_back(std::move(best));
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ class Parser {
                                 const FoldedIntegral& integral) const {
     std::vector<TreeState> out;
     const Area area = state.area(i);
-    const int least = model_.limits().min_size;
+    const int min_size = model_.limits().min_size;
     const double required = options_.min_potential * integral.potential();
     const auto add = [&](int id, const std::vector<Node>& parts, bool folds) {
       TreeState split = state;
@@ -164,13 +164,14 @@ class Parser {
           add(id, {part_of(production, 0, area.height - edge), part_of(production, 1)}, false);
       if (production.op == Op::repeat)
         for (int times = 2;
-             times <= std::min<int>(model_.limits().max_repeats, area.width / (2 * least)); ++times)
+             times <= std::min<int>(model_.limits().max_repeats, area.width / (2 * min_size));
+             ++times)
           add(id, {part_of(production, 0, times)}, true);
       if (production.op == Op::mirror && production.parts.size() == 1)
         add(id, {part_of(production, 0)}, true);
       if (production.op == Op::mirror && production.parts.size() == 2)
         for (const int middle : middles(state, area)) {
-          if (middle >= least)
+          if (middle >= min_size)
             add(id, {part_of(production, 0), part_of(production, 1, middle)}, true);
         }
     }

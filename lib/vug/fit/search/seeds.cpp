@@ -62,11 +62,11 @@ std::vector<TreeState> seeds(const MoveContext& context, const Evidence& evidenc
   };
   // Gains are estimated from quick parses; the best of them are parsed at full depth.
   for (Gains gains : first_gains(evidence, supervised)) {
-    double least = std::numeric_limits<double>::infinity();
+    double lowest = std::numeric_limits<double>::infinity();
     for (int round = 0; round < options.rounds; ++round) {
       const auto [energy, state] = parse_once(gains, quick);
-      if (!(energy < least)) break;
-      least = energy;
+      if (!(energy < lowest)) break;
+      lowest = energy;
       if (!supervised) gains = estimated_gains(context.model, evidence, state);
       gain_candidates.emplace_back(energy, gains);
     }
