@@ -45,8 +45,8 @@ Opening opening_of(const PixelBox& box, const RangeImage& range, const SurfaceMa
 }
 
 /// Splits off rows (or columns) at a box's borders that show almost nothing behind the wall, if
-/// they are at least `least` wide and the rest shows something: a shop sign in front of the wall
-/// hides it like window glass does, but its shadow has no frame.
+/// they are at least `min_pixels` wide and the rest shows something: a shop sign in front of the
+/// wall hides it like window glass does, but its shadow has no frame.
 std::vector<PixelBox> split_empty_borders(const PixelBox& box, const RangeImage& range,
                                           const SurfaceMap& map, int min_pixels) {
   constexpr double kNothing = 0.02, kSomething = 0.1;  // Shares of a row and of the rest.
