@@ -1,17 +1,36 @@
 # Functions that define tests: vug_test, vug_fuzz and vug_bench.
 include(GoogleTest)
 
-# vug_test(NAME SOURCES... LINK modules... [LABEL label]): one executable of unit tests, mirroring
-# lib/. `ctest -L label` runs those of a label, -LE all others.
+# vug_test(NAME SOURCES... LINK modules... [LABEL labels...] [SLOW patterns...])
+# Adds an executable of unit tests, mirroring lib/. All its tests get the labels, `unit` by default, except
+# those that match one of the SLOW patterns of googletest (Suite.Name, with *), which get the label `slow`.
+# `ctest -L unit` must finish within a minute on two cores: give slower tests the label `slow`.
 function(vug_test name)
-  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;LABEL;SLOW" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
   list(TRANSFORM ARG_LINK PREPEND vug_)
   target_link_libraries(test_${name} PRIVATE vug_strict vug_light ${ARG_LINK} GTest::gtest_main)
   target_compile_definitions(test_${name} PRIVATE
     VUG_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data" VUG_DATA="${PROJECT_SOURCE_DIR}/data")
   vug_precompile(test_${name} tests <gtest/gtest.h>)
-  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${ARG_LABEL}")
+  if(NOT ARG_LABEL)
+    set(ARG_LABEL unit)
+  endif()
+  # Several labels cannot be passed to gtest_discover_tests, therefore a script sets them in ctest.
+  list(JOIN ARG_SLOW ":" slow)
+  set(filter "")
+  set(script "")
+  if(slow)
+    set(filter TEST_FILTER -${slow})
+    gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 TEST_FILTER ${slow} TEST_LIST slow_${name})
+    string(APPEND script "if(slow_${name})\n  set_tests_properties(\${slow_${name}} PROPERTIES LABELS slow)\nendif()\n")
+  endif()
+  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 ${filter} TEST_LIST tests_${name})
+  string(APPEND script
+    "if(tests_${name})\n  set_tests_properties(\${tests_${name}} PROPERTIES LABELS \"${ARG_LABEL}\")\nendif()\n")
+  set(labels ${CMAKE_CURRENT_BINARY_DIR}/test_${name}_labels.cmake)
+  file(CONFIGURE OUTPUT ${labels} CONTENT "${script}" @ONLY)
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${labels})
 endfunction()
 
 # vug_fuzz(NAME SOURCES... LINK modules...): a fuzz target, i.e. sources with
@@ -32,6 +51,7 @@ function(vug_fuzz name)
     target_link_libraries(replay_${name} PRIVATE vug_strict ${ARG_LINK})
     add_test(NAME fuzz_corpus.${name}
       COMMAND replay_${name} ${PROJECT_SOURCE_DIR}/tests/fuzz/corpus/${name})
+    set_tests_properties(fuzz_corpus.${name} PROPERTIES LABELS fuzz)
   endif()
 endfunction()
 
