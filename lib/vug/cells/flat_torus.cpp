@@ -9,27 +9,29 @@ namespace vug::cells {
 namespace {
 
 /// A step to a neighbour, in cells.
-struct Step {
+struct NeighbourOffset {
   int x, z;
 };
 
 /// Alternate rows of the triangle grid are offset by half a cell. The honeycomb is represented as a
 /// brick wall, whose cells are linked to both sides and alternately to the row above or below.
-std::span<const Step> steps(uint32_t full, uint32_t x, uint32_t z) {
-  static constexpr Step kSides[] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
-  static constexpr Step kRing[] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0},
-                                   {1, 0},   {-1, 1}, {0, 1},  {1, 1}};
-  static constexpr Step kEven[] = {{-1, 0}, {1, 0}, {-1, -1}, {0, -1}, {-1, 1}, {0, 1}};
-  static constexpr Step kOdd[] = {{-1, 0}, {1, 0}, {0, -1}, {1, -1}, {0, 1}, {1, 1}};
-  static constexpr Step kDown[] = {{-1, 0}, {1, 0}, {0, 1}};
-  static constexpr Step kUp[] = {{-1, 0}, {1, 0}, {0, -1}};
+std::span<const NeighbourOffset> steps(uint32_t full, uint32_t x, uint32_t z) {
+  static constexpr NeighbourOffset kSides[] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+  static constexpr NeighbourOffset kRing[] = {{-1, -1}, {0, -1}, {1, -1}, {-1, 0},
+                                              {1, 0},   {-1, 1}, {0, 1},  {1, 1}};
+  static constexpr NeighbourOffset kEven[] = {{-1, 0}, {1, 0}, {-1, -1}, {0, -1}, {-1, 1}, {0, 1}};
+  static constexpr NeighbourOffset kOdd[] = {{-1, 0}, {1, 0}, {0, -1}, {1, -1}, {0, 1}, {1, 1}};
+  static constexpr NeighbourOffset kDown[] = {{-1, 0}, {1, 0}, {0, 1}};
+  static constexpr NeighbourOffset kUp[] = {{-1, 0}, {1, 0}, {0, -1}};
   switch (full) {
     case 3:
-      return (x + z) % 2 == 0 ? std::span<const Step>(kDown) : std::span<const Step>(kUp);
+      return (x + z) % 2 == 0 ? std::span<const NeighbourOffset>(kDown)
+                              : std::span<const NeighbourOffset>(kUp);
     case 4:
       return kSides;
     case 6:
-      return z % 2 == 0 ? std::span<const Step>(kEven) : std::span<const Step>(kOdd);
+      return z % 2 == 0 ? std::span<const NeighbourOffset>(kEven)
+                        : std::span<const NeighbourOffset>(kOdd);
     default:
       return kRing;
   }
@@ -75,7 +77,7 @@ Network flat_torus(uint32_t across, uint32_t along, uint32_t full, double spacin
     const uint32_t x = i % across, z = i / across;
     uint32_t row[8];
     size_t links = 0;
-    for (const Step& s : steps(full, x, z)) {
+    for (const NeighbourOffset& s : steps(full, x, z)) {
       const uint32_t to_x = (x + across + static_cast<uint32_t>(s.x)) % across;
       const uint32_t to_z = (z + along + static_cast<uint32_t>(s.z)) % along;
       const uint32_t to = to_z * across + to_x;

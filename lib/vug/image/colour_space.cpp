@@ -6,17 +6,17 @@
 namespace vug::image {
 namespace {
 
-using Rows = std::array<std::array<double, 3>, 3>;
-using Row = std::array<double, 3>;
+using Matrix3 = std::array<std::array<double, 3>, 3>;
+using Vector3 = std::array<double, 3>;
 
-Row multiply(const Rows& m, const Row& v) {
-  Row out{};
+Vector3 multiply(const Matrix3& m, const Vector3& v) {
+  Vector3 out{};
   for (size_t i = 0; i < 3; ++i) out[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
   return out;
 }
 
-Rows multiply(const Rows& a, const Rows& b) {
-  Rows out{};
+Matrix3 multiply(const Matrix3& a, const Matrix3& b) {
+  Matrix3 out{};
   for (size_t i = 0; i < 3; ++i)
     for (size_t j = 0; j < 3; ++j)
       out[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
@@ -24,39 +24,39 @@ Rows multiply(const Rows& a, const Rows& b) {
 }
 
 /// Inverse by cofactors.
-Rows inverse(const Rows& m) {
+Matrix3 inverse(const Matrix3& m) {
   const auto minor = [&](size_t i, size_t j) {
     const size_t r = (i + 1) % 3, s = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
     return m[r][c] * m[s][d] - m[r][d] * m[s][c];
   };
   const double determinant = m[0][0] * minor(0, 0) + m[0][1] * minor(0, 1) + m[0][2] * minor(0, 2);
-  Rows out{};
+  Matrix3 out{};
   for (size_t i = 0; i < 3; ++i)
     for (size_t j = 0; j < 3; ++j) out[j][i] = minor(i, j) / determinant;
   return out;
 }
 
-Row xyz(const Chromaticities& c, size_t which) {
+Vector3 xyz(const Chromaticities& c, size_t which) {
   const double x = c[2 * which], y = c[2 * which + 1];
   return {x / y, 1, (1 - x - y) / y};
 }
 
 /// Converts from the primaries to CIE XYZ, with white at luminance 1.
-Rows to_xyz(const Chromaticities& c) {
-  Rows columns{};
+Matrix3 to_xyz(const Chromaticities& c) {
+  Matrix3 columns{};
   for (size_t j = 0; j < 3; ++j)
     for (size_t i = 0; i < 3; ++i) columns[i][j] = xyz(c, j)[i];
-  const Row shares = multiply(inverse(columns), xyz(c, 3));
+  const Vector3 shares = multiply(inverse(columns), xyz(c, 3));
   for (size_t i = 0; i < 3; ++i)
     for (size_t j = 0; j < 3; ++j) columns[i][j] *= shares[j];
   return columns;
 }
 
-Rows adaptation(const Row& from, const Row& to) {
-  constexpr Rows kBradford = {
+Matrix3 adaptation(const Vector3& from, const Vector3& to) {
+  constexpr Matrix3 kBradford = {
       {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
-  const Row a = multiply(kBradford, from), b = multiply(kBradford, to);
-  Rows scaled = kBradford;
+  const Vector3 a = multiply(kBradford, from), b = multiply(kBradford, to);
+  Matrix3 scaled = kBradford;
   for (size_t i = 0; i < 3; ++i)
     for (double& v : scaled[i]) v *= b[i] / a[i];
   return multiply(inverse(kBradford), scaled);

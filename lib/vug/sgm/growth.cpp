@@ -23,11 +23,11 @@ double reach_of(const field::Blend& blend) {
 }
 
 /// The half ball of a local intersection: it contains the shape's outer half and a margin.
-struct End {
+struct EndHalfBall {
   Vec3d centre;
   double radius;
 };
-End end_of(const Field& shape) {
+EndHalfBall end_half_ball(const Field& shape) {
   return {shape.bounds().center(), 0.625 * shape.bounds().size().length()};
 }
 
@@ -153,7 +153,7 @@ std::optional<Field> Growth::combined(const ProductionStep& step, const Placemen
       out = field::subtract(field_, {shape.field}, step.blend);
       break;
     case Operation::intersect: {
-      const End end = whole ? End{} : end_of(shape.field);
+      const EndHalfBall end = whole ? EndHalfBall{} : end_half_ball(shape.field);
       out = whole ? field::intersect({field_, shape.field}, step.blend)
                   : local_intersection(field_, shape.field, end.centre, heading(placement),
                                        end.radius, step.blend);
@@ -187,7 +187,7 @@ void Growth::grow(const ProductionStep& step, const Shape& shape, Field base,
   // Cuts also consume their bond, but they join nothing, so the new wall gets a new bond.
   const double depth = whole ? size_of(field_) : std::min(size_of(field_), size_of(shape.field));
   const double reach = reach_of(step.blend) + 1e-6 * size_of(field_);
-  const End end = whole ? End{} : end_of(shape.field);
+  const EndHalfBall end = whole ? EndHalfBall{} : end_half_ball(shape.field);
   bonds_.reproject(field_, depth, [&](const Bond& bond) {
     if (whole) return true;
     if (step.operation == Operation::intersect)

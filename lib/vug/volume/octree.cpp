@@ -62,7 +62,7 @@ class OctreeBuilder {
     } else if (cell.size == Brick::kSize && !brick) {
       Brick own(cell);
       descend(part.field, cell, &own, units);
-      tree_.take(own);
+      tree_.add(own);
       return;
     } else {
       return descend(part.field, cell, brick, units);

@@ -98,14 +98,14 @@ std::vector<Slot> sorted_slots(const Points& points, double voxel) {
 }
 
 /// A leaf and its points: slots begin .. end - 1.
-struct Part {
+struct LeafPoints {
   Leaf* leaf = nullptr;
   size_t begin = 0, end = 0;
 };
 
-std::vector<Part> make_leaves(Tree& tree, const std::vector<Slot>& slots, const Points& points,
-                              double voxel) {
-  std::vector<Part> parts;
+std::vector<LeafPoints> make_leaves(Tree& tree, const std::vector<Slot>& slots,
+                                    const Points& points, double voxel) {
+  std::vector<LeafPoints> parts;
   for (size_t i = 0; i < slots.size(); ++i)
     if (i == 0 || !slots[i].same_leaf(slots[i - 1])) {
       if (i > 0) parts.back().end = i;
@@ -117,7 +117,7 @@ std::vector<Part> make_leaves(Tree& tree, const std::vector<Slot>& slots, const 
   {
     const vp::AttributeArray::ScopedRegistryLock lock;
     parallel_for(parts.size(), [&](size_t n) {
-      const Part& part = parts[n];
+      const LeafPoints& part = parts[n];
       const openvdb::Vec3d first = index_of(points.position[slots[part.begin].point], voxel);
       auto leaf = std::make_unique<Leaf>(openvdb::Coord::round(first));
       std::vector<Leaf::ValueType> ends(Leaf::SIZE);
@@ -154,12 +154,12 @@ int32_t stored(int32_t x) { return x; }
 openvdb::Vec3f stored(const Vec3f& v) { return {v.x, v.y, v.z}; }
 
 template <class Codec, class T>
-void add_attribute(Tree& tree, const std::vector<Part>& parts, const std::vector<Slot>& slots,
+void add_attribute(Tree& tree, const std::vector<LeafPoints>& parts, const std::vector<Slot>& slots,
                    const std::string& name, const std::vector<T>& values) {
   using Value = decltype(stored(values[0]));
   vp::appendAttribute(tree, name, vp::TypedAttributeArray<Value, Codec>::attributeType());
   parallel_for(parts.size(), [&](size_t n) {
-    const Part& part = parts[n];
+    const LeafPoints& part = parts[n];
     vp::AttributeArray& array = part.leaf->attributeArray(name);
     vp::AttributeWriteHandle<Value, Codec> to(array);
     for (size_t k = part.begin; k < part.end; ++k)
@@ -168,7 +168,7 @@ void add_attribute(Tree& tree, const std::vector<Part>& parts, const std::vector
   });
 }
 
-void add_attribute(Tree& tree, const std::vector<Part>& parts, const std::vector<Slot>& slots,
+void add_attribute(Tree& tree, const std::vector<LeafPoints>& parts, const std::vector<Slot>& slots,
                    const PointAttribute& attribute) {
   const std::string& name = attribute.name;
   if (const auto* whole = std::get_if<std::vector<int32_t>>(&attribute.values))
@@ -186,11 +186,11 @@ void add_attribute(Tree& tree, const std::vector<Part>& parts, const std::vector
     add(std::get<std::vector<Vec3f>>(attribute.values));
 }
 
-void add_groups(Tree& tree, const std::vector<Part>& parts, const std::vector<Slot>& slots,
+void add_groups(Tree& tree, const std::vector<LeafPoints>& parts, const std::vector<Slot>& slots,
                 const std::vector<PointGroup>& groups) {
   for (const PointGroup& group : groups) vp::appendGroup(tree, group.name);
   parallel_for(parts.size(), [&](size_t n) {
-    const Part& part = parts[n];
+    const LeafPoints& part = parts[n];
     for (const PointGroup& group : groups) {
       vp::GroupWriteHandle to = part.leaf->groupWriteHandle(group.name);
       for (size_t k = part.begin; k < part.end; ++k)
@@ -210,7 +210,7 @@ Grid point_grid(const Points& points, double voxel) {
   const auto grid = vp::PointDataGrid::create();
   grid->setTransform(openvdb::math::Transform::createLinearTransform(voxel));
   const std::vector<Slot> slots = sorted_slots(points, voxel);
-  const std::vector<Part> parts = make_leaves(grid->tree(), slots, points, voxel);
+  const std::vector<LeafPoints> parts = make_leaves(grid->tree(), slots, points, voxel);
   if (!parts.empty()) {
     for (const PointAttribute& each : points.attributes)
       add_attribute(grid->tree(), parts, slots, each);

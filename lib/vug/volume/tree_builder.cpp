@@ -56,7 +56,7 @@ void Brick::fill_inside(const Cell& cell) {
                   true);
 }
 
-struct TreeBuilder::State {
+struct TreeBuilder::Impl {
   openvdb::FloatGrid::Ptr grid;
   float background = 0;
   std::mutex mutex;
@@ -70,32 +70,32 @@ struct TreeBuilder::State {
   }
 };
 
-TreeBuilder::TreeBuilder(double voxel, float background) : state_(new State) {
+TreeBuilder::TreeBuilder(double voxel, float background) : impl_(new Impl) {
   initialise_openvdb();
-  state_->background = background;
-  state_->grid = openvdb::FloatGrid::create(background);
-  state_->grid->setTransform(openvdb::math::Transform::createLinearTransform(voxel));
-  state_->grid->setGridClass(openvdb::GRID_LEVEL_SET);
+  impl_->background = background;
+  impl_->grid = openvdb::FloatGrid::create(background);
+  impl_->grid->setTransform(openvdb::math::Transform::createLinearTransform(voxel));
+  impl_->grid->setGridClass(openvdb::GRID_LEVEL_SET);
 }
 
 TreeBuilder::~TreeBuilder() = default;
 
-void TreeBuilder::take(Brick& brick) {
-  auto node = std::make_unique<Lower>(coord(brick.cell_), state_->background, false);
+void TreeBuilder::add(Brick& brick) {
+  auto node = std::make_unique<Lower>(coord(brick.cell_), impl_->background, false);
   bool any = false;
   Brick::Slots& slots = *brick.slots_;
   for (size_t n = 0; n < slots.leaf.size(); ++n) {
     any = any || slots.leaf[n] || slots.inside[n];
-    if (slots.inside[n]) node->addTile(static_cast<openvdb::Index>(n), -state_->background, false);
+    if (slots.inside[n]) node->addTile(static_cast<openvdb::Index>(n), -impl_->background, false);
     if (slots.leaf[n]) node->addChild(slots.leaf[n].release());
   }
   if (!any) return;
-  const std::lock_guard lock(state_->mutex);
-  state_->upper(node->origin()).addChild(node.release());
+  const std::lock_guard lock(impl_->mutex);
+  impl_->upper(node->origin()).addChild(node.release());
 }
 
 void TreeBuilder::fill_inside(const Cell& cell) {
-  const std::lock_guard lock(state_->mutex);
+  const std::lock_guard lock(impl_->mutex);
   const int64_t step = cell.size < Upper::DIM ? Brick::kSize : Upper::DIM;
   for (int64_t x = 0; x < cell.size; x += step)
     for (int64_t y = 0; y < cell.size; y += step)
@@ -103,15 +103,15 @@ void TreeBuilder::fill_inside(const Cell& cell) {
         const openvdb::Coord at =
             coord(cell).offsetBy(static_cast<int>(x), static_cast<int>(y), static_cast<int>(z));
         if (step == Upper::DIM)
-          state_->grid->tree().root().addTile(at, -state_->background, false);
+          impl_->grid->tree().root().addTile(at, -impl_->background, false);
         else
-          state_->upper(at).addTile(Upper::coordToOffset(at), -state_->background, false);
+          impl_->upper(at).addTile(Upper::coordToOffset(at), -impl_->background, false);
       }
 }
 
 std::shared_ptr<openvdb::GridBase> TreeBuilder::finish() {
-  for (auto& [origin, node] : state_->uppers) state_->grid->tree().root().addChild(node.release());
-  return state_->grid;
+  for (auto& [origin, node] : impl_->uppers) impl_->grid->tree().root().addChild(node.release());
+  return impl_->grid;
 }
 
 }  // namespace vug::volume

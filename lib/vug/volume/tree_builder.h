@@ -37,13 +37,13 @@ class TreeBuilder {
   TreeBuilder(const TreeBuilder&) = delete;
   TreeBuilder& operator=(const TreeBuilder&) = delete;
 
-  void take(Brick& brick);             ///< Thread-safe; moves the brick's leaves into the tree.
+  void add(Brick& brick);              ///< Thread-safe; moves the brick's leaves into the tree.
   void fill_inside(const Cell& cell);  ///< Thread-safe; for a cell of 128^3 or more.
   std::shared_ptr<openvdb::GridBase> finish();
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace vug::volume

@@ -43,7 +43,7 @@ struct Repeat {
 };
 
 /// The copies along one axis.
-struct Row {
+struct AxisCopies {
   double spacing = 0;                   // 0: one copy, at 0.
   double start = 0;                     // Position of copy 0.
   double first = 0;                     // Centre of the box of copy 0.
@@ -63,7 +63,7 @@ struct Row {
 
 class RepeatNode final : public EvaluationModes<RepeatNode> {
  public:
-  RepeatNode(Traits traits, NodePtr child, const Row (&rows)[3])
+  RepeatNode(Traits traits, NodePtr child, const AxisCopies (&rows)[3])
       : EvaluationModes(std::move(traits)),
         child_(std::move(child)),
         rows_{rows[0], rows[1], rows[2]} {}
@@ -97,7 +97,7 @@ class RepeatNode final : public EvaluationModes<RepeatNode> {
     double low[3], high[3], count = 1;
     bool one_window = true;
     for (int axis = 0; axis < 3; ++axis) {
-      const Row& row = rows_[axis];
+      const AxisCopies& row = rows_[axis];
       low[axis] = row.number(ball.centre[axis] - ball.radius);
       const double last = row.number(ball.centre[axis] + ball.radius);
       one_window = one_window && last == low[axis];
@@ -136,14 +136,14 @@ class RepeatNode final : public EvaluationModes<RepeatNode> {
     const int nx = rows_[0].window, ny = rows_[1].window;
     const int step[3] = {copy % nx, copy / nx % ny, copy / nx / ny};
     auto shift = [&](int axis) {
-      const Row& row = rows_[axis];
+      const AxisCopies& row = rows_[axis];
       return T(row.start) + (number[axis] + T(static_cast<double>(step[axis]))) * T(row.spacing);
     };
     return {p.x - shift(0), p.y - shift(1), p.z - shift(2)};
   }
 
   NodePtr child_;
-  Row rows_[3];
+  AxisCopies rows_[3];
 };
 
 Field repeated(const Repeat& repeat) {
@@ -152,9 +152,9 @@ Field repeated(const Repeat& repeat) {
   // The union of exact fields is exact outside; values of other fields may jump.
   traits.exactness = child.exactness == Exactness::exact ? Exactness::bound : Exactness::sign;
   traits.growth = child.growth_rate();
-  Row rows[3];
+  AxisCopies rows[3];
   for (int axis = 0; axis < 3; ++axis) {
-    Row& row = rows[axis];
+    AxisCopies& row = rows[axis];
     row.spacing = repeat.spacing[axis];
     if (row.spacing == 0) continue;
     const double extent = 0.5 * child.bounds.size()[axis] / row.spacing;
