@@ -62,7 +62,7 @@ TEST(Stages, LeftRecursionIsRejected) {
                                                        " interpret {\n") +
                                            rules + "\n}\n}\n");
     EXPECT_FALSE(compiled.system);
-    EXPECT_NE(compiled.report.find("never ends: "), std::string::npos) << compiled.report;
+    EXPECT_NE(compiled.report.find("never terminates: "), std::string::npos) << compiled.report;
     EXPECT_NE(compiled.report.find("test.vug:4:"), std::string::npos) << compiled.report;
   }
   // A recursion ended by a guard is accepted; a failing guard is detected at run time.
