@@ -2,7 +2,7 @@
 // redirects the renderer's rays to this file (--wrap), which records them in order. The loop then
 // traces them one after the other with Embree's BVH of the same triangles. One thread.
 //   bench_rays [SCENE.json] [SPP] [WIDTH]
-// Skips if the reference cave, which is not part of this repository, is missing.
+// Skips if the reference cave, which the build generates (tests/bench/reference_caves), is missing.
 #include "bench_scene.h"
 
 #include <vug/raytree/bvh_traversal.h>
