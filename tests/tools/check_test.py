@@ -28,6 +28,7 @@ GOOD = {
     "docs/theory.md": "# Theory\n\n## Two words\n\nSee [@lorensen1987].\n",
     "data/cave.vug": "seed 1\n",
     "tools/dev/phrases.txt": (ROOT / "tools/dev/phrases.txt").read_text(),
+    "tools/dev/retired_names.txt": (ROOT / "tools/dev/retired_names.txt").read_text(),
 }
 BODY = "int zero() { return 0; }\n"
 
@@ -103,6 +104,14 @@ class CheckTest(unittest.TestCase):
         self.passes("layers", private)
         self.finds("layers", {**private, "lib/vug/session/a.cpp": "#include <vug/volume/step.h>\n"},
                    "brings openvdb/openvdb.h into another module")
+
+    def test_internal_headers(self):
+        internal = {"lib/vug/mesh/in.h": "// Internal to mesh/: a detail.\n#pragma once\n"}
+        self.passes("layers", {**internal, "lib/vug/mesh/a.cpp": "#include <vug/mesh/in.h>\n"})
+        self.finds("layers", {**internal, "lib/vug/mesh/a.h": "// A.\n#pragma once\n#include <vug/mesh/in.h>\n"},
+                   "vug/mesh/in.h is internal and not installed")
+        self.finds("layers", {**internal, "lib/vug/field/a.cpp": "#include <vug/mesh/in.h>\n"},
+                   "vug/mesh/in.h is internal to its module")
 
     def test_sizes(self):
         self.finds("sizes", {"lib/vug/mesh/a.cpp": "\n" * 601}, "601 lines, at most 600")

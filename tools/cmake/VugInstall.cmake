@@ -10,10 +10,20 @@ target_link_libraries(vug_all INTERFACE ${modules})
 
 install(TARGETS vug_contract vug_all ${modules} EXPORT VugTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-# Headers, and beside them the lists of kinds that the build writes.
+# Public headers and the generated lists of kinds. Headers whose first comment starts with "Internal to" or
+# "Inside" a module are not installed; tools/dev/check layers verifies that public headers do not include them.
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/lib ${PROJECT_SOURCE_DIR}/lib/vug/*.h)
+set(internal "")
+foreach(header ${headers})
+  file(STRINGS ${PROJECT_SOURCE_DIR}/lib/${header} first LIMIT_COUNT 1)
+  if(first MATCHES "^// (Internal|Inside) ")
+    string(REPLACE "." "[.]" header ${header})
+    list(APPEND internal REGEX "/lib/${header}$" EXCLUDE)
+  endif()
+endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/vug ${PROJECT_BINARY_DIR}/lib/vug
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.h" PATTERN "*.inc" PATTERN CMakeFiles EXCLUDE)
+  FILES_MATCHING PATTERN "*.h" PATTERN "*.inc" PATTERN CMakeFiles EXCLUDE ${internal})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/vug OPTIONAL)
 if(TARGET vug)
   install(TARGETS vug RUNTIME)

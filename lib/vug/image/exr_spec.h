@@ -1,5 +1,4 @@
-// Headers and output shared by all EXR writers. For sources of this module only, because it
-// includes OpenImageIO.
+// Internal to image/: headers and output shared by all EXR writers. Includes OpenImageIO.
 #pragma once
 
 #include <vug/image/io.h>

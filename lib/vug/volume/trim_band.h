@@ -1,5 +1,5 @@
-// Trims a level set outside its band, because the first-order distances of a steep field are too
-// short far from its surface.
+// Internal to volume/: trims a level set outside its band, because the first-order distances of a
+// steep field are too short far from its surface.
 #pragma once
 
 #include <vug/volume/grid_access.h>

@@ -114,9 +114,25 @@ def check_heavy(tree, graph):
                               "keep heavy headers in .cpp files or in headers private to a module")
 
 
+def check_internal(tree):
+    internal = {name for name in tree.select(".h", under="lib/vug/")
+                if re.match(r"// (Internal|Inside) ", tree.text(name))}
+    for name in tree.sources():
+        for line, path, _ in tree.includes(name):
+            header = "lib/" + path
+            if header not in internal or name in internal:
+                continue
+            if module_of(name) != module_of(header):
+                yield Finding(name, line, f"{path} is internal to its module")
+            elif name.endswith(".h"):
+                yield Finding(name, line, f"{path} is internal and not installed: include it in .cpp files or "
+                              "internal headers only")
+
+
 def check(tree):
     layers, depends = read_layers(tree), read_depends(tree)
     graph = header_graph(tree)
     yield from check_direction(tree, layers, depends)
     yield from check_cycles(graph)
     yield from check_heavy(tree, graph)
+    yield from check_internal(tree)
