@@ -5,6 +5,7 @@
 
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/cells/build.h>
 #include <vug/cells/kind.h>
 #include <vug/cells/rule.h>
@@ -66,13 +67,13 @@ void compare(const volume::Points& is, const volume::Points& was, double voxel) 
 
 int main(int argc, char** argv) {
   const double millions = argc > 1 ? std::atof(argv[1]) : 10;
-  const std::filesystem::path file =
-      std::filesystem::temp_directory_path() / "vug_bench_cells_whole.vdb";
+  const ScratchFolder scratch("vug_bench");
+  const std::filesystem::path file = scratch.file("cells.vdb");
   BuildOptions options;
   options.grid = make_product(grids(), "random");
   options.relax = kRelax;
   NetworkPtr network;
-  stage("strewn, harmonised, linked", [&] {
+  stage("scattered, relaxed, linked", [&] {
     const Surface ball({std::make_shared<const mesh::Mesh>(mesh::sphere_mesh(Vec3d(0), 1, 7))});
     options.spacing = std::sqrt(estimate(ball, options.grid, 1) / (millions * 1e6));
     network = std::make_shared<const Network>(build(ball, options).network);
@@ -102,6 +103,5 @@ int main(int argc, char** argv) {
   volume::write(file, {volume::point_grid(points, voxel).named("cells")});
   fmt::print("with P, N, Cd, pscale and id alone: {:.1f} bytes a point\n", each());
   stage("read back", [&] { compare(volume::read_points(file), points, voxel); });
-  std::filesystem::remove(file);
   return 0;
 }

@@ -2,6 +2,7 @@
 // guarantees for all scenes: closed surfaces on the field, valid level sets.
 #include "facts.h"
 
+#include <vug/base/scratch_folder.h>
 #include <vug/building/builder.h>
 #include <vug/delivery/write_products.h>
 #include <vug/mesh/topology.h>
@@ -71,11 +72,10 @@ void expect_sound(building::Builder& builder, const shot::MeshPtr& plan, double 
   EXPECT_LT(rms_distance(*builder.mesh(under), *under->volume), residual);
 }
 
-/// The level sets and fogs that `vug build` writes, read back.
-void expect_written(building::Builder& builder, const std::string& scene) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "vug_scenes" / scene;
-  fs::create_directories(folder);
-  const std::vector<fs::path> paths = delivery::write_products(builder, folder);
+/// Writes the level sets and fog volumes like `vug build` and verifies the files.
+void expect_written(building::Builder& builder) {
+  const ScratchFolder folder("vug_scenes");
+  const std::vector<fs::path> paths = delivery::write_products(builder, folder.path());
   ASSERT_FALSE(paths.empty());
   for (const shot::VolumePtr& plan : builder.shot().volumes) {
     const volume::Grid grid = volume::read_grid(paths.front(), plan->name);
@@ -87,7 +87,6 @@ void expect_written(building::Builder& builder, const std::string& scene) {
     }
   }
   for (const fs::path& path : paths) EXPECT_GT(fs::file_size(path), 0U) << path;
-  fs::remove_all(folder);
 }
 
 bool has_mesh(const shot::Shot& shot, const std::string& name) {
@@ -101,7 +100,7 @@ class EveryScene : public ::testing::TestWithParam<std::string> {};
 TEST_P(EveryScene, IsAsKnown) {
   const json& scenes = scene_facts().at("scenes");
   ASSERT_TRUE(scenes.contains(GetParam()))
-      << "say in tests/data/scene_facts.json what is known about " << GetParam();
+      << "add the figures to tests/data/scene_facts.json for " << GetParam();
   const json& facts = scenes.at(GetParam());
   std::vector<scene::Override> overrides;
   const json defines = facts.value("defines", json::object());
@@ -125,7 +124,7 @@ TEST_P(EveryScene, IsAsKnown) {
   const json meshes = facts.value("meshes", json::object());
   for (const auto& entry : meshes.items())
     EXPECT_TRUE(has_mesh(loaded.shot, entry.key())) << "the scene has no mesh " << entry.key();
-  if (!shot::shown_meshes(loaded.shot).empty()) expect_written(builder, GetParam());
+  if (!shot::shown_meshes(loaded.shot).empty()) expect_written(builder);
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) {

@@ -1,5 +1,6 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
+#include <vug/base/scratch_folder.h>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -15,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(AtomicFile, LeavesTheOldFileUntilCommit) {
-  const fs::path folder = fs::path(testing::TempDir()) / "vug_atomic";
-  fs::remove_all(folder);
+  const ScratchFolder scratch("vug_atomic");
+  const fs::path& folder = scratch.path();
   write_text(folder / "a.txt", "old");
   {
     AtomicFile file(folder / "a.txt");
@@ -35,8 +36,8 @@ mode_t mode_of(const fs::path& path) {
 }
 
 TEST(AtomicFile, KeepsLinksAndPermissions) {
-  const fs::path folder = fs::path(testing::TempDir()) / "vug_links";
-  fs::remove_all(folder);
+  const ScratchFolder scratch("vug_links");
+  const fs::path& folder = scratch.path();
   write_text(folder / "real" / "a.txt", "old");
   fs::create_symlink("real/a.txt", folder / "link.txt");
   fs::create_symlink(folder / "link.txt", folder / "link_of_link.txt");
@@ -67,8 +68,8 @@ fs::path make_stale_partial_file(const fs::path& target) {
 }
 
 TEST(AtomicFile, RemovesStalePartialFiles) {
-  const fs::path folder = fs::path(testing::TempDir()) / "vug_left";
-  fs::remove_all(folder);
+  const ScratchFolder scratch("vug_left");
+  const fs::path& folder = scratch.path();
   const fs::path stale = make_stale_partial_file(folder / "a.exr"),
                  png = make_stale_partial_file(folder / "a.png"),
                  other = make_stale_partial_file(folder / "b.exr");
@@ -95,8 +96,8 @@ std::string refusal_to_write(const fs::path& path) {
 }
 
 TEST(AtomicFile, ReportsUnwritableTargetsBeforeTheWork) {
-  const fs::path folder = fs::path(testing::TempDir()) / "vug_writable";
-  fs::remove_all(folder);
+  const ScratchFolder scratch("vug_writable");
+  const fs::path& folder = scratch.path();
   write_text(folder / "file", "a file");
   EXPECT_EQ(refusal_to_write(folder / "file" / "a.txt"),
             "cannot create folder '" + (folder / "file").string() + "': Not a directory");
@@ -121,9 +122,8 @@ TEST(AtomicFile, ReportsUnreadableFiles) {
 
 /// Opening these would block or end the program, so only regular files are opened.
 TEST(ReadText, RejectsSpecialFiles) {
-  const fs::path folder = fs::path(testing::TempDir()) / "vug_no_file";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const ScratchFolder scratch("vug_no_file");
+  const fs::path& folder = scratch.path();
   const fs::path pipe = folder / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const auto refusal = [](const fs::path& path) {

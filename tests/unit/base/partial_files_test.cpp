@@ -1,6 +1,7 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/base/partial_files.h>
+#include <vug/base/scratch_folder.h>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -9,13 +10,6 @@
 namespace vug {
 namespace {
 namespace fs = std::filesystem;
-
-fs::path fresh(const std::string& name) {
-  const fs::path folder = fs::path(testing::TempDir()) / name;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
 
 /// The id of a process that has ended.
 std::string a_dead_process() {
@@ -26,7 +20,8 @@ std::string a_dead_process() {
 }
 
 TEST(PartialFiles, FindsFilesOfDeadProcesses) {
-  const fs::path folder = fresh("vug_hidden_names");
+  const ScratchFolder scratch("vug_hidden_names");
+  const fs::path& folder = scratch.path();
   const std::string dead = a_dead_process();
   const fs::path file = folder / (".a." + dead + ".part.exr"),
                  bare = folder / (".a." + dead + ".part");
@@ -43,7 +38,8 @@ TEST(PartialFiles, FindsFilesOfDeadProcesses) {
 }
 
 TEST(PartialFiles, ReturnsCreatedFolders) {
-  const fs::path folder = fresh("vug_hidden_folders");
+  const ScratchFolder scratch("vug_hidden_folders");
+  const fs::path& folder = scratch.path();
   EXPECT_TRUE(make_folders(folder).empty());
   EXPECT_TRUE(make_folders("").empty());
   const std::vector<fs::path> made = make_folders(folder / "a" / "b");
@@ -55,7 +51,8 @@ TEST(PartialFiles, ReturnsCreatedFolders) {
 }
 
 TEST(PartialFiles, FailedCreationLeavesNoFolders) {
-  const fs::path folder = fresh("vug_hidden_failure");
+  const ScratchFolder scratch("vug_hidden_failure");
+  const fs::path& folder = scratch.path();
   const fs::path deep = folder / "a" / std::string(300, 'x');
   try {
     make_folders(deep);

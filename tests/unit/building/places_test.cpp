@@ -1,6 +1,7 @@
 // Instances of `place` declarations: transforms, names, materials and lights.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/building/flat_scene.h>
 #include <vug/loading/load.h>
 #include <vug/picture/picture.h>
@@ -28,15 +29,9 @@ object pebble on round { material lambert() }
 object brick on cube {}
 )";
 
-/// A temporary folder that is removed after the test.
+/// Tests with a temporary folder.
 class Places : public testing::Test {
  protected:
-  Places() {
-    std::string name = (fs::temp_directory_path() / "vug_places_XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~Places() override { fs::remove_all(folder_); }
-
   void file(const std::string& name, const std::string& text) const {
     write_text(folder_ / name, text);
   }
@@ -52,7 +47,8 @@ class Places : public testing::Test {
   }
   std::string faults(const std::string& text) const { return loaded(text).report(); }
 
-  fs::path folder_;
+  const ScratchFolder scratch_{"vug_places"};
+  const fs::path& folder_ = scratch_.path();
 };
 
 Vec3d origin(const render::Object& object) { return Vec3d(object.instance->at(0).origin); }

@@ -2,12 +2,12 @@
 #include "run.h"
 
 #include <vug/base/error.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/cells/to_points.h>
 #include <vug/volume/io.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace vug::cells {
 namespace {
@@ -64,7 +64,8 @@ TEST(CellPoints, ContinueToTheSameBytesWithEveryRule) {
 TEST(CellPoints, HaveTheAttributesThatOtherProgramsExpect) {
   const NetworkPtr n = uneven();
   Simulation s = ran(n, some_of_all("melting"), 20);
-  const fs::path file = fs::temp_directory_path() / fmt::format("vug-cells-{}.vdb", getpid());
+  const ScratchFolder scratch("vug_cells");
+  const fs::path file = scratch.file("points.vdb");
   volume::write(file, {volume::point_grid(to_points(s), voxel_of_points(*n)).named("crust")});
   const volume::FileInfo info = volume::info(file);
   std::string lines;
@@ -85,7 +86,6 @@ TEST(CellPoints, HaveTheAttributesThatOtherProgramsExpect) {
   for (const float r : points.values<float>("pscale")) discs += kPi * static_cast<double>(r * r);
   for (const float a : n->area) area += static_cast<double>(a);
   EXPECT_NEAR(discs, area, 1e-3 * area);
-  fs::remove(file);
 }
 
 TEST(CellPoints, InterchangePointsAreRestoredApproximately) {

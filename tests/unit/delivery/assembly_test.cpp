@@ -1,6 +1,7 @@
 // Conversion of scenes to plain data for other programs.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/delivery/assembly.h>
 #include <vug/delivery/export_set.h>
 #include <vug/loading/load.h>
@@ -115,7 +116,8 @@ TEST(ExportSet, AirIsCalledAir) {
       "volume air = level_set(room, voxel: 20cm)\n",
       "t.vug", {});
   ASSERT_TRUE(scene.usable()) << scene.report();
-  const std::filesystem::path folder = testing::TempDir() + "vug_export_air";
+  const ScratchFolder scratch("vug_export_air");
+  const std::filesystem::path& folder = scratch.path();
   ExportOptions options;
   options.program = exchange::programs().front();
   const shot::Shot shot = with_meshes(scene.shot);
@@ -197,7 +199,8 @@ medium mist on banks { kind cloud extinction 2/m g 0.5 temperature 1800 temperat
 )",
                                                    "t.vug", {});
   ASSERT_TRUE(scene.usable()) << scene.report();
-  const std::filesystem::path folder = testing::TempDir() + "vug_export_cloud";
+  const ScratchFolder scratch("vug_export_cloud");
+  const std::filesystem::path& folder = scratch.path();
   ExportOptions options;
   options.program = &exchange::program("maya");
   const shot::Shot shot = with_meshes(scene.shot);
@@ -229,7 +232,8 @@ TEST(ExportSet, CloudsOfFilesAndHazeAreReported) {
       "temperature_grid: \"temperature\", emission_grid: \"flame\", color_grid: \"Cd\")\n",
       "t.vug", {});
   ASSERT_TRUE(fire.usable()) << fire.report();
-  const std::filesystem::path folder = testing::TempDir() + "vug_export_fire";
+  const ScratchFolder scratch("vug_export_fire");
+  const std::filesystem::path& folder = scratch.path();
   ExportOptions options;
   options.program = &exchange::program("gltf");
   const shot::Shot shot = with_meshes(fire.shot);
@@ -321,7 +325,8 @@ TEST(Assemble, TheCameraOfTheFirstPictureComesFirst) {
 
 TEST(ExportSet, VolumesAreInTheProgramsSpace) {
   const Made made;
-  const std::filesystem::path folder = testing::TempDir() + "vug_export_set";
+  const ScratchFolder scratch("vug_export_set");
+  const std::filesystem::path& folder = scratch.path();
   for (const exchange::Program* program : exchange::programs()) {
     std::filesystem::remove_all(folder);
     ExportOptions options;

@@ -1,9 +1,9 @@
 // Files of cells, and continued runs: from a checkpoint, from a frame, from points.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/building/builder.h>
 #include <vug/building/cell_points.h>
 #include <vug/building/cells_checkpoint.h>
@@ -30,12 +30,6 @@ const std::string kNext =
 
 class CellFiles : public testing::Test {
  protected:
-  CellFiles()
-      : folder_(fs::temp_directory_path() / ("vug-cell-files-" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~CellFiles() override { fs::remove_all(folder_); }
-
   static loading::Loaded loaded(const std::string& cells, double frame = 1,
                                 loading::StaticCache* still = nullptr,
                                 const std::string& file = "crust.vug") {
@@ -58,7 +52,8 @@ class CellFiles : public testing::Test {
     return out;
   }
 
-  fs::path folder_;
+  const ScratchFolder scratch_{"vug_cell_files"};
+  const std::filesystem::path& folder_ = scratch_.path();
 };
 
 TEST_F(CellFiles, AStoppedRunContinuesToTheSameBytes) {

@@ -1,3 +1,4 @@
+#include <vug/base/scratch_folder.h>
 #include <vug/exchange/flat_mesh.h>
 #include <vug/exchange/program.h>
 #include <vug/mesh/format.h>
@@ -15,7 +16,8 @@ TEST(FlatMesh, ACubeOfAMetreIsOneMetreInEveryFormatAndSpace) {
   one.groups.resize(1);
   for (const char* name : {"obj", "ply"})
     for (const Space& space : {Space{UpAxis::y, 1}, Space{UpAxis::z, 0.01}}) {
-      const std::filesystem::path file = testing::TempDir() + "vug_flat." + name;
+      const ScratchFolder scratch("vug_flat");
+      const std::filesystem::path file = scratch.file(std::string("cube.") + name);
       const WriteReport written = write(format(name), one, space, file);
       const mesh::Mesh mesh = mesh::read_mesh(file);
       const Vec3d size = mesh::bounds(mesh).size() * space.metres_per_unit;
@@ -28,7 +30,6 @@ TEST(FlatMesh, ACubeOfAMetreIsOneMetreInEveryFormatAndSpace) {
       const auto texts = read_metadata(file);
       ASSERT_FALSE(texts.empty());
       EXPECT_EQ(texts[0].second, one.provenance.recipe);
-      std::filesystem::remove(file);
     }
 }
 

@@ -1,5 +1,6 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/exchange/format.h>
 
 #include <gtest/gtest.h>
@@ -16,13 +17,6 @@ namespace {
 
 class Glb : public testing::Test {
  protected:
-  Glb()
-      : folder_(testing::TempDir() + "vug_glb_" +
-                testing::UnitTest::GetInstance()->current_test_info()->name()) {
-    std::filesystem::remove_all(folder_);
-  }
-  ~Glb() override { std::filesystem::remove_all(folder_); }
-
   tinygltf::Model round_trip(const Assembly& assembly, const Space& space = {},
                              const FormatOptions& options = {}) {
     written_ = write(format("glb"), assembly, space, folder_ / "a.glb", options);
@@ -33,7 +27,8 @@ class Glb : public testing::Test {
         << errors << warnings;
     return model;
   }
-  std::filesystem::path folder_;
+  const ScratchFolder scratch_{"vug_glb"};
+  const std::filesystem::path& folder_ = scratch_.path();
   WriteReport written_;
 };
 

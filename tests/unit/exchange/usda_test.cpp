@@ -1,6 +1,7 @@
 // Content of the text by plain search; tests/dcc reads it with third-party readers.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/exchange/program.h>
 
 #include <gtest/gtest.h>
@@ -16,19 +17,13 @@ namespace {
 
 class Usda : public testing::Test {
  protected:
-  Usda()
-      : folder_(testing::TempDir() + "vug_usda_" +
-                testing::UnitTest::GetInstance()->current_test_info()->name()) {
-    std::filesystem::remove_all(folder_);
-  }
-  ~Usda() override { std::filesystem::remove_all(folder_); }
-
   std::string text_of(const Assembly& assembly, const Space& space = {},
                       const FormatOptions& options = {}) {
     written_ = write(format("usda"), assembly, space, folder_ / "a.usda", options);
     return read_text(folder_ / "a.usda");
   }
-  std::filesystem::path folder_;
+  const ScratchFolder scratch_{"vug_usda"};
+  const std::filesystem::path& folder_ = scratch_.path();
   WriteReport written_;
 };
 

@@ -1,12 +1,11 @@
 #include "fixtures.h"
 
 #include <vug/base/maths.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/field/sampled.h>
 #include <vug/image/io.h>
 #include <vug/mesh/format.h>
 #include <vug/mesh/shapes.h>
-
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -29,18 +28,9 @@ class BallGrid final : public SampledGrid {
 }  // namespace
 
 const std::string& fixture_folder() {
-  struct Folder {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("vug_fixtures_" + std::to_string(::getpid()));
-    std::string text = path.string();
-    Folder() { std::filesystem::create_directories(path); }
-    ~Folder() {
-      std::error_code ignored;
-      std::filesystem::remove_all(path, ignored);
-    }
-  };
-  static const Folder here;
-  return here.text;
+  static const ScratchFolder folder("vug_fixtures");
+  static const std::string text = folder.path().string();
+  return text;
 }
 
 std::string fixture_file(const std::string& kind) {

@@ -3,6 +3,7 @@
 
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/fit/evidence/cluster_image.h>
 #include <vug/fit/evidence/working_size.h>
 #include <vug/image/io.h>
@@ -56,7 +57,8 @@ TEST(WorkingSize, MeansArePreserved) {
 }
 
 TEST(WorkingSize, GreyPhotosAndTheMemoryLimit) {
-  const auto path = std::filesystem::temp_directory_path() / "vug_grey_photo.png";
+  const ScratchFolder scratch("vug_grey_photo");
+  const auto path = scratch.file("photo.png");
   image::Image grey(4, 3, {"Y"});
   for (float& v : grey.pixels) v = 0.25f;
   image::write_png(path, grey, image::plain_view());
@@ -69,7 +71,6 @@ TEST(WorkingSize, GreyPhotosAndTheMemoryLimit) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::too_large);
   }
-  std::filesystem::remove(path);
 }
 
 std::vector<bool> is(const std::vector<uint8_t>& marks, uint8_t what) {

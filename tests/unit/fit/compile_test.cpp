@@ -1,5 +1,6 @@
 // Compilation of the published grammar for the sampler.
 #include <vug/base/error.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/fit/model/compile.h>
 #include <vug/fit/model/model.h>
 
@@ -61,7 +62,8 @@ TEST(Compile, TheWorkedExampleOfTheComplexity) {
 }
 
 TEST(Compile, UnsupportedRulesAreRejectedWithTheirLocation) {
-  const std::string folder = std::filesystem::temp_directory_path() / "vug-compile-test.vug";
+  const ScratchFolder scratch("vug_compile");
+  const std::string file = scratch.file("rules.vug");
   const std::pair<std::string, std::string> cases[] = {
       {"Facade -> rows(3m, Low, 1, High)\n  Low -> window\n  High -> window", "sizes or counts"},
       {"Facade -> inset(Low)\n  Low -> window", "is not supported"},
@@ -69,9 +71,9 @@ TEST(Compile, UnsupportedRulesAreRejectedWithTheirLocation) {
       {"Facade @2 -> window", "a weight"},
   };
   for (const auto& [rule, said] : cases) {
-    std::ofstream(folder) << "grammar g: facade {\n  axiom Facade\n  " << rule << "\n}\n";
+    std::ofstream(file) << "grammar g: facade {\n  axiom Facade\n  " << rule << "\n}\n";
     try {
-      compile(facade::load_rules(folder));
+      compile(facade::load_rules(file));
       ADD_FAILURE() << rule;
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find(said), std::string::npos) << rule << "\n"
@@ -79,7 +81,6 @@ TEST(Compile, UnsupportedRulesAreRejectedWithTheirLocation) {
       EXPECT_EQ(error.where().line, 3) << rule;
     }
   }
-  std::filesystem::remove(folder);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Working spaces and views. OpenColorIO's own transforms and published numbers serve as reference.
 #include <vug/base/error.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/image/io.h>
 #include <vug/image/ocio_view.h>
 #include <vug/image/texture.h>
@@ -75,13 +76,9 @@ TEST(Colour, TheAcesViewGivesThePublishedGrey) {
 }
 
 struct File {
-  explicit File(const char* text) {
-    path = std::filesystem::temp_directory_path() /
-           ("vug_colour_" + std::to_string(::getpid()) + ".ocio");
-    std::ofstream(path) << text;
-  }
-  ~File() { std::filesystem::remove(path); }
-  std::filesystem::path path;
+  explicit File(const char* text) { std::ofstream(path) << text; }
+  ScratchFolder scratch{"vug_colour"};
+  std::filesystem::path path = scratch.file("config.ocio");
 };
 
 constexpr const char* kStudio = R"(ocio_profile_version: 2
@@ -135,8 +132,8 @@ TEST(Colour, UnknownNamesAreReportedWithTheKnownOnes) {
 }
 
 TEST(Colour, APictureOfOtherPrimariesIsATextureOfTheSameLight) {
-  const std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                     ("vug_colour_" + std::to_string(::getpid()) + ".exr");
+  const ScratchFolder scratch("vug_colour");
+  const std::filesystem::path path = scratch.file("picture.exr");
   const Vec3f light(0.6f, 0.25f, 0.1f);
   ExrOptions options;
   options.space = WorkingSpace::acescg;
@@ -150,7 +147,6 @@ TEST(Colour, APictureOfOtherPrimariesIsATextureOfTheSameLight) {
   const FileInfo info = read_info(path);
   ASSERT_TRUE(info.chromaticities);
   EXPECT_NEAR((*info.chromaticities)[0], 0.713, 1e-6);
-  std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 #include <vug/base/error.h>
 #include <vug/base/hash.h>
 #include <vug/base/rng.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/image/io.h>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -20,17 +20,10 @@ namespace fs = std::filesystem;
 
 class Files : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              ("vug_image_" + std::to_string(getpid()) + "_" +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  fs::path file(const std::string& name) const { return folder_ / name; }
+  fs::path file(const std::string& name) const { return folder_.file(name); }
 
  private:
-  fs::path folder_;
+  const ScratchFolder folder_{"vug_image"};
 };
 
 Image noise(int width, int height, std::vector<std::string> channels, double scale) {

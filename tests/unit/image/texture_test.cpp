@@ -1,20 +1,15 @@
 #include <vug/base/error.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/image/io.h>
 #include <vug/image/texture.h>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <limits>
 
 namespace vug::image {
 namespace {
-
-std::filesystem::path scratch(const std::string& name) {
-  return std::filesystem::temp_directory_path() /
-         ("vug_texture_" + std::to_string(getpid()) + "_" + name);
-}
 
 /// Left half 1, right half 0.
 Image halves() {
@@ -35,26 +30,26 @@ std::string refusal(const std::filesystem::path& path) {
 }
 
 TEST(Texture, IsSharpForNarrowAndUniformForWideFilters) {
-  const auto path = scratch("halves.exr");
+  const ScratchFolder scratch("vug_texture");
+  const auto path = scratch.file("halves.exr");
   write_exr(path, halves());
   const Texture texture(path);
   EXPECT_NEAR(texture.at(0.25, 0.5, 0).x, 1, 1e-3);
   EXPECT_NEAR(texture.at(0.75, 0.5, 0).x, 0, 1e-3);
   EXPECT_NEAR(texture.at(-3.75, 7.5, 0).x, 1, 1e-3) << "it repeats";
   EXPECT_NEAR(texture.at(0.25, 0.5, 4).x, 0.5, 0.02) << "a look wider than the picture";
-  std::filesystem::remove(path);
 }
 
 TEST(Texture, ReportsUnusableFiles) {
   EXPECT_NE(refusal("no/such.exr").find("no/such.exr"), std::string::npos);
   Image bad = halves();
   bad.at(3, 5, 1) = std::numeric_limits<float>::quiet_NaN();
-  const auto path = scratch("nan.exr");
+  const ScratchFolder scratch("vug_texture");
+  const auto path = scratch.file("nan.exr");
   write_exr(path, bad);
   const std::string reason = refusal(path);
   EXPECT_NE(reason.find("not finite"), std::string::npos) << reason;
   EXPECT_NE(reason.find("(3, 5)"), std::string::npos) << reason;
-  std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // grove(...) in scenes: the positions of its plants, and the reports of faults.
+#include <vug/base/scratch_folder.h>
 #include <vug/building/flat_scene.h>
 #include <vug/image/io.h>
 #include <vug/loading/load.h>
@@ -87,14 +88,14 @@ TEST(GrovePlaces, StandOnAPictureWhereItIsNotTooSteep) {
   };
   for (int y = 0; y < 3; ++y)
     for (int x = 0; x < 241; ++x) heights.at(x, y) = static_cast<float>(height(0.1 * x - 12) / 8);
-  const auto path = std::filesystem::temp_directory_path() / "vug_grove_heights.exr";
+  const ScratchFolder scratch("vug_grove");
+  const auto path = scratch.file("heights.exr");
   image::write_exr(path, heights, {});
   const building::FlatScene made = cast(
       "let land = heightfield(file: \"" + path.string() +
       "\", size: (24m, 8m, 24m), sampling: bilinear)\n"
       "place p { of thin  at grove(polygon: [(-11, -9), (11, -9), (11, 9), (-11, 9)], count: 600, "
       "on: land, steepest: 40deg) }\n");
-  std::filesystem::remove(path);
   int left = 0, right = 0;
   for (const render::Object& object : made.objects) {
     const Vec3d at = origin(object);

@@ -2,6 +2,7 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/base/rng.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/mesh/format.h>
 #include <vug/mesh/normals.h>
 #include <vug/mesh/shapes.h>
@@ -127,7 +128,8 @@ TEST(Format, GarbageIsRefusedByName) {
 }
 
 TEST(Format, ExtensionsMatchInAnyCase) {
-  const auto folder = std::filesystem::temp_directory_path() / "vug_format_test";
+  const ScratchFolder scratch("vug_format");
+  const auto& folder = scratch.path();
   const Mesh mesh = box_mesh({Vec3d(0), Vec3d(1)});
   for (const Format* format : formats()) {
     std::string name = "box." + format->info.name;
@@ -139,13 +141,13 @@ TEST(Format, ExtensionsMatchInAnyCase) {
   }
   EXPECT_THROW(read_mesh(folder / "box.blend"), Error);
   EXPECT_THROW(read_mesh(folder / "nothing.ply"), Error);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(Format, OnlyFiniteValuesAreWritten) {
   Mesh mesh = box_mesh({Vec3d(0), Vec3d(1)});
   mesh.positions[3].z = std::numeric_limits<float>::infinity();
-  const auto file = std::filesystem::temp_directory_path() / "vug_format_test_inf.ply";
+  const ScratchFolder scratch("vug_format");
+  const auto file = scratch.file("inf.ply");
   EXPECT_THROW(write_mesh(mesh, file), Error);
   EXPECT_FALSE(std::filesystem::exists(file));
 }

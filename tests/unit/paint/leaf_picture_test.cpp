@@ -1,6 +1,7 @@
 // Leaf pictures: leaves as cards with an alpha channel, for other programs.
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/image/io.h>
 #include <vug/paint/kind.h>
 #include <vug/paint/leaf_pattern.h>
@@ -53,10 +54,10 @@ TEST(LeafPicture, IsAFileWithAlphaAndTheSameForAnyNumberOfThreads) {
     const ThreadLimit limit(threads);
     EXPECT_EQ(leaf_picture(green(), blade(), {16, 96, 2}), picture);
   }
-  const auto path = std::filesystem::temp_directory_path() / "vug_leaf_picture.exr";
+  const ScratchFolder scratch("vug_leaf");
+  const auto path = scratch.file("leaf.exr");
   image::write_exr(path, picture);
   const image::Image back = image::read(path).select({"R", "G", "B", "A"});
-  std::filesystem::remove(path);
   EXPECT_EQ(back.pixels, picture.pixels);
 }
 

@@ -1,11 +1,11 @@
 #include "chi2.h"
 
 #include <vug/base/rng.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/image/io.h>
 #include <vug/render/kinds.h>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -32,8 +32,8 @@ std::string sky_file() {
       for (int x = 0; x < 32; ++x)
         for (size_t c = 0; c < 3; ++c)
           sky.at(x, y, c) = x == 20 && y == 5 ? 30.0f : 0.02f * static_cast<float>(16 - y);
-    const auto file =
-        std::filesystem::temp_directory_path() / ("vug_sky_" + std::to_string(getpid()) + ".exr");
+    static const ScratchFolder scratch("vug_sky");
+    const auto file = scratch.file("sky.exr");
     image::write_exr(file, sky);
     return file.string();
   }();

@@ -2,10 +2,10 @@
 #include "scenes.h"
 
 #include <vug/base/rng.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/image/io.h>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -104,8 +104,8 @@ TEST(Irradiance, ManyLightsAddUp) {
 
 TEST(Irradiance, SkiesLightTheFloorUniformly) {
   expect_radiance(lit({make_light("sky", {{"radiance", Vec3d(2)}})}, 16), 2);
-  const auto file =
-      std::filesystem::temp_directory_path() / ("vug_even_" + std::to_string(getpid()) + ".exr");
+  const ScratchFolder scratch("vug_sky");
+  const auto file = scratch.file("even.exr");
   image::Image even(16, 8, {"R", "G", "B"});
   for (float& v : even.pixels) v = 2;
   image::write_exr(file, even);
@@ -114,8 +114,8 @@ TEST(Irradiance, SkiesLightTheFloorUniformly) {
 
 TEST(Irradiance, SkyImageHasTheRightOrientation) {
   // Light only from straight up: that of a cap of the same size.
-  const auto file =
-      std::filesystem::temp_directory_path() / ("vug_spot_" + std::to_string(getpid()) + ".exr");
+  const ScratchFolder scratch("vug_sky");
+  const auto file = scratch.file("spot.exr");
   image::Image sky(64, 32, {"R", "G", "B"});
   sky.at(48, 12, 1) = 100;  // a quarter turn right of the middle (-z), so towards +x
   image::write_exr(file, sky);

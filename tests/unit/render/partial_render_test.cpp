@@ -1,10 +1,10 @@
 // Partial render files: round trips, errors of damaged files, and merging.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/render/film/partial_render.h>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "scenes.h"
 
@@ -22,12 +22,6 @@ Scene lit_floor() {
 
 class PartialRenders : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("vug_parts_" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   fs::path file(const std::string& name) const { return folder_ / name; }
   fs::path part(const std::string& name, const Options& o, const RenderSlice& slice) const {
     RenderState state = begin_render(o, slice);
@@ -48,7 +42,8 @@ class PartialRenders : public ::testing::Test {
   }
 
  private:
-  fs::path folder_;
+  const ScratchFolder scratch_{"vug_parts"};
+  const std::filesystem::path& folder_ = scratch_.path();
 };
 
 Options small() {

@@ -2,6 +2,7 @@
 
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/scan/range_image.h>
 
 #include <gtest/gtest.h>
@@ -146,7 +147,8 @@ TEST(RangeImage, MemoryIsCheckedInAdvance) {
 TEST(RangeImage, FileRoundTrip) {
   const PointCloud cloud = SyntheticFacade{.step = 0.2}.cloud();
   const RangeImage image = range_image(cloud, fit_plane(cloud, {}, RandomKey(1)), {.pixel = 0.07});
-  const std::string path = testing::TempDir() + "vug_range.exr";
+  const ScratchFolder scratch("vug_range");
+  const std::string path = scratch.file("range.exr").string();
   write_range(path, image);
   const RangeImage back = read_range(path);
   EXPECT_EQ(back.width, image.width);

@@ -1,6 +1,7 @@
 #include "../bytes.h"
 
 #include <vug/base/error.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/image/io.h>
 #include <vug/scan/read.h>
 
@@ -146,7 +147,8 @@ TEST(Clouds, RenderedPicturesAreScans) {
   picture.pixels = {1, 1, 1, 5,     0, 0, 1, 1, 2, 3,  // A wall.
                     1, 1, 1, 1e10f, 0, 0, 0, 0, 0, 0,  // The sky.
                     1, 1, 1, 6,     0, 1, 0, 4, 5, NAN};
-  const auto folder = std::filesystem::path(testing::TempDir());
+  const ScratchFolder scratch("vug_scan");
+  const auto& folder = scratch.path();
   image::write_exr(folder / "scan.exr", picture);
   const PointCloud cloud = read_clouds({folder / "scan.exr"});
   ASSERT_EQ(cloud.size(), 1U);

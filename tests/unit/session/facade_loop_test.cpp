@@ -4,6 +4,7 @@
 #include "../fit/random_facade.h"
 
 #include <vug/base/median.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/building/builder.h>
 #include <vug/fit/polish/polish.h>
 #include <vug/fit/to_facade.h>
@@ -13,8 +14,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -181,12 +180,9 @@ std::vector<facade::Tree> right_answers(const facade::Tree& derived) {
 class FacadeLoop : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / fmt::format("vug_facade_loop_{}", ::getpid());
-    fs::create_directories(folder_);
     std::ofstream(folder_ / "plain.vug") << plain_grammar();
     std::ofstream(folder_ / "truth.vug") << kScene;
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   struct Result {
     bool count = false, windows = false, structure = false;
@@ -225,7 +221,8 @@ class FacadeLoop : public testing::Test {
     return out;
   }
 
-  fs::path folder_;
+  const ScratchFolder scratch_{"vug_facade_loop"};
+  const std::filesystem::path& folder_ = scratch_.path();
 };
 
 TEST_F(FacadeLoop, CountsStructuresAndEdgesComeBack) {

@@ -1,9 +1,9 @@
 // Reading pictures of facades: depths at edges.
+#include <vug/base/scratch_folder.h>
 #include <vug/image/io.h>
 #include <vug/session/facade_picture.h>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,8 @@ namespace {
 TEST(FacadePicture, MixedPixelsAtAStepBelongToOneSide) {
   constexpr int kSide = 24;
   constexpr float kWall = 30, kPane = 30.24f;
-  const auto path =
-      std::filesystem::temp_directory_path() / ("vug_steps_" + std::to_string(::getpid()) + ".exr");
+  const ScratchFolder scratch("vug_steps");
+  const auto path = scratch.file("depth.exr");
   image::Image depth(kSide, kSide, {"Z"});
   // A window with edges inside pixels: it covers a third of those on the left and at the top, and
   // two thirds of those on the right and at the bottom; the wall leans by 2 cm.
@@ -39,7 +39,6 @@ TEST(FacadePicture, MixedPixelsAtAStepBelongToOneSide) {
       const float off = read.depth->at(x, y);  // behind the most frequent depth
       EXPECT_LT(inside ? std::abs(off - 0.24f) : std::abs(off), 0.025f) << x << " " << y;
     }
-  std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -6,11 +6,11 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/base/rng.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/volume/fog.h>
 #include <vug/volume/io.h>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
@@ -25,11 +25,6 @@ namespace fs = std::filesystem;
 
 class Files : public testing::Test {
  protected:
-  Files() : folder_(fs::temp_directory_path() / ("vug-volume-" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~Files() override { fs::remove_all(folder_); }
-
   static LevelSet solid() {
     VoxelizeOptions options;
     options.voxel = 0.07;
@@ -41,7 +36,8 @@ class Files : public testing::Test {
   }
   fs::path path(const std::string& name) const { return folder_ / name; }
 
-  fs::path folder_;
+  const ScratchFolder scratch_{"vug_volume"};
+  const std::filesystem::path& folder_ = scratch_.path();
 };
 
 TEST_F(Files, RoundTripKeepsContentAndMetadata) {

@@ -2,11 +2,11 @@
 #include "solids.h"
 
 #include <vug/base/rng.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/volume/io.h>
 #include <vug/volume/level_set_field.h>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -42,9 +42,8 @@ TEST(LevelSetField, FollowsTheFieldInTheBand) {
 TEST(LevelSetField, AFileBecomesASolidAgain) {
   VoxelizeOptions options;
   options.voxel = 1.0 / 16;
-  const std::string file =
-      (std::filesystem::temp_directory_path() / fmt::format("vug-samples-{}.vdb", getpid()))
-          .string();
+  const ScratchFolder scratch("vug_samples");
+  const std::string file = scratch.file("rock.vdb").string();
   // Smooth, because the slope of one cell at a crease is unrelated to the distance.
   const field::Field soft = field::unite(
       {sphere_at({0.4, 0, 0}, 0.6), sphere_at({-0.3, 0.2, 0}, 0.5)}, {field::Profile::smooth, 0.5});
@@ -52,7 +51,6 @@ TEST(LevelSetField, AFileBecomesASolidAgain) {
   write(file, {first.named("rock")});
   install_grid_loader();
   const field::Field solid = field::sampled(field::load_grid(file, "rock"));
-  std::filesystem::remove(file);
   const LevelSet again = voxelize(solid, options);
   EXPECT_EQ(check(again).fault, "");
   double worst = 0;

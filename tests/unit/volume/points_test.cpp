@@ -3,12 +3,12 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/base/rng.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/field/boolean.h>
 #include <vug/volume/io.h>
 #include <vug/volume/voxelize.h>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,13 +57,10 @@ double voxel_for_ball(size_t count) {
 
 class PointFiles : public testing::Test {
  protected:
-  PointFiles() : folder_(fs::temp_directory_path() / ("vug-points-" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~PointFiles() override { fs::remove_all(folder_); }
   fs::path path(const std::string& name) const { return folder_ / name; }
 
-  fs::path folder_;
+  const ScratchFolder scratch_{"vug_points"};
+  const std::filesystem::path& folder_ = scratch_.path();
 };
 
 TEST_F(PointFiles, SurviveARoundTripWithinTheirPrecision) {
