@@ -23,7 +23,7 @@ const std::vector<const MoveKind*>& move_kinds();
 inference::Moves<TreeState> moves(const MoveContext& context,
                                   const std::vector<std::string>& names = {});
 
-/// Picks one of the nodes for which `fits(node index)` holds, uniformly; -1 if there is none.
+/// Picks one of the nodes for which `fits(node index)` holds, uniformly; -1 without one.
 template <class Fits>
 int pick(const TreeState& state, Choices& forward, const Fits& fits) {
   int count = 0;

@@ -7,7 +7,7 @@
 namespace vug::fit {
 namespace {
 
-/// The production of an element to the first terminal of that type; -1 if there is none.
+/// The production of an element to the first terminal of that type; -1 without one.
 int find_production(const Rules& rules, int element, RegionType type) {
   for (const int id : rules.productions_of(element))
     if (rules.production(id).op == Op::terminal &&

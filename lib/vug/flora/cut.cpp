@@ -7,7 +7,7 @@ namespace {
 
 using lsystem::Axis;
 
-/// The part of the axis between two lengths; without stations if there is none.
+/// The part of the axis between two lengths; without stations if it is empty.
 Axis between(const Axis& axis, double from, double to) {
   Axis out = axis;
   out.stations.clear();

@@ -13,7 +13,7 @@ constexpr double kMinStep = 1e-3;       // Metres.
 constexpr double kDeepest = 1e4;        // Metres below the top for ground without a bottom.
 constexpr double kOffTheGround = 0.02;  // Start of the search upwards, metres above the ground.
 
-/// Metres along the direction to the first value that is not above 0; infinite if there is none.
+/// Metres along the direction to the first value that is not above 0; infinite without one.
 double free_distance(const field::Field& solid, const Vec3d& from, const Vec3d& direction,
                      double far) {
   const double steepest = std::max(solid.lipschitz(), 1e-6);

@@ -40,7 +40,7 @@ class FacadeState {
   }
   /// kWhole refers to the facade itself.
   const facade::PlannedNode& planned(int index) const;
-  /// The decisions about the node; an empty plan if there are none.
+  /// The decisions about the node; an empty plan without any.
   const facade::Plan& plan_of_node(int index) const;
   /// The rule that divides the node; below 0 if none does.
   int rule(int index) const { return plan_of_node(index).rule; }

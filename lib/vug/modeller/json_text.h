@@ -25,7 +25,7 @@ class JsonValue {
   bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
   /// Error(bad_input) if the key is missing.
   JsonValue at(const std::string& key) const;
-  std::vector<JsonValue> items() const;  ///< Of an array.
+  std::vector<JsonValue> items() const;  ///< Elements of an array.
 
   /// Error(bad_input) if the value has another type or is not finite.
   std::string text() const;

@@ -17,7 +17,7 @@ facade::PlanPtr plan_of(int rule, const facade::NumberValues& numbers);
 FacadeState first_feasible(const FacadeState& state, int node,
                            const std::vector<facade::PlanPtr>& plans);
 
-/// The plan with the rule of another symbol that has the same right side; null if there is none.
+/// The plan with the rule of another symbol that has the same right side; null without one.
 /// Arguments and numbers are kept.
 facade::PlanPtr translated(const Style& style, const facade::PlanPtr& plan,
                            const std::string& symbol);

@@ -36,7 +36,7 @@ struct Session {
   double metres_per_pixel() const;
 };
 
-/// Loads the grammar of a file named in a session. Error(bad_input) if there is none.
+/// Loads the grammar of a file named in a session. Error(bad_input) if the file has none.
 using StyleLoader = std::function<StylePtr(const std::string& file, const std::string& facade)>;
 
 /// A session without edits. Error(bad_input) if the size of the facade is unknown.

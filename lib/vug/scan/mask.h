@@ -50,7 +50,7 @@ Mask outside_of(const Mask& solid);
 /// A connected component of on pixels (4-connectivity) with a mask cropped to its bounding box.
 struct Component {
   PixelBox box;
-  Mask mask;  ///< Of the size of `box`.
+  Mask mask;  ///< Has the size of `box`.
   int64_t pixels = 0;
 };
 /// Visits the components in the order of their first pixels. One component is created at a time,

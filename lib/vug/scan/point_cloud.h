@@ -14,7 +14,7 @@ struct PointCloud {
   std::vector<Vec3d> positions;
   std::vector<Vec3f> colours;      ///< As stored, mostly sRGB, 0..1.
   std::vector<float> intensities;  ///< In the scanner's own units.
-  std::vector<Vec3f> normals;      ///< Of any length.
+  std::vector<Vec3f> normals;      ///< Any length.
   size_t dropped = 0;              ///< Number of points dropped for a non-finite position.
 
   size_t size() const { return positions.size(); }

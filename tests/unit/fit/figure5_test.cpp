@@ -21,7 +21,7 @@ class Figure5 : public ::testing::Test {
         model_(rules_, {}, kWidth, kHeight),
         tree_(model_.axiom_state().tree) {}
 
-  /// The production of `head` with exactly these parts; fails the test if there is none.
+  /// The production of `head` with exactly these parts; fails the test without one.
   int production(const std::string& head, const std::vector<std::string>& parts) const {
     for (size_t i = 0; i < rules_.productions.size(); ++i) {
       const Production& each = rules_.productions[i];

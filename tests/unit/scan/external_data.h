@@ -7,7 +7,7 @@
 #include <filesystem>
 
 /// The folder named by the environment variable VUG_EXTERNAL_DATA, or shared/data next to the
-/// sources; empty if there is none.
+/// sources; empty without one.
 inline std::filesystem::path external_data() {
   const char* told = std::getenv("VUG_EXTERNAL_DATA");
   const std::filesystem::path folder = told && *told

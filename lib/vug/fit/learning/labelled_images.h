@@ -19,7 +19,7 @@ struct Classes {
   int count() const { return static_cast<int>(names.size()); }
   /// The region type of the class's name; wall for any other name.
   RegionType region_type(int number) const;
-  /// The class named like the region type; -1 if there is none.
+  /// The class named like the region type; -1 without one.
   int find(RegionType type) const;
   bool operator==(const Classes&) const = default;
 };

@@ -17,8 +17,8 @@ enum class Op {
   mirror,    ///< A side, its mirror image, and optionally a middle between them.
   grid,      ///< Columns and rows.
   elements,  ///< Parts of different widths, side by side.
-  windows,   ///< Of a grid: window kinds for its cells, and optionally a door.
-  terminal,  ///< Of an element: its content.
+  windows,   ///< Window kinds for the cells of a grid, and optionally a door.
+  terminal,  ///< Content of an element.
 };
 
 struct SymbolInfo {

@@ -25,7 +25,7 @@ class WindowCells {
   /// Each cell with its best size.
   SizeChoice chosen(const Node& grid) const { return chosen(grid, sizes_); }
 
-  /// The same, with sizes adapted in small steps until none improves.
+  /// Each cell with its best size, with sizes adapted in small steps until none improves.
   SizeChoice followed(const Node& grid) const {
     constexpr int kReach = 2;
     std::vector<WindowSize> sizes = sizes_;

@@ -20,7 +20,7 @@ struct ColumnSymmetry {
   }
 };
 
-/// The production of a symbol to that grid; -1 if there is none.
+/// The production of a symbol to that grid; -1 without one.
 int find_grid_production(const Rules& rules, int symbol, int grid) {
   for (const int id : rules.productions_of(symbol))
     if (rules.production(id).op == Op::grid && rules.production(id).parts[0] == grid) return id;
