@@ -1,10 +1,13 @@
 // The extension module vug._vug, which the Python package `vug` imports.
 #include "binding.h"
 
+#include <vug/base/cpu_support.h>
+
 PYBIND11_MODULE(_vug, module) {
   using namespace vug::python;
-  if (!__builtin_cpu_supports("avx2"))
-    throw py::import_error("this build of vug needs a processor with AVX2 (2013 or later)");
+  if (const std::string missing = vug::missing_cpu_features(); !missing.empty())
+    throw py::import_error("this processor lacks " + missing +
+                           ", but this build of vug requires x86-64-v3");
   module.doc() = "The compiled part of the package vug.";
   module.attr("__version__") = VUG_VERSION;
   bind_errors(module);

@@ -174,10 +174,6 @@ int flush_results(int exit) {
 int main(int argc, char** argv) {
   using namespace vug;
   cli::install_signal_handlers();
-  if (!__builtin_cpu_supports("avx2")) {
-    std::fputs("error: this build of vug needs a processor with AVX2 (2013 or later)\n", stderr);
-    return cli::kFailed;
-  }
   try {
     return cli::flush_results(cli::run(argc, argv));
   } catch (const cli::ExitRequest& stop) {
