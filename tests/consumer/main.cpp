@@ -1,8 +1,26 @@
-// A sphere, made by name, measured at three points whose distances are known, and as a level set.
+// A sphere, made by name, measured at three points whose distances are known, and as a level set;
+// and a picture that is written and read, for which the installed library of picture formats must
+// be found.
 #include <vug/field/registry.h>
+#include <vug/image/io.h>
 #include <vug/volume/voxelize.h>
 
+#include <filesystem>
 #include <iostream>
+
+namespace {
+
+bool picture_survives() {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "vug_consumer.exr";
+  vug::image::Image picture(2, 1, {"R", "G", "B"});
+  picture.pixels = {0.25F, 0.5F, 1, 2, 4, 8};
+  vug::image::write_exr(file, picture);
+  const bool same = vug::image::read(file) == picture;
+  std::filesystem::remove(file);
+  return same;
+}
+
+}  // namespace
 
 int main() {
   const vug::field::Field sphere = vug::field::make("sphere", {{"radius", 2.0}});
@@ -14,5 +32,5 @@ int main() {
   std::cout << centre << ' ' << surface << ' ' << outside << ' ' << voxels << '\n';
   // Within three voxels of the surface lie about 4/3 pi (2.75^3 - 1.25^3) / 0.25^3 = 5052.
   const bool band = voxels > 4800 && voxels < 5300;
-  return centre == -2 && surface == 0 && outside == 3 && band ? 0 : 1;
+  return centre == -2 && surface == 0 && outside == 3 && band && picture_survives() ? 0 : 1;
 }

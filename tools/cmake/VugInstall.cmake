@@ -26,6 +26,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/vug ${PROJECT_BINARY_DIR}/lib/vug
   FILES_MATCHING PATTERN "*.h" PATTERN "*.inc" PATTERN CMakeFiles EXCLUDE ${internal})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/vug OPTIONAL)
 if(TARGET vug)
+  vug_install_rpath(vug ${CMAKE_INSTALL_BINDIR})
   install(TARGETS vug RUNTIME)
 endif()
 

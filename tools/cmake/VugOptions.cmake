@@ -5,6 +5,8 @@ option(VUG_FUZZ "Build the libFuzzer targets (needs clang)" OFF)
 option(VUG_WERROR "Treat warnings as errors; all presets set it" OFF)
 option(VUG_TIDY "Run clang-tidy 14 on every source while building" OFF)
 set(VUG_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined")
+set(VUG_SLICE "" CACHE STRING "Compile only these modules; the others are archives of VUG_SLICE_BASE (tools/dev/slice)")
+set(VUG_SLICE_BASE "" CACHE PATH "The build that provides the archives of the other modules")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
@@ -15,6 +17,20 @@ if(VUG_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER
     ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_PCH_EXTSUM=1 ${VUG_CCACHE})
 endif()
+
+# Shared libraries that are loaded on first use, and the run path by which programs of the build find them.
+include(GNUInstallDirs)
+set(VUG_LIBRARY_FOLDER ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}/vug)
+set(CMAKE_BUILD_RPATH ${VUG_LIBRARY_FOLDER})
+if(VUG_SLICE_BASE)
+  list(APPEND CMAKE_BUILD_RPATH ${VUG_SLICE_BASE}/${CMAKE_INSTALL_LIBDIR}/vug)
+endif()
+# vug_install_rpath(TARGET FOLDER): the run path of a target that is installed in FOLDER, below the prefix.
+function(vug_install_rpath target folder)
+  cmake_path(ABSOLUTE_PATH folder BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX})
+  file(RELATIVE_PATH libraries ${folder} ${CMAKE_INSTALL_FULL_LIBDIR}/vug)
+  set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries};$ORIGIN")
+endfunction()
 
 add_library(vug_contract INTERFACE)
 target_compile_features(vug_contract INTERFACE cxx_std_20)

@@ -1,11 +1,6 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
-#include <vug/image/io.h>
-#include <vug/image/ocio_view.h>
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-#include <fmt/format.h>
+#include <vug/image/backend.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,21 +41,8 @@ std::string png_bytes(const Image& image, const ViewOptions& view, const Metadat
       image.pixels.size() != image.pixel_count() * image.channels.size())
     throw Error(ErrorCode::bad_input, "an image without pixels cannot be written");
   const Image shown = display(image, view);
-  const std::vector<uint8_t> bytes = codes(shown, view.dither);
-  OIIO::ImageSpec spec(shown.width, shown.height, 3, OIIO::TypeDesc::UINT8);
-  if (!view.ocio || view.ocio->srgb()) spec.attribute("oiio:ColorSpace", "sRGB");
-  for (const auto& [name, text] : metadata) spec.attribute(name, text);
-  std::vector<unsigned char> out;
-  OIIO::Filesystem::IOVecOutput memory(out);
-  const auto output = OIIO::ImageOutput::create("memory.png", &memory);
-  if (!output || !output->open("memory.png", spec) ||
-      !output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) || !output->close()) {
-    (void)(output ? output->geterror()
-                  : OIIO::geterror());  // Otherwise OpenImageIO prints it at exit.
-    throw Error(ErrorCode::internal,
-                fmt::format("cannot make a PNG of {} x {} pixels", shown.width, shown.height));
-  }
-  return {out.begin(), out.end()};
+  const bool srgb = !view.ocio || view.ocio->srgb();
+  return backend().encode_png(codes(shown, view.dither), shown.width, shown.height, srgb, metadata);
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, const ViewOptions& view,

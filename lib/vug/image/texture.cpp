@@ -1,38 +1,18 @@
 #include <vug/base/error.h>
-#include <vug/image/io.h>
+#include <vug/image/backend.h>
 #include <vug/image/texture.h>
-#include <vug/image/view.h>
 
-#include <OpenImageIO/texture.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace vug::image {
-namespace {
-
-constexpr float kCacheMegabytes = 1024;
-
-OIIO::TextureSystem& textures() {
-  static const auto system = [] {
-    std::shared_ptr<OIIO::TextureSystem> made(
-        OIIO::TextureSystem::create(false),
-        [](OIIO::TextureSystem* t) { OIIO::TextureSystem::destroy(t); });
-    // Untiled files are tiled and MIP-mapped in memory.
-    made->attribute("autotile", 64);
-    made->attribute("automip", 1);
-    made->attribute("max_memory_MB", kCacheMegabytes);
-    return made;
-  }();
-  return *system;
-}
-
-}  // namespace
 
 struct Texture::File {
-  OIIO::ustring name;
+  std::string name;
   int channels = 3;
+  std::shared_ptr<const oiio::TextureLookup> lookup;
   bool encoded = false;  ///< sRGB.
   ColourMatrix to_rec709;
 };
@@ -40,8 +20,9 @@ struct Texture::File {
 Texture::Texture(const std::filesystem::path& path) {
   const FileInfo info = read_info(path);
   auto file = std::make_shared<File>();
-  file->name = OIIO::ustring(path.string());
+  file->name = path.string();
   file->channels = static_cast<int>(std::min<size_t>(info.channels.size(), 3));
+  file->lookup = backend().texture(path, file->channels);
   const std::string format = info.formats.empty() ? "" : info.formats.front();
   file->encoded = format != "half" && format != "float" && format != "double";
   if (!file->encoded) {
@@ -63,19 +44,15 @@ Texture::Texture(const std::filesystem::path& path) {
 }
 
 Vec3d Texture::at(double s, double t, double width) const {
-  OIIO::TextureOpt options;
-  options.swrap = options.twrap = OIIO::TextureOpt::WrapPeriodic;
   // Integer repetitions are removed here, where it costs no precision.
   const auto x = static_cast<float>(s - std::floor(s)), y = static_cast<float>(t - std::floor(t));
   const auto w = static_cast<float>(width);
   float rgb[3] = {0, 0, 0};
-  if (!textures().texture(file_->name, options, x, y, w, 0, 0, w, file_->channels, rgb)) {
-    (void)textures().geterror();  // OpenImageIO's messages are for programmers.
+  if (!file_->lookup->sample(x, y, w, rgb))
     throw Error(ErrorCode::bad_input,
                 fmt::format("the texture '{}' cannot be read: its pixels are damaged or truncated",
-                            file_->name.string()),
+                            file_->name),
                 {}, "write it again with the program that made it");
-  }
   if (file_->channels < 3) rgb[1] = rgb[2] = rgb[0];
   Vec3d color(static_cast<double>(rgb[0]), static_cast<double>(rgb[1]),
               static_cast<double>(rgb[2]));

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace vug::image {
+namespace vug::image::oiio {
 
 /// Size, windows, tiles, primaries and camera, with ZIP compression and without channels or texts.
 OIIO::ImageSpec exr_spec(int width, int height, const ExrOptions& options);
@@ -38,4 +38,4 @@ class ExrOutput {
   std::unique_ptr<OIIO::ImageOutput> output_;
 };
 
-}  // namespace vug::image
+}  // namespace vug::image::oiio

@@ -1,0 +1,71 @@
+"""Commands that touch no picture load none of the libraries for pictures; what happens if that library is missing."""
+import os
+import pathlib
+import subprocess
+import unittest
+
+from pictures import write_png
+from vug import PROGRAM, SOURCE, VugTest
+
+LIBRARY = "libvug_image_files.so"
+PICTURE_LIBRARIES = (LIBRARY, "libOpenImageIO", "libOpenColorIO", "libavcodec", "libopencv_core")
+
+
+class Startup(VugTest):
+    def libraries(self, *args):
+        """Names of the shared libraries that a run initialises, from the log of the dynamic linker."""
+        log = self.folder / "linker"
+        result = self.vug(*args, env=dict(os.environ, LD_DEBUG="libs", LD_DEBUG_OUTPUT=str(log)))
+        self.assertEqual(result.code, 0, result.err)
+        lines = [line for part in self.folder.glob("linker.*") for line in part.read_text().splitlines()]
+        names = {pathlib.Path(line.split()[-1]).name for line in lines if "calling init:" in line}
+        self.assertTrue(any(name.startswith("libstdc++") for name in names), "the log lists libraries")
+        return names
+
+    def copy_with(self, old, new):
+        """A copy of the program in which one text is another of the same length."""
+        self.assertEqual(len(old), len(new))
+        program = pathlib.Path(PROGRAM).read_bytes()
+        self.assertIn(old, program)
+        copy = self.write("vug", program.replace(old, new))
+        copy.chmod(0o755)
+        return copy
+
+    def run_copy(self, copy, *args):
+        return subprocess.run([copy, *args], cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True,
+                              text=True, timeout=300)
+
+    def test_commands_without_pictures_load_no_libraries_for_pictures(self):
+        scene = SOURCE / "data/scenes/grotto.vug"
+        for args in (["--version"], ["--help"], ["list"], ["check", scene]):
+            with self.subTest(args=args):
+                names = self.libraries(*args)
+                self.assertFalse([name for name in names if name.startswith(PICTURE_LIBRARIES)])
+
+    def test_a_command_that_reads_pictures_loads_them(self):
+        write_png(self.folder / "grey.png", [[(9, 9, 9)] * 16] * 16)
+        names = self.libraries("diff", "grey.png", "grey.png")
+        self.assertIn(LIBRARY, names)
+        self.assertTrue([name for name in names if name.startswith("libOpenImageIO")])
+
+    def test_a_missing_library_is_reported_and_other_commands_still_work(self):
+        write_png(self.folder / "grey.png", [[(9, 9, 9)] * 16] * 16)
+        copy = self.copy_with(LIBRARY.encode(), b"libvug_image_gone_.so")
+        self.assertEqual(self.run_copy(copy, "--version").returncode, 0)
+        result = self.run_copy(copy, "diff", "grey.png", "grey.png")
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertRegex(result.stderr, "error: the library '.*libvug_image_gone_.so', which reads and writes "
+                                        "pictures, cannot be loaded: .*No such file")
+        self.assertIn("hint: reinstall vug", result.stderr)
+
+    def test_a_library_of_another_version_is_refused(self):
+        write_png(self.folder / "grey.png", [[(9, 9, 9)] * 16] * 16)
+        copy = self.copy_with(b"picture library of vug ", b"picture library of gnu ")
+        result = self.run_copy(copy, "diff", "grey.png", "grey.png")
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertIn("is the picture library of vug ", result.stderr)
+        self.assertIn("but the picture library of gnu ", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
