@@ -130,28 +130,38 @@ const AlbedoTable& facet_albedo() {
   return table;
 }
 
-InterfaceTable::InterfaceTable(float ior)
-    : ior_(ior), mean_fresnel_(mean_over_cosines([&](float c) { return fresnel(c, ior); })) {
-  more_ = make_table([&](const Vec3f& out, const Vec3f& h, const Ggx& ggx) {
+float InterfaceTable::Tables::albedo(float ior, float cosine, float roughness) const {
+  const float smooth = fresnel(cosine, ior) * facet_albedo().at(cosine, roughness);
+  return std::clamp(smooth + more.at(cosine, roughness), 0.0f, 1.0f);
+}
+
+InterfaceTable::Tables InterfaceTable::make_tables(float ior) {
+  Tables tables;
+  tables.more = make_table([&](const Vec3f& out, const Vec3f& h, const Ggx& ggx) {
     return (fresnel(dot(out, h), ior) - fresnel(out.z, ior)) * reflected(out, h, ggx);
   });
-  find_means(whole_, [&](float c, float r) { return albedo(c, r); });
+  find_means(tables.whole, [&](float c, float r) { return tables.albedo(ior, c, r); });
+  return tables;
 }
+
+InterfaceTable::InterfaceTable(float ior)
+    : ior_(ior),
+      mean_fresnel_(mean_over_cosines([&](float c) { return fresnel(c, ior); })),
+      tables_([ior] { return make_tables(ior); }) {}
 const InterfaceTable& InterfaceTable::of(float ior) {
   return cached<InterfaceTable>(
       ior, [&] { return std::unique_ptr<const InterfaceTable>(new InterfaceTable(ior)); });
 }
 float InterfaceTable::albedo(float cosine, float roughness) const {
-  const float smooth = fresnel(cosine, ior_) * facet_albedo().at(cosine, roughness);
-  return std::clamp(smooth + more_.at(cosine, roughness), 0.0f, 1.0f);
+  return tables_->albedo(ior_, cosine, roughness);
 }
 
+DielectricTable::DielectricTable(float ior)
+    : outside_([ior] { return make_losses(ior); }),
+      inside_([ior] { return make_losses(1 / ior); }) {}
 const DielectricTable& DielectricTable::of(float ior) {
-  return cached<DielectricTable>(ior, [&] {
-    auto table = std::make_unique<DielectricTable>();
-    table->outside = make_losses(ior), table->inside = make_losses(1 / ior);
-    return table;
-  });
+  return cached<DielectricTable>(
+      ior, [&] { return std::unique_ptr<const DielectricTable>(new DielectricTable(ior)); });
 }
 
 }  // namespace vug::render

@@ -7,6 +7,11 @@
 #include <vug/render/vectors.h>
 
 #include <array>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <utility>
 
 namespace vug::render {
 
@@ -25,31 +30,72 @@ class AlbedoTable {
 /// Directional albedo of single scattering for perfectly reflecting facets.
 const AlbedoTable& facet_albedo();
 
+/// A value that is computed on first use; thread-safe. Materials refer to tables that take a tenth
+/// of a second, and most commands do not evaluate any.
+template <class T>
+class Lazy {
+ public:
+  explicit Lazy(std::function<T()> make) : make_(std::move(make)) {}
+
+  const T& operator*() const {
+    const T* value = value_.load(std::memory_order_acquire);
+    return value ? *value : make();
+  }
+  const T* operator->() const { return &**this; }
+
+ private:
+  const T& make() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!owned_) {
+      owned_ = std::make_unique<const T>(make_());
+      value_.store(owned_.get(), std::memory_order_release);
+    }
+    return *owned_;
+  }
+
+  std::function<T()> make_;
+  mutable std::mutex mutex_;
+  mutable std::unique_ptr<const T> owned_;
+  mutable std::atomic<const T*> value_ = nullptr;
+};
+
 /// Single-scattering reflection of a rough dielectric interface of one index.
 class InterfaceTable {
  public:
-  /// Built once for each index; thread-safe.
+  /// One table for each index; thread-safe.
   static const InterfaceTable& of(float ior);
 
   float albedo(float cosine, float roughness) const;
-  float mean(float roughness) const { return whole_.mean(roughness); }
+  float mean(float roughness) const { return tables_->whole.mean(roughness); }
   float ior() const { return ior_; }
   float mean_fresnel() const { return mean_fresnel_; }
 
  private:
+  struct Tables {
+    AlbedoTable more;  ///< Excess over the smooth reflectance times facet_albedo(): small, smooth.
+    AlbedoTable whole;
+    float albedo(float ior, float cosine, float roughness) const;
+  };
   explicit InterfaceTable(float ior);
+  static Tables make_tables(float ior);
+
   float ior_, mean_fresnel_;
-  AlbedoTable
-      more_;  ///< Excess over the smooth reflectance times facet_albedo(): small and smooth.
-  AlbedoTable whole_;
+  Lazy<Tables> tables_;
 };
 
 /// Fraction of light that a rough dielectric interface neither reflects nor transmits in single
 /// scattering, from both sides.
-struct DielectricTable {
+class DielectricTable {
+ public:
+  /// One table for each index; thread-safe.
   static const DielectricTable& of(float ior);
 
-  AlbedoTable outside, inside;
+  const AlbedoTable& outside() const { return *outside_; }
+  const AlbedoTable& inside() const { return *inside_; }
+
+ private:
+  explicit DielectricTable(float ior);
+  Lazy<AlbedoTable> outside_, inside_;
 };
 
 /// Albedo of multiple scattering: the fraction of diffuse light between facets that finally leaves,

@@ -7,8 +7,8 @@ DielectricLobe::DielectricLobe(float roughness, const InterfaceTable& face,
                                const DielectricTable& glass, bool inside, const Vec3f& out)
     : ggx_(roughness),
       out_(out),
-      near_(inside ? &glass.inside : &glass.outside),
-      far_(inside ? &glass.outside : &glass.inside),
+      near_(inside ? &glass.inside() : &glass.outside()),
+      far_(inside ? &glass.outside() : &glass.inside()),
       roughness_(roughness),
       ior_(inside ? 1 / face.ior() : face.ior()) {
   loss_out_ = near_->at(out.z, roughness);
