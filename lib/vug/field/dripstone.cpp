@@ -21,29 +21,44 @@ constexpr double kMaxFoot = 0.2, kMinAspect = 1.5;
 constexpr double kThinnestStalagmite = 0.015;
 
 /// Intersections of the vertical line through `at` with the surface of the rock, from top to
-/// bottom.
+/// bottom. Heights are sampled at fixed steps; samples whose sign follows from the Lipschitz
+/// constant and an earlier value are not evaluated.
 class VerticalLine {
  public:
   VerticalLine(const Field& rock, const Vec3d& at, double step)
       : rock_(rock), at_(at), step_(step) {}
 
-  /// The height of the first change of sign below `high`; nothing if it would be below `low`.
+  /// The height of the first change of sign below `high`; nothing if it does not occur above `low`.
   std::optional<double> crossing(double high, double low) const {
-    const bool inside = solid(high);
-    for (double y = high; y > low;) {
+    const double first = value(rock_, high);
+    const bool inside = first <= 0;
+    for (double y = high, known = high - clearance(first); y > low;) {
       const double next = std::max(y - step_, low);
-      if (solid(next) != inside) return refined(y, next, inside);
+      if (next <= known) {
+        const double there = value(rock_, next);
+        if ((there <= 0) != inside) return refined(y, next, inside);
+        known = next - clearance(there);
+      }
       y = next;
     }
     return std::nullopt;
   }
-  bool solid(double y) const { return rock_.value({at_.x, y, at_.z}) <= 0; }
+  bool solid(double y) const { return value(rock_, y) <= 0; }
 
  private:
+  double value(const Field& rock, double y) const { return rock.value({at_.x, y, at_.z}); }
+  /// A distance within which the sign cannot differ from that of the value, less a margin for
+  /// rounding.
+  double clearance(double value) const {
+    const double size = std::fabs(value);
+    return size > 1e-6 ? (size - 1e-6) / rock_.lipschitz() * (1 - 1e-6) : 0;
+  }
   double refined(double high, double low, bool inside) const {
+    const Ball ball{{at_.x, 0.5 * (high + low), at_.z}, 0.5 * (high - low) * (1 + 1e-9) + 1e-9};
+    const Field local = rock_.restricted(ball).field;
     for (int i = 0; i < 24; ++i) {
       const double middle = 0.5 * (high + low);
-      (solid(middle) == inside ? high : low) = middle;
+      ((value(local, middle) <= 0) == inside ? high : low) = middle;
     }
     return 0.5 * (high + low);
   }
