@@ -112,11 +112,11 @@ void measure_chains(const Rules& rules, double millions) {
 }
 
 struct Search {
-  double bits = 0;                    ///< Of its tree.
-  double seconds = 0, processor = 0;  ///< By the clock, until it returned, and of all threads.
+  double bits = 0;                    ///< Description length of its tree.
+  double seconds = 0, processor = 0;  ///< Wall-clock seconds, and CPU seconds of all threads.
 };
 
-/// Of a search that is told to stop after so many seconds; 0: never.
+/// A search that stops after `stop` seconds; 0: never.
 Search search(const Rules& rules, const Evidence& pixels, double stop) {
   using Clock = std::chrono::steady_clock;
   Progress progress;
@@ -147,7 +147,7 @@ void measure_usable(const Rules& rules, const std::string& name, const Evidence&
       100 * kTolerance, kUsable, verdict(more <= kTolerance && early.seconds <= kUsable));
 }
 
-/// What colours tell of a photo, all of its pixels.
+/// The evidence of all pixels of a photo, by their colours.
 Evidence evidence_of(const std::string& photo) {
   const image::Image colours = read_photo(photo);
   return cluster_image(&colours, nullptr, {}, RandomKey(1)).evidence();

@@ -23,7 +23,8 @@ int main(int argc, char** argv) {
     int width = 0, height = 0;
     if (argc > 1) {
       if (std::sscanf(argv[1], "%dx%d", &width, &height) != 2)
-        throw Error(ErrorCode::bad_input, fmt::format("'{}' is no WIDTHxHEIGHT", argv[1]));
+        throw Error(ErrorCode::bad_input,
+                    fmt::format("invalid size '{}': expected WIDTHxHEIGHT", argv[1]));
       options.picture.size = Vec2i(width, height);
     }
     const auto start = std::chrono::steady_clock::now();

@@ -45,8 +45,7 @@ field::Field solid() {
     const double x = random.uniform(0, 20), y = random.uniform(0, 20), z = random.uniform(0, 20);
     const double u = random.uniform(-1, 1), v = random.uniform(-1, 1);
     const Transform turn = Transform::rotation({u, v, 0.5}, random.uniform(0, 6));
-    const field::Field& kind =
-        kinds[random.below(static_cast<uint32_t>(kinds.size()))];
+    const field::Field& kind = kinds[random.below(static_cast<uint32_t>(kinds.size()))];
     all.push_back(field::transformed(kind, Transform::translation({x, y, z}) * turn));
   }
   field::Displacement rough;
@@ -58,7 +57,7 @@ void run(double target, bool json) {
   const field::Field field = solid();
   const double before = peak_memory();  // libraries and the expression
   volume::VoxelizeOptions options;
-  options.voxel = 0.12;  // a coarse grid tells how fine the wanted one is
+  options.voxel = 0.12;  // the size of the wanted grid is extrapolated from a coarse one
   const auto coarse = volume::voxelize(field, options).statistics().active_voxels;
   options.voxel *= std::sqrt(static_cast<double>(coarse) / target);
   const auto start = std::chrono::steady_clock::now();

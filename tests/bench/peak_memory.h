@@ -7,7 +7,7 @@
 
 namespace vug {
 
-/// Bytes so far (VmHWM); 0 where the system does not tell.
+/// Bytes so far (VmHWM); 0 if the system does not report it.
 inline double peak_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)

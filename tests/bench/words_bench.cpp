@@ -1,6 +1,6 @@
-// Rewriting parametric words: modules that come out per second with one thread and with two, which
-// take turns, and how many times as fast two are; beside loops that are written by hand for the one
-// rule they know, and beside copying the bytes alone.
+// Rewriting parametric words: modules per second with one thread and with two, in alternation, and
+// the speed-up of two; compared with loops that are written by hand for a single rule, and with
+// copying the bytes.
 #include <vug/base/parallel.h>
 #include <vug/lsystem/compile.h>
 #include <vug/lsystem/derive.h>
@@ -51,7 +51,7 @@ SystemPtr system_of(const char* text) {
                  [](const auto&, const auto&) { return nullptr; });
 }
 
-/// Runs `work`, which tells how many modules it has made, with one thread and with two in turn.
+/// Runs `work`, which returns the number of modules produced, with one thread and with two in turn.
 /// What counts are the fastest runs of each: other work on the machine makes the others slow.
 template <class Work>
 void by_one_and_two(benchmark::State& state, const Work& work) {

@@ -1,4 +1,4 @@
-// Whatever the bytes, they are a model of looks that tells probabilities, or are refused.
+// Any bytes are either a pixel classifier that yields probabilities, or are rejected.
 #include "require.h"
 
 #include <vug/base/error.h>

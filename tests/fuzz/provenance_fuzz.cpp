@@ -1,5 +1,5 @@
-// Whatever the bytes, what tells a file's provenance gives texts or refuses with bad_input, and a
-// recipe becomes a scene text that says the same when it is taken apart again.
+// For any bytes, reading a file's provenance returns texts or fails with bad_input, and a recipe
+// becomes a scene text that yields the same recipe when it is taken apart again.
 #include <vug/base/error.h>
 #include <vug/delivery/recipe.h>
 #include <vug/exchange/format.h>

@@ -11,7 +11,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace vug;
   const std::string recipe(reinterpret_cast<const char*>(data), size);
-  if (recipe.find('}') != std::string::npos) return 0;  // only what stands in the block
+  if (recipe.find('}') != std::string::npos) return 0;  // only the contents of the block
   const std::string text =
       "volume rock = level_set(sphere(1m), voxel: 20cm)\nmesh wall on rock {}\n"
       "cells skin on wall { spacing 40cm  run " +

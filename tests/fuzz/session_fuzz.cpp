@@ -35,8 +35,8 @@ modeller::Session read(const std::string& text) {
                                 [](const auto&, const auto&) { return style(); });
 }
 
-/// Whether it may ask for very many parts, which is no fault but takes its time: counts of three
-/// digits, or one with an exponent.
+/// Whether it may ask for very many parts, which is valid but slow: counts of three digits, or one
+/// with an exponent.
 bool crowded(const std::string& text) {
   int digits = 0;
   for (const char c : text) {
@@ -62,7 +62,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     require(modeller::session_text(again) == written, "and its text");
     const size_t done = session.history.undo(session.history.done());
     session.history.redo(done);
-    require(facade::tree_json(session.current().tree()) == tree, "what is undone can be done again");
+    require(facade::tree_json(session.current().tree()) == tree,
+            "what is undone can be done again");
     for (const int node : session.current().open())
       if (node < 20) modeller::choices(session.current(), node);
   } catch (const Error& error) {

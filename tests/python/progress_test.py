@@ -1,4 +1,4 @@
-"""Callbacks, cancelling, Ctrl-C, and other threads of Python beside the work."""
+"""Callbacks, cancelling, Ctrl-C, and other Python threads during the work."""
 import os
 import signal
 import subprocess

@@ -1,4 +1,4 @@
-"""What type checkers are told agrees with the module; everything has words."""
+"""The type stubs agree with the module, and everything is documented."""
 import ast
 import inspect
 import pathlib

@@ -43,7 +43,7 @@ class CellsCheckpoint {
   CheckpointOptions options_;
   std::string identity_;
   std::vector<volume::Grid> restored_;  ///< From the file.
-  std::vector<volume::Grid> finished_;  ///< Of this process.
+  std::vector<volume::Grid> finished_;  ///< Computed by this process.
   Clock::time_point saved_ = Clock::now();
   double every_;
 };

@@ -15,7 +15,7 @@ namespace vug::facade {
 struct Solids {
   std::vector<field::Field> cut;   ///< Subtracted from the wall before anything is added.
   std::vector<field::Field> add;   ///< Added to the wall, of the wall's material.
-  std::vector<field::Field> fill;  ///< Of other materials: panes of glass, leaves of doors.
+  std::vector<field::Field> fill;  ///< Parts of other materials: panes of glass, leaves of doors.
 
   void take(Solids more);
 };

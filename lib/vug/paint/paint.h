@@ -31,7 +31,7 @@ struct EvalPoint {
   const field::SampledGrid* solid = nullptr;  ///< Level set of the surface, if known.
   const Transform* to_solid =
       nullptr;  ///< From this space to that of `solid`; null if they are the same.
-  const Attributes* attributes = nullptr;  ///< Of the mesh, if known.
+  const Attributes* attributes = nullptr;  ///< The attributes of the mesh, if known.
   double footprint = 0;  ///< Width in metres of the sampled area; finer detail may be left out.
 };
 

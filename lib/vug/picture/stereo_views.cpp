@@ -37,7 +37,7 @@ void warn_about_exposure(const building::Builder& builder, const RenderResult& p
   const double exposure = settings.exposure;
   const std::optional<double> grey = image::grey_exposure(*picture.image, settings.space);
   if (grey && std::fabs(*grey - exposure) <= kOff) return;
-  // A single light in a dark room is no reason to warn: most of the picture must be bright.
+  // A single light in a dark room is not a reason to warn: most of the picture must be bright.
   const double bright = 0.18 * std::exp2(kOff - exposure);
   if (grey && *grey < exposure &&
       image::fraction_above(*picture.image, bright, settings.space) < 0.5)

@@ -37,7 +37,7 @@ struct Surface {
   const mesh::Mesh* mesh = nullptr;  ///< Null: no mesh, as in tests.
   uint32_t triangle = 0;             ///< Index in the mesh, and the barycentric weights of the
   float u = 0, v = 0;                ///< second and third corner.
-  const AttributeGradients* gradients = nullptr;  ///< Of the mesh's attributes, for bump mapping.
+  const AttributeGradients* gradients = nullptr;  ///< For bump mapping by attributes.
   const field::SampledGrid* solid =
       nullptr;  ///< The level set from which the mesh was made, if any.
   const InstanceTransform* instance = nullptr;  ///< Null if the object is not an instance.

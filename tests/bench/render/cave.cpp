@@ -4,8 +4,8 @@
 //              [--mesh FILE.ply] [--sky R,G,B] [--no-lamps] [--lamps N] [--bounces N]
 //              [--noise PART] [--guide HOW] [--roulette HOW] [--light-samples N]
 //              [--light-sampler HOW]
-// Without a scene it uses the reference cave, which the build generates (tests/bench/reference_caves), and
-// skips if it is missing.
+// Without a scene it uses the reference cave, which the build generates
+// (tests/bench/reference_caves), and skips if it is missing.
 #include "bench_scene.h"
 
 #include <vug/base/error.h>

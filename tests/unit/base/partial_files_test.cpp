@@ -44,7 +44,7 @@ TEST(PartialFiles, ReturnsCreatedFolders) {
   EXPECT_TRUE(make_folders("").empty());
   const std::vector<fs::path> made = make_folders(folder / "a" / "b");
   EXPECT_EQ(made, (std::vector<fs::path>{folder / "a" / "b", folder / "a"}));
-  write_text(folder / "a" / "file", "somebody's");
+  write_text(folder / "a" / "file", "another's");
   remove_empty_folders(made);
   EXPECT_FALSE(fs::exists(folder / "a" / "b"));
   EXPECT_TRUE(fs::exists(folder / "a" / "file"));

@@ -74,7 +74,7 @@ TEST_F(CellFiles, AStoppedRunContinuesToTheSameBytes) {
     made(builder, 0);
     try {
       made(builder, 1);
-      FAIL() << "it was told to stop";
+      FAIL() << "the run was not stopped";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::cancelled);
       EXPECT_EQ(

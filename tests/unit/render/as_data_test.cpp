@@ -1,4 +1,4 @@
-// What files of other programs are told of cameras, lights and materials.
+// Cameras, lights and materials as data for the files of other programs.
 #include <vug/base/error.h>
 #include <vug/exchange/camera.h>
 #include <vug/exchange/light.h>
@@ -39,7 +39,7 @@ TEST(AsData, LampsShineTheWayTheyDo) {
     EXPECT_LT((lamp.place.vector({0, 0, -1}) - way).length(), 1e-6) << kind;
     EXPECT_LT((lamp.place.origin() - Vec3d(1, 2, 3)).length(), 1e-6) << kind;
     EXPECT_NEAR(lamp.place.determinant(), 1, 1e-6) << kind;
-    // A ray that comes towards it meets the radiance that was told.
+    // A ray that comes towards it meets the exported radiance.
     LightHit hit;
     const Vec3d from = lamp.place.point({0, 0, -5});
     ASSERT_TRUE(light->intersect({Vec3f(from), Vec3f(-way)}, 100, hit)) << kind;

@@ -4,8 +4,8 @@
 
 #include <vug/base/progress.h>
 #include <vug/render/film/region.h>
-#include <vug/render/sampler.h>
 #include <vug/render/prepared_scene.h>
+#include <vug/render/sampler.h>
 
 #include <functional>
 #include <vector>
@@ -18,11 +18,11 @@ class BrightEdges {
  public:
   /// None.
   BrightEdges() = default;
-  /// Looks through each pixel of the region, and through those around it, so many times.
+  /// Looks through each pixel of the region, and through those around it, this many times.
   /// `width_height` of the whole picture; `camera_ray` gives the ray of a sample. The same pixels
   /// for any region that they are in. Error(cancelled).
-  BrightEdges(const PreparedScene& world, const Region& region, const Vec2i& width_height, uint32_t looks,
-              uint64_t seed, const std::function<Ray(const SampleId&)>& camera_ray,
+  BrightEdges(const PreparedScene& world, const Region& region, const Vec2i& width_height,
+              uint32_t looks, uint64_t seed, const std::function<Ray(const SampleId&)>& camera_ray,
               Progress& progress);
 
   /// Whether a pixel is one; not for pixels outside of the region.

@@ -35,7 +35,7 @@ class PathTracer {
  public:
   PathTracer(const PreparedScene& world, const Ray& camera_ray, const PathSettings& settings,
              const GuidingData& guiding, SampleCursor& numbers, LightPathRecorder* recorder,
-             PathRecorder* path_recorder, std::span<const Ray> beside)
+             PathRecorder* path_recorder, std::span<const Ray> extra_rays)
       : world_(world),
         medium_(world.medium()),
         settings_(settings),
@@ -43,7 +43,7 @@ class PathTracer {
         numbers_(numbers),
         recorder_(recorder),
         path_recorder_(path_recorder),
-        beside_(beside),
+        extra_rays_(extra_rays),
         ray_(camera_ray),
         spread_(camera_ray.spread) {}
 
@@ -114,10 +114,10 @@ class PathTracer {
                 ? surface_emission(world_, ray_, bounce.hit, from_, bounce.tracking, recorder_)
                 : environment_emission(world_, ray_, from_, bounce.tracking, recorder_);
     float share = 1;
-    if (depth_ == 0 && !beside_.empty()) {
-      for (const Ray& ray : beside_)
+    if (depth_ == 0 && !extra_rays_.empty()) {
+      for (const Ray& ray : extra_rays_)
         seen += camera_emission(world_, ray, bounce.tracking, recorder_);
-      share /= static_cast<float>(beside_.size() + 1);
+      share /= static_cast<float>(extra_rays_.size() + 1);
     }
     const Rgb scale = add(throughput_ * seen * share, depth_ - 1);
     if (recorder_) recorder_->flush_emission(depth_, scale * share);
@@ -290,7 +290,7 @@ class PathTracer {
   SampleCursor& numbers_;
   LightPathRecorder* recorder_;
   PathRecorder* path_recorder_;
-  std::span<const Ray> beside_;
+  std::span<const Ray> extra_rays_;
 
   PathResult result_;
   int depth_ = 0;
@@ -299,7 +299,7 @@ class PathTracer {
   Rgb unguided_throughput_{1, 1, 1};  ///< The throughput without guiding.
   PathVertex from_;
   float negligible_ = 0;      ///< See kNegligible; 0: unknown.
-  float width_ = 0, spread_;  ///< Of the path's ray cone.
+  float width_ = 0, spread_;  ///< Width and spread of the path's ray cone.
   float blur_ = 0;            ///< Smallest roughness of the surfaces it sees.
   bool inside_body_ = false;  ///< In a clear body with this absorption:
   Rgb absorption_{0, 0, 0};
@@ -310,8 +310,9 @@ class PathTracer {
 PathResult trace_path(const PreparedScene& world, const Ray& camera_ray,
                       const PathSettings& settings, const GuidingData& guiding,
                       SampleCursor& numbers, LightPathRecorder* recorder,
-                      PathRecorder* path_recorder, std::span<const Ray> beside) {
-  return PathTracer(world, camera_ray, settings, guiding, numbers, recorder, path_recorder, beside)
+                      PathRecorder* path_recorder, std::span<const Ray> extra_rays) {
+  return PathTracer(world, camera_ray, settings, guiding, numbers, recorder, path_recorder,
+                    extra_rays)
       .trace();
 }
 

@@ -24,11 +24,11 @@ struct PathSettings {
   float regularize = 0;       ///< Smallest roughness of surfaces seen after a diffuse bounce.
 };
 
-/// Radiance along a camera ray. `recorder` and `path_recorder` may be null; for `beside` see
+/// Radiance along a camera ray. `recorder` and `path_recorder` may be null; for `extra_rays` see
 /// Integrator::trace.
 PathResult trace_path(const PreparedScene& world, const Ray& camera_ray,
                       const PathSettings& settings, const GuidingData& guiding,
                       SampleCursor& numbers, LightPathRecorder* recorder,
-                      PathRecorder* path_recorder, std::span<const Ray> beside = {});
+                      PathRecorder* path_recorder, std::span<const Ray> extra_rays = {});
 
 }  // namespace vug::render

@@ -15,7 +15,7 @@ struct PathVertex {
   /// that is lit from behind they are sampled, and the vertex is a `surface`.
   enum { camera, surface, transmission, medium } kind = camera;
   LightSampleContext point;
-  float pdf = 0;             ///< Of the sampled direction, over solid angle.
+  float pdf = 0;             ///< Density of the sampled direction, over solid angle.
   LightSelection selection;  ///< The selection by which lights were sampled.
 };
 
