@@ -18,6 +18,16 @@ def check(tree):
             yield Finding(name, 0, "source files are named in snake_case")
     for name in tree.select("CMakeLists.txt", under="lib/vug/"):
         yield from check_kinds(tree, name)
+        yield from check_map(tree, name)
+
+
+def check_map(tree, name):
+    page = "docs/architecture.md"
+    if page not in tree.files:
+        return
+    for module, folder in re.findall(r"vug_kinds\(\s*(\w+)\s+(\w+)", tree.text(name)):
+        if f"`{module}/{folder}/`" not in tree.text(page):
+            yield Finding(page, 0, f"does not name the folder of kinds {module}/{folder}/")
 
 
 def check_kinds(tree, name):
