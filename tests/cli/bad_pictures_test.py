@@ -1,4 +1,4 @@
-"""Pictures, textures and lights that cannot be used: a sentence that names them, exit code 2."""
+"""Unusable pictures, textures and light profiles: an error that names the file, and exit code 2."""
 import math
 import random
 import struct
@@ -16,7 +16,7 @@ render main { size 16x12  spp 4 }
 
 
 def write_pfm(path, rows):
-    """Floats as they are; PFM runs from the bottom up."""
+    """A PFM file; its rows start at the bottom."""
     body = b"".join(struct.pack("<3f", *pixel) for row in reversed(rows) for pixel in row)
     path.write_bytes(f"PF\n{len(rows[0])} {len(rows)}\n-1.0\n".encode() + body)
 
@@ -78,7 +78,7 @@ class BadPictures(VugTest):
             self.assertIn("noise.exr", self.expect(2, "merge", "noise.exr", "-o", "out.exr").err)
 
     def test_what_is_wrong_is_said_in_our_words(self):
-        """Nothing of what libraries say reaches the user, by way of a message or past it."""
+        """Messages of libraries do not reach the user."""
         write_png(self.folder / "fine.png", [[(i, j, 7) for i in range(30)] for j in range(20)])
         self.textured("fine.png")
         self.expect(0, "render", "room.vug", "-o", "a.exr", "--size", "64x64")
@@ -128,7 +128,7 @@ class BadPictures(VugTest):
                 self.refused("room.vug:6:", verb="check")
 
     def test_a_shining_mesh_without_area(self):
-        """Triangles of no area send out nothing, and their neighbours what they did."""
+        """Degenerate triangles emit nothing and do not affect their neighbours."""
         flat = "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 1 0\nf 1 2 3\n"
         self.write("flat.obj", flat + "f 3 4 3\n")
         self.write("room.vug", 'volume rock = level_set(mesh(file: "flat.obj"), voxel: 10cm)\n')

@@ -1,4 +1,4 @@
-"""Truncated and garbage files: a sentence that names the file and exit code 2, never a crash."""
+"""Truncated and invalid files: an error that names the file and exit code 2, never a crash."""
 import json
 import os
 import random
@@ -57,7 +57,7 @@ class BrokenFiles(VugTest):
             self.in_a_scene.append(name)
 
     def check_the_scene(self, why=""):
-        """One scene that reads all that was put aside; each file has a line, and a fault there."""
+        """A scene that reads all damaged files; each line reports an error."""
         lines = [IN_A_SCENE[f".{name.split('.')[1]}"].format(name) for name in self.in_a_scene]
         names = {" v ": " v{} ", " day ": " day{} "}
         for i, line in enumerate(lines):
@@ -101,7 +101,7 @@ class BrokenFiles(VugTest):
         self.assertIn("does not bound a solid", self.expect(2, "check", "use.vug").err)
 
     def test_flipped_bytes_never_crash(self):
-        """A damaged file may still read; then that is the answer. A signal never is."""
+        """A damaged file may still be readable, but must never end the program by a signal."""
         dice = random.Random(7)
         for suffix, path in self.whole.items():
             for flips in (1, 4):
@@ -124,7 +124,7 @@ class BrokenFiles(VugTest):
                                  "pictures\n")
 
     def test_what_is_no_regular_file(self):
-        """A pipe that nobody writes to would be waited for, a device would never end."""
+        """Reading a pipe without a writer would block, and reading a device would never end."""
         for name, what in [("pipe", "pipe"), ("zero", "device"), ("folder", "folder")]:
             for suffix in (".vug", ".vdb", ".ply", ".exr"):  # the four ways of opening a file
                 path = self.folder / f"{name}{suffix}"

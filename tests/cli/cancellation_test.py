@@ -1,4 +1,4 @@
-"""A build that is killed leaves the whole old file or none; one that is asked to stop says so."""
+"""A killed build leaves the complete old file or none; a cancelled build reports it."""
 import pathlib
 import signal
 import subprocess
@@ -22,7 +22,7 @@ class Stopped(VugTest):
         self.write("rock.vug", SCENE.replace("4cm", "10cm") if SLOW else SCENE)
 
     def results(self):
-        """What a user sees: files that ls shows."""
+        """The visible files."""
         return [f for f in self.files() if not pathlib.Path(f).name.startswith(".")]
 
     def test_a_killed_build_leaves_old_files_whole(self):
@@ -30,7 +30,7 @@ class Stopped(VugTest):
         for name in ("rock.vdb", "rock.ply"):
             self.write(f"out/{name}", "old\n")
         old = digest(self.folder / "out/rock.vdb")
-        # The grid is written before the mesh is made, the mesh some time after it is whole.
+        # The grid is written before the mesh is built, and the mesh some time later.
         for stage, later in [("voxels", 0), ("] 100%", 0), ("] 100%", 0.02), ("polishing", 0),
                              ("polishing", 0.5)]:
             running = Running(self.folder, "build", "rock.vug", "-o", "out")
@@ -67,7 +67,7 @@ class Stopped(VugTest):
                 self.assertEqual(self.files(), ["rock.vug"])
 
     def test_what_a_killed_run_left_goes_with_the_next(self):
-        """The hidden files of the same outputs, but not those of runs that live."""
+        """Removes the hidden files of the same outputs, but not those of running processes."""
         args = ("render", "rock.vug", "-o", "out/rock.exr", "--checkpoint", "out/rock.state", "--spp", "100000",
                 "--size", "640x360", "--checkpoint-every", "0")
         hidden = lambda: [f for f in self.files() if "/." in f]

@@ -1,4 +1,4 @@
-"""Files of cells: which are written, that other programs read them, and that runs which are killed go on."""
+"""Files of cells: the outputs, other programs that read them, and killed runs that are resumed."""
 import csv
 import json
 import os
@@ -21,7 +21,7 @@ cells crust on wall { spacing 8cm  %s
 }
 """
 
-# Shows the colour grid of a volume as light, and tells the mean colour of a mesh.
+# Renders the colour grid of a volume as emission, and prints the mean colour of a mesh.
 BLENDER = """
 import bpy
 scene = bpy.context.scene
@@ -167,7 +167,7 @@ class CellsFiles(VugTest):
                                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     def stop_at(self, process, step, how):
-        """Sends the signal once so many steps are kept."""
+        """Sends the signal once this number of steps is in the checkpoint."""
         kept = self.folder / "kept.vdb"
         deadline = time.monotonic() + 120
         while time.monotonic() < deadline and process.poll() is None:
@@ -191,7 +191,7 @@ class CellsFiles(VugTest):
         self.assertIn("hint: continue from it with --resume, or remove it", error)
         error = self.expect(2, "build", "long.vug", "-o", "new", "--seed", 4, "--checkpoint", "kept.vdb", "--resume").err
         self.assertIn("belongs to another scene", error)
-        # Asked to stop, it saves the work so far.
+        # A cancelled run saves its state.
         process = self.start("--resume", "-o", "new", "--checkpoint-every", "0")
         step = self.info("kept.vdb")["grids"][0]["metadata"]["vug:step"]
         said = self.stop_at(process, step + 50, signal.SIGINT)

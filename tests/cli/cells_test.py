@@ -1,4 +1,4 @@
-"""Cells in a scene: what is refused and where, what is written, the same bytes for any number of threads."""
+"""Cells in a scene: errors with their locations, outputs, the same bytes for any number of threads."""
 import json
 import unittest
 
@@ -30,7 +30,7 @@ class Cells(VugTest):
         self.refused("spacing 20cm  run vornoi()", run, "unknown function 'vornoi'", "did you mean 'voronoi'?")
         self.refused("spacing 20cm  grid trangle  run maze", at + len("spacing 20cm  grid "), "there is no grid 'trangle'",
                      "did you mean 'triangle'?")
-        self.refused("spacing 20cm  run maze", 15, "'cells' stands on a mesh or level set, not the name 'wal'", "did you mean 'wall'?", "wal")
+        self.refused("spacing 20cm  run maze", 15, "'cells' expects a mesh or level set after 'on', not the name 'wal'", "did you mean 'wall'?", "wal")
         for spacing in ("0", "0cm", "-2cm"):
             self.refused(f"spacing {spacing}  run maze", at, "the spacing of cells must be above 0", "for instance: spacing 2cm")
         self.refused("spacing 20cm", 7, "'cells' needs 'run'", "run: rules")
@@ -77,7 +77,7 @@ class Cells(VugTest):
             self.assertEqual(f"warning: unknown attribute '{name}'" in self.expect(0, "check", "s.vug").err, told, name)
 
     def test_a_surface_that_folds_is_doubtful(self):
-        # Where two balls meet, they grow into each other.
+        # At their intersection, two balls grow into each other.
         for height, folds in ((0.5, True), (-0.05, False)):
             scene = SCENE.replace("sphere(1m)", "sphere(1m) + sphere(1m).translate((1.4, 0, 0))")
             self.write("s.vug", scene % ("wall", f'spacing 10cm  steps 1  run set(attribute: "height", to: {height})'))

@@ -1,4 +1,4 @@
-"""What `vug check` finds without building: whatever `vug render` would refuse later for the text's sake."""
+"""`vug check` reports without building all errors of the text that `vug render` would report later."""
 import json
 import unittest
 
@@ -17,7 +17,7 @@ render main { size 16x12  spp 1  {render} }
 
 class Check(VugTest):
     def both(self, said, code=2, **parts):
-        """Of `vug check` and `vug render` alike; what is said on stderr."""
+        """Runs `vug check` and `vug render`, which must give the same errors; returns stderr."""
         text = SCENE
         for name in ("link", "render"):
             text = text.replace("{%s}" % name, parts.get(name, ""))
@@ -68,7 +68,7 @@ class Check(VugTest):
                 self.assertEqual(f"s.vug:{place}: error: " in error, code == 2, error)
 
     def test_what_shines_and_moves(self):
-        """Only the picture knows: what `at` says is computed by then."""
+        """Errors that depend on the evaluation of `at` and are found only by rendering."""
         text = ("volume rock = level_set(sphere(1m), voxel: 20cm)\nmesh skin on rock {}\n"
                 "object ball on skin { emission (1, 1, 1) }\nplace fall { of ball at [pose(position: keys(1: (0, 0, 0), 2: (0, 1, 0)))] }\n"
                 "camera main { eye (0, 0, 4)  shutter %s }\nrender main { size 8x8  spp 1 }\n")

@@ -1,4 +1,4 @@
-"""`vug derive` prints words; those of the teaching scenes are those of the book, letter by letter."""
+"""`vug derive` prints words; those of the teaching scenes equal those of the book, letter by letter."""
 import hashlib
 import json
 import unittest
@@ -16,7 +16,7 @@ def rewritten(word, rules, steps):
 
 
 def neighbours(word, at, unseen):
-    """The letters before and behind along the branch: side branches and unseen letters left out."""
+    """The left and right neighbours along the branch, without side branches and ignored letters."""
     found = []
     for way, opens, closes in ((-1, "]", "["), (1, "[", "]")):
         depth, i, letter = 0, at + way, ""
@@ -59,7 +59,7 @@ HOGEWEG = {
 HILBERT = {
     "A": "B-F+CFC+F-D&F^D-F+&&CFC+F+B//", "B": "A&F^CFB^F^D^^-F-D^|F^B|FC^F^A//",
     "C": "|D^|F^B-F+C^F^A&&FA&F^C+F+B^F^D//", "D": "|CFB-F+B|FA&F^A&&FB-F+B|FC//"}
-# Scene, grammar, steps, axiom, rules. Lower-case letters stand for names of two letters.
+# Scene, grammar, steps, axiom, rules. Lower-case letters represent names of two letters.
 CASES = [
     ("koch", "koch", 5, "F-F-F-F", {"F": "F-F+F+FF-F-F+F"}),
     ("hilbert", "plane", 8, "L", {"L": "+RF-LFL-FR+", "R": "-LF+RFR+FL-"}),

@@ -3,7 +3,7 @@ import unittest
 
 from vug import VugTest, digest
 
-# Everything that could depend on who comes first: a grammar's draws, morphs, smooth unions,
+# Everything that could depend on the order of threads: random choices of grammars, morphs, smooth unions,
 # displacement, repair, polishing, paint, media, coats and portals.
 SCENE = """seed 11
 grammar cave {

@@ -1,4 +1,4 @@
-"""vug diff: exit codes, symmetry, masks, limits, the verdict by noise, and its reports."""
+"""vug diff: exit codes, symmetry, masks, limits, the significance test, and reports."""
 import base64
 import html.parser
 import json
@@ -26,7 +26,7 @@ render main { size 48x32  spp 64 }
 
 
 class Page(html.parser.HTMLParser):
-    """What a report's page is made of."""
+    """The contents of a report page."""
 
     def __init__(self, text):
         super().__init__()

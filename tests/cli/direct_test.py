@@ -1,4 +1,4 @@
-"""Objects that are traced without a mesh: the same picture in less memory, and what they cannot do."""
+"""Objects that are traced without a mesh: the same picture in less memory, and their restrictions."""
 import re
 import unittest
 
@@ -71,7 +71,7 @@ class Direct(VugTest):
             self.assertIn("lamp.vug:3:", error)
 
     def test_what_has_holes_needs_a_mesh(self):
-        """Rays cut holes into meshes; the tracer of level sets does not ask for opacity."""
+        """Opacity cuts holes into meshes only; the tracer of level sets does not evaluate it."""
         self.write("holes.vug", "volume v = level_set(sphere(1m), voxel: 20cm)\nmesh skin on v {}\n"
                                 "object sieve on skin { direct true  material surface(opacity: 0.5) }\n"
                                 "camera main { eye (0, 0, 4) }\nrender main { size 8x6  spp 1 }\n")

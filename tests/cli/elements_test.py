@@ -1,4 +1,4 @@
-"""Meshes of carved facades say of which element their vertices are: in files, in sets for other programs, in pictures."""
+"""Meshes of carved facades carry the element of each vertex: in files, in exports and in pictures."""
 import json
 import unittest
 

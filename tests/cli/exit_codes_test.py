@@ -1,4 +1,4 @@
-"""Exit codes of every verb: 0 done, 1 the answer is no, 2 unusable input, 3 a failure while working."""
+"""Exit codes of every verb: 0 done, 1 the answer is no, 2 unusable input, 3 failure."""
 import json
 import resource
 import signal
@@ -145,7 +145,7 @@ class Unusable(VugTest):
         self.assertEqual(self.files(), ["ball.vug"])
 
     def test_empty_values(self):
-        """What a script's unset variable leaves behind."""
+        """Empty arguments, as produced by an unset variable of a script."""
         self.write("ball.vug", BALL)
         build = ("build", "ball.vug", "-o", "out")
         render = ("render", "ball.vug", "-o", "a.exr")
@@ -263,7 +263,7 @@ class Unusable(VugTest):
 
 
 class Failed(VugTest):
-    """Exit 3: the system refuses while we work."""
+    """Exit 3: system errors during the work."""
 
     def test_a_folder_that_cannot_be_made(self):
         self.write("ball.vug", BALL)
@@ -296,7 +296,7 @@ class Failed(VugTest):
         self.assertEqual(sorted(str(p) for p in self.folder.rglob("*")), before)
 
     def test_a_full_disk(self):
-        """A limit on the size of files fails writes as a full disk does: in the middle."""
+        """A limit on the size of files makes writes fail in the middle, like a full disk."""
         self.write("ball.vug", BALL.replace("10cm", "5cm") + "mesh wall on rock {}\n")
         self.write("out/ball.vdb", "old\n")
         self.write("out/ball.ply", "old\n")

@@ -1,4 +1,4 @@
-"""vug export writes sets for other programs; vug recipe tells what made a file, which makes it again."""
+"""vug export writes files for other programs; vug recipe prints the scene that rebuilds a file."""
 import json
 import os
 import struct
@@ -98,7 +98,7 @@ class Export(VugTest):
                       "(sky.glb)\n", said.err)
         self.assertIn(round_, said.err)
         self.assertNotIn("volume", said.err)  # it lies beside
-        # What is lost is told however quiet it is to be; what is only elsewhere is not.
+        # Omissions are reported even with --quiet; notes are not.
         self.assertEqual(self.expect(0, "export", "sky.vug", "-o", "o", "--for", "blender", "-q").err, round_)
         self.assertEqual([path.name for path in sorted((self.folder / "o").glob("*.exr"))], ["sky_heaven.exr"])
         self.assertIn(b'"file":"sky_heaven.exr"', (self.folder / "o/sky_lod2.glb").read_bytes())
@@ -185,7 +185,7 @@ class Recipe(VugTest):
         old, new = [json.loads(self.expect(0, "measure", f"{folder}/cave.ply", "--json").out)
                     for folder in ("set", "new")]
         self.assertEqual({**old, "name": ""}, {**new, "name": ""})
-        # What was made of an unchanged text is the same to the byte.
+        # Products of an unchanged text are identical.
         self.expect(0, "recipe", "new/cave.vdb", "-o", "third/cave.vug")
         self.expect(0, "build", "third/cave.vug", "-o", "third")
         for name in ("cave.vdb", "cave.ply"):

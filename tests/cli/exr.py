@@ -80,7 +80,7 @@ class Part:
                 at += count
 
     def _take_deep(self, data, y, counts_size, samples_size, whole_size):
-        """One line: how many samples lie in each pixel and those before it, then the channels."""
+        """One line: the cumulative number of samples of each pixel, then the channels."""
         counts = struct.unpack(f"<{self.width}i", _unzip(data[:counts_size], 4 * self.width))
         assert all(a <= b for a, b in zip(counts, counts[1:])), counts
         samples = _unzip(data[counts_size:counts_size + samples_size], whole_size)

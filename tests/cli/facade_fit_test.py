@@ -1,4 +1,4 @@
-"""`vug facade fit`: a picture of a known facade, rendered with its depth, is read back."""
+"""`vug facade fit`: recovers a known facade from a picture that is rendered with depth."""
 import json
 import unittest
 
@@ -25,7 +25,7 @@ def area(rects):
 
 
 def shared(some, others):
-    """Area that both cover; neither covers anything twice."""
+    """Area of the intersection; the rectangles of each set do not overlap."""
     total = 0
     for x, y, width, height in some:
         for u, v, across, up in others:

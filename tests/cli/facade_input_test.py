@@ -30,12 +30,12 @@ def photo():
 
 
 def depth():
-    """Metres before the wall."""
+    """Depth map in metres in front of the wall."""
     return rows(lambda x, y: -0.2 if is_window(x, y) else 0.004 * ((7 * x + 13 * y) % 5 - 2))
 
 
 def huge_png(path, width, height):
-    """A PNG that tells its size, and little else."""
+    """A PNG with a header and almost no data."""
     def chunk(name, data):
         return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -83,7 +83,7 @@ class FacadeInput(VugTest):
         self.refused("'dark.exr' has no valid pixel", "dark.exr")
 
     def test_sizes(self):
-        """They are the picture's, whatever it is shrunk to."""
+        """Sizes refer to the original picture, not to the reduced one."""
         write_png(self.folder / "photo.png", photo())
         for more, size in (((), (12, 16)), (("--rows", 37), (12, 16)), (("--height", "8m"), (6, 8)),
                            (("--width", "3m", "--height", "8m"), (3, 8)), (("--width", "9m"), (9, 12))):
@@ -131,7 +131,7 @@ class FacadeInput(VugTest):
 
 class Memory(VugTest):
     def refused(self, *args):
-        """Before any work, with what it would take."""
+        """Refused before any work, with the required memory."""
         before = self.files()
         error = self.expect(2, "facade", *args).err
         self.assertRegex(error, r"would take about \S+ [KMGT]iB of memory, more than the limit")
@@ -151,7 +151,7 @@ class Memory(VugTest):
                      ("rectify", "photo.png", "--corners", "0,0", "9,0", "9,9", "0,9", "-o", "out.exr")):
             with self.subTest(args=args):
                 self.assertIn("10000 x 10000 pixels", self.refused(*args, "--max-memory", "500M"))
-        # Of a photo that is only modelled after no pixel is read.
+        # The pixels of a session's photo are not read.
         self.expect(0, "facade", "model", "--grammar", "ripperda.vug", "--photo", "photo.png", "--width", "12m",
                     "-o", "s.json", "--max-memory", "100M")
         self.refused("model", "s.json", "--carve", "wall.vdb", "--voxel", "0.1mm", "--max-memory", "500M")
@@ -171,7 +171,7 @@ class Memory(VugTest):
 
     @unittest.skipIf(SLOW, "a sanitizer takes memory of its own")
     def test_the_estimate_is_honest(self):
-        """What the kernel counts beyond a little picture is no more than is told of a large one."""
+        """The additional memory of a large picture does not exceed the estimate."""
         def peak(name):
             process = subprocess.Popen([PROGRAM, "facade", "fit", name, "-o", "out", "--no-carving", "--steps", "1000"],
                                        cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
@@ -194,7 +194,7 @@ class Kept(VugTest):
         write_png(self.folder / "photo.png", photo())
 
     def outcome(self):
-        """Of a fit that was stopped: a whole tree, that other verbs read."""
+        """A stopped fit writes a complete tree that other verbs can read."""
         tree = json.loads((self.folder / "out/photo.json").read_text())
         self.assertTrue(json.loads((self.folder / "out/photo.report.json").read_text()))
         listed = self.expect(0, "tree", "out/photo.vug", "--elements").out
@@ -257,7 +257,7 @@ class Kept(VugTest):
         self.assertEqual((self.folder / "out/photo.vdb").read_text(), "older")
 
     def test_a_full_disk(self):
-        """A limit on the size of files fails writes as a full disk does: in the middle."""
+        """A limit on the size of files makes writes fail in the middle, like a full disk."""
         def small_files():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (600, 600))

@@ -1,4 +1,4 @@
-"""`vug facade scan` and `vug facade rectify`: a made facade is found in its points, a slanted photo made square."""
+"""`vug facade scan` finds a synthetic facade in its points; `vug facade rectify` rectifies an oblique photo."""
 import json
 import math
 import random
@@ -9,7 +9,7 @@ import unittest
 
 from vug import SOURCE, VugTest
 
-# x, y, width, height and metres behind the wall; 0: nothing comes back.
+# x, y, width, height and metres behind the wall; 0: no points.
 HOLES = [(1, 3, 1.2, 1.5, 0.15), (4, 3, 1.2, 1.5, 0), (7, 3, 1.2, 1.5, 0.15), (4, 0, 1.2, 2.1, 0.2)]
 
 
@@ -116,7 +116,7 @@ class FacadeScan(VugTest):
 
 
 class RenderedScan(VugTest):
-    """Figure 1 of the gallery: a house rendered as a scanner sees it, a tree before it."""
+    """Figure 1 of the gallery: a house with a tree in front, rendered as a scan."""
 
     def prepare(self):
         self.expect(0, "render", SOURCE / "data/scenes/facades/figure1.vug", "-o", "scan.exr", "-D", "voxel=4cm",

@@ -1,4 +1,4 @@
-"""`vug facade train`: looks from labelled pictures, which are made here."""
+"""`vug facade train`: pixel classifiers from synthetic labelled pictures."""
 import json
 import struct
 import unittest

@@ -1,4 +1,4 @@
-"""vug test: cases, references that change only with a reason, reseeding, reports."""
+"""vug test: cases, updates of references, runs with other seeds, reports."""
 import json
 import os
 import pathlib
@@ -82,7 +82,7 @@ class ImageTests(VugTest):
                           for name in ("R", "G", "B", "variance.R", "variance.G", "variance.B", "samples")})
         self.expect(0, *only)
         self.expect(0, *only, "--flaky", "2")
-        # Both eyes move, and both are told of.
+        # Both views differ, and both are reported.
         self.write("looks/both.vug", both.replace("interaxial 20cm", "interaxial 60cm"))
         self.assertIn("right: ", self.vug(*only).out)
 
@@ -119,7 +119,7 @@ class ImageTests(VugTest):
         self.assertIn("no case", self.expect(2, "test", "looks", "--filter", "none").err)
 
     def test_commands_and_reseeding(self):
-        # A program whose picture depends on its seed: even ones are as they were, odd ones darker.
+        # A program whose picture depends on its seed: odd seeds give darker pictures.
         write_png(self.folder / "even.png", shown(scene(20, 14, 1)))
         write_png(self.folder / "odd.png", shown(scene(20, 14, 1, dark=0.5)))
         self.write("draw.sh", f"cd {self.folder}\nif [ $(($2 % 2)) = 1 ]; then cp odd.png $1; else cp even.png $1; fi\n")

@@ -1,4 +1,4 @@
-"""No verb overwrites what it reads, under whatever name; two outputs never share a file."""
+"""No verb overwrites its inputs under any name, and two outputs never share a file."""
 import os
 import unittest
 

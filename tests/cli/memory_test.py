@@ -1,4 +1,4 @@
-"""--max-memory: said before the work starts, refused beyond, and honest against what it takes."""
+"""--max-memory: checked before the work starts, enforced, and accurate compared with the actual memory."""
 import os
 import re
 import subprocess
@@ -18,7 +18,7 @@ def told(error):
 
 class Memory(VugTest):
     def peak(self, *args):
-        """Bytes that were resident at most, by the kernel's account."""
+        """Maximum resident memory in bytes, as reported by the kernel."""
         process = subprocess.Popen([PROGRAM, *args], cwd=self.folder, stdin=subprocess.DEVNULL,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         error = process.stderr.read()
@@ -51,7 +51,7 @@ class Memory(VugTest):
     def test_a_mesh_that_is_too_large_is_refused_before_its_grid(self):
         self.write("rock.vug", "volume rock = level_set(sphere(10m), voxel: 1cm)\nmesh wall on rock {}\n"
                                "camera main { eye (0, 0, 30) }\nrender main { size 4x3  spp 1 }\n")
-        # The grid alone, of 1.3e7 voxels in its band a layer, would take about half of this.
+        # The grid alone, with 1.3e7 voxels per layer of its band, would take about half of this.
         for args in [("build", "rock.vug", "-o", "out"), ("measure", "rock.vug"),
                      ("render", "rock.vug", "-o", "rock.exr")]:
             with self.subTest(args=args):
@@ -64,7 +64,7 @@ class Memory(VugTest):
 
     @unittest.skipIf(SLOW, "a sanitizer takes memory of its own")
     def test_the_estimates_are_honest(self):
-        """Within 1.5 either way of what the kernel counts beyond a build of next to nothing."""
+        """The estimate is within a factor of 1.5 of the memory used in addition to a trivial build."""
         self.write("little.vug", BALL.replace("10cm", "50cm"))
         self.write("grid.vug", "volume rock = level_set(sphere(1m), voxel: 4mm)\n")
         self.write("mesh.vug", "volume rock = level_set(sphere(1m), voxel: 6mm)\nmesh w on rock {}\n")

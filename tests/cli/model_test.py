@@ -1,4 +1,4 @@
-"""`vug facade model`: sessions of modelling by hand."""
+"""`vug facade model`: interactive modelling sessions."""
 import json
 import re
 import unittest
@@ -109,7 +109,7 @@ class Modelling(VugTest):
                          [g["active_voxels"] for g in second["grids"]])
 
     def test_what_is_carved_has_the_sizes_of_its_recipe(self):
-        """Texts tell tenths of a millimetre; a third of a metre is none."""
+        """Texts have a resolution of a tenth of a millimetre, which cannot represent a third of a metre."""
         self.model("--grammar", "ripperda.vug", "--width", "2m", "--height", "2m", "--act",
                    "0 RegularIdenticalGrid columns=1 rows=1 x=0.33335 y=0.33335 width=1.33335 height=1.33335", "--carve",
                    "a.vdb", "--voxel", "2cm")
@@ -159,7 +159,7 @@ class Modelling(VugTest):
         self.assertEqual(self.model("other/b.json", "--json").out, self.model("mine/a.json", "--json").out)
 
     def test_from_a_tree(self):
-        """Of a session, and of a fit."""
+        """Trees of a session and of a fit."""
         self.write("tree.json", self.model("s.json", "--json").out)
         self.assertFalse(self.model("--from", "tree.json", "-o", "back.json").err)
         windows = [[one["rect"] for one in json.loads(self.model(name, "--json").out)["elements"]]
@@ -231,7 +231,7 @@ class Modelling(VugTest):
 
 
 class Samples(VugTest):
-    """Sessions that come with us, and what docs/guides/modeller.md says."""
+    """Sessions in data/ and the commands of docs/guides/modeller.md."""
 
     def test_samples_are_whole(self):
         sessions = sorted(SESSIONS.glob("*.json"))

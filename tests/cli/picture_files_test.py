@@ -53,7 +53,7 @@ FORMS = {"plain": (), "tiled": ("--tiled",), "parts": ("--multi-part",),
          "both": ("--multi-part", "--tiled"), "crop": ("--crop", "10,5,50,35"), "full": ("--float",),
          "smooth": ("--denoise",), "deep": ("--deep", "--crop", "10,5,50,35", "--float"),
          "half": ("--deep", "--working-space", "acescg")}
-# Beside the pictures of these forms.
+# Files written in addition to the pictures.
 DEEP = {"deep": "deep.deep", "half": "half.deep"}
 
 
@@ -97,7 +97,7 @@ class PictureFiles(VugTest):
             self.expect(0, "render", "s.vug", "-o", f"{name}.exr", "--layers", "all", *form)
 
     def tool(self, *args):
-        """What a program of others prints; skips without it."""
+        """Output of an external program; skips the test if it is missing."""
         if not shutil.which(args[0]):
             self.skipTest(f"{args[0]} is not installed")
         run = subprocess.run(args, cwd=self.folder, text=True, capture_output=True)
@@ -105,7 +105,7 @@ class PictureFiles(VugTest):
         return run.stdout
 
     def channels(self, name):
-        """Pixels of all channels, of whichever part."""
+        """Pixels of all channels of all parts."""
         found = {}
         for part in exr.read(self.folder / f"{name}.exr"):
             found.update(part.pixels)
@@ -228,7 +228,7 @@ class PictureFiles(VugTest):
                                                 "left").err)
 
     def test_a_deep_picture_of_two_views_has_both(self):
-        """By the scene's own `deep true` as by --deep."""
+        """The scene's `deep true` and --deep are equivalent."""
         two = SCENE.replace("fov 70deg", "fov 70deg  interaxial 20cm  convergence 1m")
         self.write("two.vug", two)
         self.write("deep.vug", two.replace("spp 16", "spp 16  deep true"))

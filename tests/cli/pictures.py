@@ -48,7 +48,7 @@ def rgbe(pixel):
 
 
 def unpack(code):
-    """The light that a reader makes of the four bytes, as it is commonly done: (m + 0.5) 2^e."""
+    """The light of four RGBE bytes, by the usual decoding (m + 0.5) 2^e."""
     r, g, b, e = code
     return tuple(math.ldexp(v, e - 136) for v in (r, g, b)) if e else (0.0, 0.0, 0.0)
 
@@ -60,7 +60,7 @@ def write_hdr(path, rows):
 
 
 def scene(width, height, seed, shift=0.0, noise=0.0, dark=1.0):
-    """Linear light with edges, gradients and a lamp; `shift` moves an edge, `noise` is relative."""
+    """Linear light with edges, gradients and a light; `shift` moves an edge, `noise` is relative."""
     draw = random.Random(seed)
     rows = []
     for y in range(height):
@@ -80,7 +80,7 @@ def scene(width, height, seed, shift=0.0, noise=0.0, dark=1.0):
 
 
 def shown(rows):
-    """Codes of a screen: clipped, sRGB."""
+    """Display codes: clipped, sRGB."""
     def code(v):
         v = min(max(v, 0), 1)
         return round(255 * (12.92 * v if v <= 0.0031308 else 1.055 * v ** (1 / 2.4) - 0.055))

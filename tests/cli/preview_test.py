@@ -1,4 +1,4 @@
-"""vug preview writes one page that holds all it shows, and nothing of a scene becomes markup."""
+"""vug preview writes one self-contained page, and no text of a scene becomes markup."""
 import base64
 import html
 import json
@@ -29,7 +29,7 @@ MARKS = "<title>@VUG_TITLE@</title><script id=d>@VUG_DATA@</script><p id=m>@VUG_
 
 
 class Preview(VugTest):
-    """With a page of marks alone, so that it needs no npm; tests/dcc opens the real one."""
+    """Uses a page of placeholders and therefore does not need npm; tests/dcc opens the real page."""
 
     def prepare(self):
         self.write(f"{NAME}.vug", SCENE)

@@ -1,4 +1,4 @@
-"""What each verb says and writes: list, info, tree, format, sweep, measure, build."""
+"""Output and files of the verbs list, info, tree, format, sweep, measure and build."""
 import json
 import math
 import struct

@@ -8,7 +8,7 @@ from vug import PROGRAM, SLOW, VugTest
 
 LIMIT = "exceeds its limit of 10000000 modules: the next step makes"
 ENDS = "does not terminate after 10000 rounds, for instance the rule of"
-# What happens: lines of the block (the first is the text's second), place and part of the message.
+# Case: lines of the block (the first is line 2 of the text), location and part of the message.
 BOMBS = {
     "one module becomes eight": (
         ["axiom A", "steps 1000", "A -> AAAAAAAA"], "4:1", f"{LIMIT} 16777216, 16777216 of them by the rule of 'A'"),

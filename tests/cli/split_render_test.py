@@ -1,4 +1,4 @@
-"""Long renders: parts that merge to the whole, and renders that are killed and go on, bit for bit."""
+"""Long renders: merged partial renders and resumed renders are identical to uninterrupted ones."""
 import json
 import random
 import signal
@@ -98,7 +98,7 @@ class Farm(VugTest):
             2, "render", "s.vug", "-o", "a.exr", "--layers", "beauty,albdo").err)
 
     def killed(self, delay, *args):
-        """Runs for that long, then kills the hard way; true when it had ended before."""
+        """Runs the command and kills it after that time; returns whether it had ended before."""
         process = subprocess.Popen([PROGRAM, *args], cwd=self.folder, stdin=subprocess.DEVNULL,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         try:

@@ -1,4 +1,4 @@
-"""The built vug command for tests: run it, look at what it said and wrote.
+"""Runs the built vug command in tests and examines its output and files.
 
 VUG in the environment names the program; VUG_SLOW says that a sanitizer makes it slow and large.
 """
@@ -31,7 +31,7 @@ def digest(path):
 
 
 class Running:
-    """The command, whose progress bar tells what it is doing."""
+    """A running command, whose stage is read from its progress bar."""
 
     def __init__(self, folder, *args):
         self.process = subprocess.Popen([PROGRAM, *map(str, args), "--progress"], cwd=folder,
@@ -40,7 +40,7 @@ class Running:
         self.said = ""
 
     def read(self):
-        """More of what it says; False at its end."""
+        """Reads more output; returns False at its end."""
         text = os.read(self.process.stderr.fileno(), 4096).decode(errors="replace")
         self.said += text
         return bool(text)
@@ -50,7 +50,7 @@ class Running:
             pass
 
     def wait_until_it_heeds_signals(self):
-        """From its very first moments on."""
+        """Waits until the command has installed its signal handlers."""
         while True:
             status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
             caught = int(status.split("SigCgt:")[1].split()[0], 16)
@@ -75,7 +75,7 @@ class VugTest(unittest.TestCase):
     prepared = None
 
     def prepare(self):
-        """Writes and runs what every test of the class starts from."""
+        """Creates the files with which every test of the class starts."""
 
     @classmethod
     def setUpClass(cls):
@@ -107,15 +107,15 @@ class VugTest(unittest.TestCase):
         return path
 
     def vug(self, *args, **options):
-        """Runs to the end; output as text."""
+        """Runs the command to its end and returns its output as text."""
         options.setdefault("cwd", self.folder)
         options.setdefault("stdout", subprocess.PIPE)
         return Result(subprocess.run([PROGRAM, *map(str, args)], stdin=subprocess.DEVNULL,
                                      stderr=subprocess.PIPE, text=True, timeout=300, **options))
 
     def expect(self, code, *args, **options):
-        """Runs and asserts the exit code. Diagnostics stand on stderr, results on stdout; a
-        refusal says why in a sentence and leaves stdout empty."""
+        """Runs and asserts the exit code. Diagnostics are on stderr, results on stdout; an
+        error has a message and leaves stdout empty."""
         result = self.vug(*args, **options)
         said = f"vug {' '.join(map(str, args))}\n{result.out}\n{result.err}"
         self.assertEqual(result.code, code, said)
@@ -127,5 +127,5 @@ class VugTest(unittest.TestCase):
         return result
 
     def files(self):
-        """Names of all files in the test's folder, those that ls hides too."""
+        """Names of all files in the test's folder, including hidden ones."""
         return sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*") if p.is_file())

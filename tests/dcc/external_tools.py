@@ -1,4 +1,4 @@
-"""The vug command of tests/cli, and the programs of others that read what it wrote."""
+"""The vug command of tests/cli, and the external programs that read its files."""
 import json
 import os
 import pathlib
@@ -41,7 +41,7 @@ def skip(reason):
 def require_blender():
     program = os.environ.get("VUG_BLENDER", "")
     if not shutil.which(program):
-        skip("there is no Blender (Debian's package blender)")
+        skip("Blender is missing (Debian's package blender)")
     return program
 
 
@@ -49,7 +49,7 @@ def require_node():
     """Node and the folder where tools/dev/install_node_packages has put the readers."""
     program, packages = os.environ.get("VUG_NODE", ""), os.environ.get("VUG_NODE_PACKAGES", "")
     if not shutil.which(program):
-        skip("there is no Node (Debian's package npm brings it)")
+        skip("Node is missing (Debian's package npm installs it)")
     if not (pathlib.Path(packages) / "complete").exists():
         skip("readers of glTF and USD are not installed: tools/dev/install_node_packages does it")
     return program, pathlib.Path(packages)

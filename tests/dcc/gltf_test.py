@@ -1,4 +1,4 @@
-"""The Khronos validator has nothing to say of what vug export writes."""
+"""The Khronos validator reports no problems in the output of vug export."""
 import unittest
 
 from external_tools import SCENE, SOURCE, VugTest, node, require_node

@@ -1,5 +1,5 @@
-"""The page of vug preview, opened in Chromium: it shows the model and every panel, asks for nothing and
-says nothing bad."""
+"""The page of vug preview, opened in Chromium: it shows the model and every panel, without network requests
+and console messages."""
 import os
 import pathlib
 import re
@@ -70,7 +70,7 @@ class Preview(VugTest):
 if __name__ == "__main__":
     require_node()
     if not shutil.which(os.environ.get("VUG_CHROMIUM", "")):
-        skip("there is no Chromium (Debian's package chromium)")
+        skip("Chromium is missing (Debian's package chromium)")
     if not PAGE.exists():
-        skip("the page of vug preview was not built: it takes npm and its registry")
+        skip("the page of vug preview was not built, which requires npm and its registry")
     unittest.main()

@@ -52,7 +52,7 @@ camera main { eye (0.5, 1.5, 6) target (0, 0.9, 0) fov 60deg }
 def cycles(folder, size, spp, runs):
     program = shutil.which(os.environ.get("VUG_BLENDER", "blender"))
     if not program:
-        print("SKIPPED: there is no Blender (Debian's package blender)")
+        print("SKIPPED: Blender is missing (Debian's package blender)")
         sys.exit(0)
     path = f"{os.path.dirname(program)}:{os.environ['PATH']}"
     subprocess.run([program, "--background", "--factory-startup", "--python-exit-code", "1", "--python",

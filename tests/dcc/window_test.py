@@ -52,5 +52,5 @@ class Window(VugTest):
 if __name__ == "__main__":
     require_blender()
     if not shutil.which("Xvfb"):
-        skip("there is no screen (Debian's package xvfb)")
+        skip("no virtual screen (Debian's package xvfb)")
     unittest.main()

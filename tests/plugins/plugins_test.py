@@ -124,7 +124,7 @@ class Plugins(unittest.TestCase):
         self.assertIn("provides a field 'lens', which already exists",
                       self.vug(2, "check", "lens.vug", "--plugin", self.lens, "--plugin", copy))
 
-    @unittest.skipUnless(PYTHON, "there is no Python module")
+    @unittest.skipUnless(PYTHON, "the Python module is missing")
     def test_python(self):
         program = f"""
 import warnings

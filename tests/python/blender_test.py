@@ -43,7 +43,7 @@ print("stages", "rendering" in seen)
 """
 
 
-@unittest.skipUnless(BLENDER, "there is no Blender")
+@unittest.skipUnless(BLENDER, "Blender is missing")
 class Blender(Case):
     def test_it_works_inside(self):
         self.write("ball.vug", BALL)

@@ -1,4 +1,4 @@
-"""What tests of the Python package share: a folder of their own, and the command to compare with."""
+"""Shared code for tests of the Python package: a temporary folder and the command for comparison."""
 import os
 import pathlib
 import subprocess
