@@ -1,19 +1,30 @@
 # vug_module(NAME [FOLDERS folders...] [DEPENDS modules...] [PUBLIC libs...] [PRIVATE libs...]
-#            [OPTIONS of the compiler...] [HEADERS to precompile...])
+#            [OPTIONS of the compiler...] [DEFINITIONS...] [HEADERS to precompile...])
 # A module is the folder lib/vug/NAME. All .cpp files at its top level and in FOLDERS are compiled. Folders
-# of kinds are added by vug_kinds, which contains the only list of kinds.
+# of kinds are added by vug_kinds, which contains the only list of kinds. With VUG_SLICE, a module that is not in
+# the slice is the archive of the build VUG_SLICE_BASE (tools/dev/slice).
 function(vug_module name)
-  cmake_parse_arguments(ARG "" "" "FOLDERS;DEPENDS;PUBLIC;PRIVATE;OPTIONS;HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "FOLDERS;DEPENDS;PUBLIC;PRIVATE;OPTIONS;DEFINITIONS;HEADERS" ${ARGN})
+  list(TRANSFORM ARG_DEPENDS PREPEND vug_)
+  if(VUG_SLICE AND NOT name IN_LIST VUG_SLICE)
+    add_library(vug_${name} STATIC IMPORTED GLOBAL)
+    add_library(Vug::${name} ALIAS vug_${name})
+    set_target_properties(vug_${name} PROPERTIES
+      IMPORTED_LOCATION ${VUG_SLICE_BASE}/lib/vug/${name}/libvug_${name}.a)
+    list(TRANSFORM ARG_PRIVATE REPLACE "(.+)" "$<LINK_ONLY:\\1>")
+    target_link_libraries(vug_${name} INTERFACE vug_contract ${ARG_DEPENDS} ${ARG_PUBLIC} ${ARG_PRIVATE})
+    return()
+  endif()
   list(TRANSFORM ARG_FOLDERS APPEND /*.cpp)
   list(TRANSFORM ARG_FOLDERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${ARG_FOLDERS})
   add_library(vug_${name} STATIC ${sources})
   add_library(Vug::${name} ALIAS vug_${name})
   set_target_properties(vug_${name} PROPERTIES EXPORT_NAME ${name})
-  list(TRANSFORM ARG_DEPENDS PREPEND vug_)
   target_link_libraries(vug_${name} PUBLIC vug_contract ${ARG_DEPENDS} ${ARG_PUBLIC}
     PRIVATE $<BUILD_INTERFACE:vug_strict> ${ARG_PRIVATE})
   target_compile_options(vug_${name} PRIVATE ${ARG_OPTIONS})
+  target_compile_definitions(vug_${name} PRIVATE ${ARG_DEFINITIONS})
   set(group modules)
   if(ARG_OPTIONS OR ARG_HEADERS)
     set(group ${name})
@@ -28,7 +39,9 @@ endfunction()
 function(vug_kinds module folder)
   set(lines "")
   foreach(kind ${ARGN})
-    target_sources(vug_${module} PRIVATE ${folder}/${kind}.cpp)
+    if(NOT VUG_SLICE OR module IN_LIST VUG_SLICE)
+      target_sources(vug_${module} PRIVATE ${folder}/${kind}.cpp)
+    endif()
     string(APPEND lines "VUG_KIND(${kind})\n")
   endforeach()
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/lib/vug/${module}/${folder}_kinds.inc
