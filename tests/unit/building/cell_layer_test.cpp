@@ -41,7 +41,7 @@ TEST(CellLayer, IsBuiltOnceAndCached) {
   EXPECT_GT(layer->simulation.bytes(), layer->network().size() * (3 * 12 + 2 * 4 + 4 * 4 + 4));
   const auto& wet = layer->simulation.attributes().values<float>("wet");
   EXPECT_EQ(wet.size(), layer->network().size());
-  EXPECT_FALSE(layer->relaxing.empty());
+  EXPECT_FALSE(layer->relaxation.empty());
 
   const auto worn = builder.mesh(shot.meshes.back());
   EXPECT_TRUE(mesh::find_attribute(*worn, "wet"));

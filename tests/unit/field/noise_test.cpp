@@ -161,10 +161,10 @@ TEST(Noise, NearestSitesEqualBruteForce) {
     const Point<double> p = point(random_point(random, 30));
     const auto here = nearest_sites(p, 3);
     EXPECT_LE(here.first.squared, here.second.squared);
-    const Vec3d site = vector(p) - vector(here.first.way);
+    const Vec3d site = vector(p) - vector(here.first.offset);
     for (int k = 0; k < 20; ++k) {  // No nearby query finds a site closer to p.
       const Vec3d q = vector(p) + random_point(random, 1.0);
-      const Vec3d other = q - vector(nearest_sites(point(q), 3).first.way);
+      const Vec3d other = q - vector(nearest_sites(point(q), 3).first.offset);
       EXPECT_GE((other - vector(p)).length2(), here.first.squared - 1e-12);
       if ((other - site).length() > 1e-9) {
         EXPECT_GE((other - vector(p)).length2(), here.second.squared - 1e-12);
