@@ -8,6 +8,7 @@
 #include <vug/field/primitive.h>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace vug::field {
 namespace {
@@ -32,13 +33,23 @@ struct EllipsoidShape {
                         max(y.z * S(e.z), S(1e-15))};
     const S start =
         max(max(b.x - S(gap.x), max(b.y - S(gap.y), b.z - S(gap.z))), length(b) - S(widest_gap));
-    S s = start;
+    S s = start, before = start;
     for (int i = steps(static_cast<S*>(nullptr)); i > 0; --i) {
       const S wx = S(1.0) / (s + S(gap.x)), wy = S(1.0) / (s + S(gap.y)),
               wz = S(1.0) / (s + S(gap.z));
       const S ux = square(b.x * wx), uy = square(b.y * wy), uz = square(b.z * wz);
       const S sum = ux + uy + uz;
-      s = max(start, s + sum * (sqrt(sum) - S(1.0)) / (ux * wx + uy * wy + uz * wz));
+      const S next = max(start, s + sum * (sqrt(sum) - S(1.0)) / (ux * wx + uy * wy + uz * wz));
+      if constexpr (std::is_same_v<S, double>) {  // The same bits as after all steps.
+        if (next == s) break;
+        // Rounding alternates between two values; the number of steps left decides which is last.
+        if (next == before) {
+          if (i % 2 == 1) s = next;
+          break;
+        }
+      }
+      before = s;
+      s = next;
     }
     const Point<S> en = {b.x / (s + S(gap.x)), b.y / (s + S(gap.y)), b.z / (s + S(gap.z))};
     Point<S> n = {en.x * S(1 / e.x), en.y * S(1 / e.y), en.z * S(1 / e.z)};
