@@ -78,7 +78,7 @@ class BadPictures(VugTest):
             self.assertIn("noise.exr", self.expect(2, "merge", "noise.exr", "-o", "out.exr").err)
 
     def test_what_is_wrong_is_said_in_our_words(self):
-        """Messages of libraries do not reach the user."""
+        """Messages of libraries do not reach the user unchanged."""
         write_png(self.folder / "fine.png", [[(i, j, 7) for i in range(30)] for j in range(20)])
         self.textured("fine.png")
         self.expect(0, "render", "room.vug", "-o", "a.exr", "--size", "64x64")

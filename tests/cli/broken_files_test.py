@@ -7,7 +7,7 @@ import unittest
 
 from vug import BALL, VugTest
 
-READERS = {  # what each kind of file is read by
+READERS = {  # the verbs that read each kind of file
     ".vdb": ["info", "measure"],
     ".ply": ["info", "measure"],
     ".obj": ["measure"],
@@ -85,10 +85,10 @@ class BrokenFiles(VugTest):
     def test_truncated(self):
         for suffix, path in self.whole.items():
             if suffix == ".obj":
-                continue  # see below: a text that ends early still reads
+                continue  # see below: a truncated text file can still be read
             whole = path.read_bytes()
             self.try_all(whole[:int(0.3 * len(whole))], suffix, "cut", in_a_scene=True)
-            if suffix != ".png":  # whose last bytes nobody needs
+            if suffix != ".png":  # readers do not need its last bytes
                 self.try_all(whole[:-1], suffix, "lacks_a_byte")
         self.check_the_scene()
 

@@ -30,7 +30,7 @@ class Stopped(VugTest):
         for name in ("rock.vdb", "rock.ply"):
             self.write(f"out/{name}", "old\n")
         old = digest(self.folder / "out/rock.vdb")
-        # The grid is written before the mesh is built, and the mesh some time later.
+        # The grid is written before the mesh is built, the mesh some time later.
         for stage, later in [("voxels", 0), ("] 100%", 0), ("] 100%", 0.02), ("polishing", 0),
                              ("polishing", 0.5)]:
             running = Running(self.folder, "build", "rock.vug", "-o", "out")
@@ -72,7 +72,7 @@ class Stopped(VugTest):
                 "--size", "640x360", "--checkpoint-every", "0")
         hidden = lambda: [f for f in self.files() if "/." in f]
         left = []
-        for _ in range(40):  # until one is killed while it writes
+        for _ in range(40):  # until a process is killed while it writes
             running = Running(self.folder, *args, "--resume")
             running.wait_for("rendering   ")
             time.sleep(0.05)
@@ -83,7 +83,7 @@ class Stopped(VugTest):
         self.assertEqual(len(left), 1)
         self.write("out/.other.1.part.state", "of another output")
         self.write("out/.rock.1.part.state", "of a process that lives")
-        self.write("out/.rock.x1.part.state", "of nobody")
+        self.write("out/.rock.x1.part.state", "of no process")
         living = Running(self.folder, *(a.replace("rock.exr", "two.exr") for a in args), "--resume")
         living.wait_for("rendering   ")
         self.vug("render", "rock.vug", "-o", "out/rock.exr", "--checkpoint", "out/rock.state", "--spp", "1")
@@ -99,7 +99,7 @@ class Stopped(VugTest):
         running = Running(self.folder, "sweep", "ball.vug", "-p", "R", "-v", "20cm,3m", "-o", "out/a")
         running.wait_for("polishing")
         while "voxels" not in running.said.rpartition("polishing")[2] and running.read():
-            pass  # until the second value's grid is on its way
+            pass  # until the second value's grid is being built
         code, out = running.stop(signal.SIGINT)
         self.assertEqual(code, 3, running.said)
         self.assertIn("while measuring R = 3m\n", running.said)
@@ -128,7 +128,7 @@ class Stopped(VugTest):
         running.wait_for("rendering")
         running.process.send_signal(signal.SIGINT)
         code, _ = running.stop(signal.SIGINT)
-        self.assertIn(code, (3, -signal.SIGINT))  # 3 where the first was quick
+        self.assertIn(code, (3, -signal.SIGINT))  # 3 if the first signal was handled quickly
 
 
 if __name__ == "__main__":

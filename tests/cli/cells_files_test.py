@@ -21,7 +21,7 @@ cells crust on wall { spacing 8cm  %s
 }
 """
 
-# Renders the colour grid of a volume as emission, and prints the mean colour of a mesh.
+# Renders the colour grid of a volume as emission and prints the mean colour of a mesh.
 BLENDER = """
 import bpy
 scene = bpy.context.scene
@@ -155,7 +155,7 @@ class CellsFiles(VugTest):
         self.assertGreater(red, 1)
         self.assertAlmostEqual(green / red, 0.5, delta=0.02)
         self.assertAlmostEqual(blue / red, 0.125, delta=0.02)
-        # Blender 3.4 keeps vertex colours of a PLY as 8 bits and takes them for sRGB.
+        # Blender 3.4 stores the vertex colours of a PLY as 8 bits and treats them as sRGB.
         told = [line.split()[1:] for line in said.splitlines() if line.startswith("colours ")]
         red, green, blue = (float(x) for x in told[0])
         self.assertGreater(red, 0.1)
@@ -174,7 +174,7 @@ class CellsFiles(VugTest):
             try:
                 if kept.exists() and self.info("kept.vdb")["grids"][0]["metadata"]["vug:step"] >= step:
                     break
-            except AssertionError:  # it is not there yet
+            except AssertionError:  # it does not exist yet
                 continue
         self.assertIsNone(process.poll(), "it ended too early")
         process.send_signal(how)

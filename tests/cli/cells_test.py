@@ -77,7 +77,7 @@ class Cells(VugTest):
             self.assertEqual(f"warning: unknown attribute '{name}'" in self.expect(0, "check", "s.vug").err, told, name)
 
     def test_a_surface_that_folds_is_doubtful(self):
-        # At their intersection, two balls grow into each other.
+        # Two balls grow into each other at their intersection.
         for height, folds in ((0.5, True), (-0.05, False)):
             scene = SCENE.replace("sphere(1m)", "sphere(1m) + sphere(1m).translate((1.4, 0, 0))")
             self.write("s.vug", scene % ("wall", f'spacing 10cm  steps 1  run set(attribute: "height", to: {height})'))
@@ -182,7 +182,7 @@ class Cells(VugTest):
         self.expect(0, "build", "file.vug", "-o", "out")
         self.assertIn("out/file.ply", self.files())
         mesh = json.loads(self.expect(0, "info", "out/file.ply", "--json").out)
-        self.assertGreaterEqual(mesh["triangles"], len(faces) - 1)  # coarse ones are cut as fine as cells
+        self.assertGreaterEqual(mesh["triangles"], len(faces) - 1)  # coarse meshes are subdivided to the size of the cells
         self.assertAlmostEqual(mesh["bounds"][1][1], 2, delta=0.01)
         self.assertIn("crack 1", mesh["attributes"])
         measured = json.loads(self.expect(1, "measure", "out/file.ply", "--json").out)
@@ -224,7 +224,7 @@ cells rust on worn { spacing 5cm  holes true  run corrosion(share: 80%, loss: 50
         self.assertEqual((worn["class"], worn["voxel_size"][0]), ("level set", 0.04))
 
     def test_cells_finer_than_a_pixel_are_averaged(self):
-        # 156 cells of chance to a pixel: their mean is a half, give or take 0.5 / sqrt(156), and the samples' own noise.
+        # 156 random cells per pixel: their mean is 0.5 with a standard error of 0.5 / sqrt(156), plus the noise of the samples.
         self.write("s.vug", """volume rock = level_set(box(size: (5, 4, 1)), voxel: 4cm)
 cells skin on rock { spacing 4cm  relax 0  run sprinkle(attribute: "mark", share: 50%) }
 camera main { kind orthographic  eye (0, 0, 5)  target (0, 0, 0)  width 4m }

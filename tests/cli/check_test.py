@@ -1,4 +1,4 @@
-"""`vug check` reports without building all errors of the text that `vug render` would report later."""
+"""`vug check` reports, without building, all errors of the text that `vug render` would report later."""
 import json
 import unittest
 

@@ -1,5 +1,5 @@
-"""Systems of The Algorithmic Beauty of Plants (prusinkiewicz1990), each against the oracle: the hash
-of the whole word that `vug derive` prints after so many steps."""
+"""Systems of The Algorithmic Beauty of Plants (prusinkiewicz1990), each compared with the oracle: the hash
+of the whole word that `vug derive` prints after the given number of steps."""
 import hashlib
 import json
 import math
@@ -117,7 +117,7 @@ SYSTEMS = {
     "decomposition to an end": (
         System("S(40)", [("", "S(n)", "", "", "S(n*1.5)")],
                decompose=[("", "S(n)", "", "if n > 30", "[S(n/2)]S(n/3)I")]), 6),
-    "decomposition of so many rounds": (
+    "decomposition of a limited depth": (
         System("A", [("", "A", "", "", "B(1)[A]A"), ("", "B(n)", "", "", "A")],
                decompose=[("", "A", "", "", "B(2)A"), ("", "B(n)", "", "if n == 2", "[B(1)]")],
                depth=2), 5),
@@ -229,12 +229,12 @@ class Classics(VugTest):
                 self.assertGreater(len(word), 12)
                 said = self.derive(system.text(), "--steps", steps, "--hash").strip()
                 if said != hashlib.sha256(word.encode()).hexdigest():
-                    for step in range(steps + 1):  # the first step that differs is easier to read
+                    for step in range(steps + 1):  # the first step that differs gives a shorter message
                         self.assertEqual(self.derive(system.text(), "--steps", step).strip(),
                                          system.derived(step), step)
 
     def test_anabaena_grows_evenly(self):
-        """Section 6.1: at any time, against cells that divide one by one."""
+        """Section 6.1: equals, at any time, a simulation of cells that divide one by one."""
         rules = {"Ar": ("Al", "Br"), "Al": ("Bl", "Ar"), "Br": ("Ar",), "Bl": ("Al",)}
 
         def grown(name, age):
@@ -248,7 +248,7 @@ class Classics(VugTest):
             self.assertEqual(self.derive(text, "--time", time).strip(), "".join(grown("Ar", time)))
 
     def test_counts_are_those_that_matrices_give(self):
-        """Counts without any rewriting: how many of each letter the rules make of each."""
+        """Counts without rewriting, by the matrix of the number of letters that each rule produces."""
         for name in ("1.9a", "1.10a dragon", "1.11b quadratic Gosper", "1.2 Anabaena"):
             system, steps = SYSTEMS[name]
             makes = {rule.name: [made for made, _ in rule.word] for rule in system.rows}

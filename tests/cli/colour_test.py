@@ -58,7 +58,7 @@ class Colour(VugTest):
                 self.assertEqual(part.text("colorInteropID"), known)
 
     def test_single_scattering_is_the_same_light_in_both(self):
-        # ACEScg to linear Rec.709, as the Academy's tools print it.
+        # ACEScg to linear Rec.709, as printed by the Academy's tools.
         matrix = ((1.70505, -0.62179, -0.08326), (-0.13026, 1.14080, -0.01055),
                   (-0.02400, -0.12897, 1.15297))
         plain, = exr.read(self.folder / "plain.exr")
@@ -96,7 +96,7 @@ class Colour(VugTest):
                          digest(self.folder / "plain.png"))
         self.write("bad.ocio", STUDIO[:200])
         self.write("seen.vug", SCENE.replace("spp 4 ", 'spp 4  view "Dim"'))
-        for scene in ("s.vug", "seen.vug"):  # what the text says of views is not at fault
+        for scene in ("s.vug", "seen.vug"):  # the configuration is at fault, not the view that the scene names
             for name in ("nowhere.ocio", "bad.ocio"):
                 cause = f"error: {{}}: the colour configuration '{name}' cannot be used: "
                 said = self.expect(2, "render", scene, "-o", "no.exr", "--ocio", name).err

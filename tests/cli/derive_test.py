@@ -9,7 +9,7 @@ SCENES = SOURCE / "data/scenes/lsystems"
 
 
 def rewritten(word, rules, steps):
-    """The oracle: letters replaced by strings, or by what a function of both neighbours says."""
+    """The oracle: replaces letters by strings, or by the result of a function of both neighbours."""
     for _ in range(steps):
         word = "".join(rules.get(letter, letter) for letter in word)
     return word

@@ -29,7 +29,7 @@ class Direct(VugTest):
         self.expect(0, "render", "s.vug", "-o", "mesh.exr", "--float", "-D", "direct=false", "--seed", 2)
 
     def test_the_picture_is_that_of_the_mesh(self):
-        """By the test of significance: what differs is the noise. Other layers have none to hide behind."""
+        """The significance test attributes all differences to noise; the other layers have no noise."""
         self.expect(0, "diff", "mesh.exr", "direct.exr")
         mesh, direct = (exr.read(self.folder / f"{name}.exr")[0] for name in ("mesh", "direct"))
         self.assertEqual(mesh.attributes["cryptomatte/" + self.key(mesh) + "/manifest"],
@@ -38,7 +38,7 @@ class Direct(VugTest):
                             ("CryptoObject00.G", 0.05)]:
             with self.subTest(layer=name):
                 apart = sorted(abs(a - b) for a, b in zip(mesh.pixels[name], direct.pixels[name]))
-                # All but silhouettes, where pixels see both or neither.
+                # All pixels except silhouettes, where the mesh and the level set may cover different samples.
                 self.assertLess(apart[len(apart) * 8 // 10], close)
 
     def key(self, part):

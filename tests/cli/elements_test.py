@@ -49,13 +49,13 @@ class Elements(VugTest):
         kinds = {one["kind"]: one["node"] for one in tree["elements"]}
 
         def at(name, x, y):
-            """At a place of the facade, metres from the centre of its base."""
+            """The value at a point of the facade, in metres from the centre of its base."""
             return picture.pixels[f"attribute_{name}.X"][24 * int((3.5 - y) / 0.25) + int((x + 3) / 0.25)]
 
         self.assertGreater(at("door", 1.05, 0.85), 0.9)
         self.assertAlmostEqual(at("node", 1.05, 0.85), kinds["door"], delta=0.05)
         self.assertEqual(at("window", 1.05, 0.85), 0)
-        self.assertEqual(at("node", -2.8, 1.5), -1, "rock beside the facade")
+        self.assertEqual(at("node", -2.8, 1.5), -1, "rock next to the facade")
 
     def test_what_is_no_facade(self):
         self.write("bad.vug", HOUSE.replace("elements cliff", "elements displace(cliff)"))

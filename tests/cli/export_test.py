@@ -75,7 +75,7 @@ class Export(VugTest):
         found = json.loads(said.stdout)
         self.assertEqual(sorted(found), ["color", "density", "temperature"])
         self.assertEqual({grid_class for grid_class, _ in found.values()}, {"fog volume"})
-        for i, y in enumerate((-0.5, 0, 0.5)):  # voxels keep their axes, the transform turns them
+        for i, y in enumerate((-0.5, 0, 0.5)):  # voxels keep their axes; the transform rotates them
             t = (y + 1) / 2
             t = t * t * (3 - 2 * t)
             self.assertAlmostEqual(found["temperature"][1][i], 1800 * t, delta=0.1)
@@ -97,7 +97,7 @@ class Export(VugTest):
         self.assertIn("note: the sky 'heaven': glTF cannot express it, only Vug's add-on for Blender reads it "
                       "(sky.glb)\n", said.err)
         self.assertIn(round_, said.err)
-        self.assertNotIn("volume", said.err)  # it lies beside
+        self.assertNotIn("volume", said.err)  # it is exported as a separate file
         # Omissions are reported even with --quiet; notes are not.
         self.assertEqual(self.expect(0, "export", "sky.vug", "-o", "o", "--for", "blender", "-q").err, round_)
         self.assertEqual([path.name for path in sorted((self.folder / "o").glob("*.exr"))], ["sky_heaven.exr"])
@@ -141,7 +141,7 @@ class Export(VugTest):
             folder = self.folder / program
             self.expect(0, "export", "cave.vug", "-o", program, "--for", program)
             before = {path.name: digest(path) for path in folder.iterdir()}
-            # A limit on the size of files is a disk that is full for the large ones.
+            # A limit on the size of files makes the disk look full for large files.
             limit = (folder / name).stat().st_size // 2
             said = self.vug("export", "cave.vug", "-o", program, "--for", program, "-D", "R=1.1m",
                             preexec_fn=lambda most=limit: set_file_limit(most))
@@ -169,7 +169,7 @@ class Recipe(VugTest):
     def test_every_file_tells_the_same(self):
         expected = SCENE.replace("seed 3", "seed 9").replace("= 1m in", "= 80cm in")
         files = sorted(path.name for path in (self.folder / "set").iterdir())
-        files.remove("cave.png")  # which only shows it
+        files.remove("cave.png")  # it shows the scene but has no recipe
         for ending in ("vdb", "glb", "usda", "ply", "exr"):
             self.assertTrue(any(name.endswith(ending) for name in files), ending)
         for name in files:

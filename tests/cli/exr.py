@@ -1,10 +1,10 @@
-"""Reads OpenEXR files from their bytes, by the file layout document, apart from any library: parts,
-lines, deep lines or tiles, channels of half and float, no compression or ZIP. For tests."""
+"""A reader of OpenEXR files for tests, written from the file layout document without any library: parts,
+lines, deep lines or tiles, channels of half and float, no compression or ZIP."""
 import struct
 import zlib
 
 
-# Lines that are compressed together: none, ZIPS, ZIP.
+# The number of lines that are compressed together: none, ZIPS, ZIP.
 LINES = {0: 1, 2: 1, 3: 16}
 
 
@@ -35,8 +35,8 @@ def _channels(attribute):
 
 
 def _unzip(data, size):
-    """The bytes of a ZIP block: differences undone, two halves interleaved."""
-    if len(data) == size:  # stored as it is where ZIP does not help
+    """The decompressed bytes of a ZIP block, with the predictor undone and the two halves interleaved."""
+    if len(data) == size:  # stored uncompressed if ZIP does not help
         return data
     raw = bytearray(zlib.decompress(data))
     for i in range(1, len(raw)):

@@ -1,5 +1,5 @@
-"""Verbs of facades and what nobody can read: a sentence, exit code 2, nothing half written. And what is there to be kept
-when a disk is full, or when somebody has waited long enough."""
+"""Facade verbs with unreadable input: a message, exit code 2, no partial files. After a full disk or a cancellation,
+existing results are kept."""
 import json
 import math
 import os
@@ -222,7 +222,7 @@ class Kept(VugTest):
             time.sleep(later)
             code, _ = running.stop(how)
             self.assertEqual(code, 3, running.said)
-            if "error: stopped on request" in running.said:  # before it has seen the picture
+            if "error: stopped on request" in running.said:  # before it has read the picture
                 self.assertNotIn("out/photo.json", self.files())
             else:
                 self.outcome()

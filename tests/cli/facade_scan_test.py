@@ -130,7 +130,7 @@ class RenderedScan(VugTest):
         for windows in ("raster", "delaunay"):
             report = json.loads(self.expect(0, "facade", "scan", "scan.exr", "--up", "y", "--plain", "--pixel", "4cm",
                                             "--windows", windows, "--json", "-q").out)
-            self.assertGreater(report["plane"]["z"][2], 0.999)  # normals tell where the scanner stood
+            self.assertGreater(report["plane"]["z"][2], 0.999)  # the normals show the position of the scanner
             left, foot = (-report["plane"]["origin"][axis] - half for axis, half in ((0, 7.5), (1, 0)))
             found = [[one["rect"][0] - left, one["rect"][1] - foot] + one["rect"][2:] for one in report["openings"]]
             seen = [max((iou(rect, one) for one in found), default=0) > 0.5 for rect in true]

@@ -11,7 +11,7 @@ COLOURS = [(200, 180, 150), (60, 80, 110), (120, 30, 30)]
 
 
 def png(width, height, rows, colour):
-    """An 8-bit PNG, grey or of three colours."""
+    """An 8-bit PNG, grey or RGB."""
 
     def chunk(kind, data):
         body = kind + data

@@ -1,4 +1,4 @@
-"""FLIP once more, from the formulas of Andersson et al. 2020 and 2021: plain, with full convolutions
+"""An independent FLIP, from the formulas of Andersson et al. 2020 and 2021: plain, with full convolutions
 in two dimensions, in double precision. It shares no code and no decomposition with lib/vug/image."""
 import numpy as np
 
@@ -91,7 +91,7 @@ def curve(x):
 
 
 def hdr(reference, test):
-    """The error map over the exposures that the reference asks for."""
+    """The error map over the range of exposures that the reference determines."""
     p = (0.018 - 0.354 * 0.85) / (0.36 * 2.51 - 0.36 * 2.43 * 0.85)
     q = -0.14 * 0.85 / (0.36 * 2.51 - 0.36 * 2.43 * 0.85)
     at = -p / 2 + np.sqrt(p * p / 4 - q)

@@ -1,7 +1,7 @@
-"""L-systems rewritten in Python, slowly and plainly: what `vug derive` is held against.
+"""A slow and simple rewriter of L-systems in Python, with which `vug derive` is compared.
 
-It is written from the book and from docs/reference/lsystems.md, not from the program. A system's rules are
-rows of text, out of which both the scene's block and the words here are made:
+It follows the book and docs/reference/lsystems.md, not the program. A system's rules are rows of text,
+from which both the scene's block and the words here are derived:
     (left, head, right, clauses, successor)
 where clauses are "if ...", "@..." or nothing.
 """
@@ -16,7 +16,7 @@ DRAW = re.compile(r"([\d.]*\d)\.\.([\d.]+)")
 
 
 def philox(counter, key):
-    """Philox4x32-10, as its paper gives it (salmon2011philox)."""
+    """Philox4x32-10, as described in its paper (salmon2011philox)."""
     a, b, c, d = counter
     k, m = key
     for _ in range(10):
@@ -36,7 +36,7 @@ def mixed(state, word, tag):
 
 
 def named(state, name):
-    """The key of a name below a key."""
+    """The key derived from a key and a name."""
     data = name.encode()
     for i in range(0, len(data), 8):
         state = mixed(state, int.from_bytes(data[i:i + 8], "little"), 1)
@@ -44,7 +44,7 @@ def named(state, name):
 
 
 def child(key, place):
-    """The key of the module at a place of a successor, from 1 on: Splitmix (steele2014splitmix)."""
+    """The key of the module at a position (from 1) of a successor: Splitmix (steele2014splitmix)."""
     z = (key + 0x9E3779B97F4A7C15 * (place + 1)) % 2**64
     z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9 % 2**64
     z = (z ^ z >> 27) * 0x94D049BB133111EB % 2**64
@@ -134,7 +134,7 @@ class Rule:
 
 
 class Around:
-    """Ways through a word with branches: the module before each one, and the one behind it."""
+    """The neighbours of modules in a word with branches: the module before and behind each one."""
 
     def __init__(self, word, unseen):
         self.word, self.before, self.behind, self.unseen = word, {}, {}, unseen
@@ -165,7 +165,7 @@ class Around:
         return True
 
     def right(self, at, wanted, env):
-        """Branches of the pattern one after the other, each in the first side branch that fits."""
+        """Matches the branches of the pattern in order, each with the first side branch that fits."""
         after = at + 1  # where the next side branch may begin
         while wanted:
             if wanted[0][0] == "[":
@@ -183,7 +183,7 @@ class Around:
         return True
 
     def entered(self, at, wanted, env):
-        """What follows the first of the side branches from `at` on that begins as wanted."""
+        """The position after the first side branch from `at` on that begins with `wanted`, or None."""
         while at < len(self.word):
             name = self.word[at][0]
             if name == "[":
@@ -199,7 +199,7 @@ class Around:
         return None
 
     def before_first(self):
-        """Makes -1 the place before the word's first module."""
+        """Makes -1 the position before the word's first module."""
         depth = 0
         for i, (name, _) in enumerate(self.word):
             if name not in self.unseen and name not in "[]" and depth == 0:
@@ -209,7 +209,7 @@ class Around:
 
 
 class System:
-    """tables: {name: rows} with a schedule of names; lets: numbers that rules use."""
+    """An L-system. tables: {name: rows} with a schedule of names; lets: numbers that rules use."""
 
     def __init__(self, axiom, rows, ignore="", consider="", lets=(), seed=7, tables=(),
                  schedule="", decompose=(), depth=None):
@@ -228,7 +228,7 @@ class System:
             name for rule in every for name, _ in rule.word}
 
     def text(self):
-        """The scene."""
+        """The text of the scene."""
         lines = [f"let {name} = {value}" for name, value in self.written.items()]
         lines += ["grammar g: lsystem {", f"  seed {self.seed}", f"  axiom {self.axiom}"]
         for word, names in (("ignore", self.ignore), ("consider", self.consider),
@@ -247,7 +247,7 @@ class System:
         return {"pi": math.pi, "sqrt": math.sqrt, **self.lets, **dict(values)}
 
     def step(self, word, keys, rules, waits=True):
-        """The next word; a module without a rule stays."""
+        """The next word; a module without a rule is kept."""
         unseen = {name for name in self.names if name in self.ignore
                   or (self.consider and name not in self.consider)}
         around = Around(word, unseen)

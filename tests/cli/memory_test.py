@@ -82,7 +82,7 @@ class Memory(VugTest):
         one = "volume v{} = level_set(sphere(1m), voxel: 1cm)\n"
         self.write("one.vug", one.format(1))
         self.write("five.vug", "".join(one.format(i) for i in range(5)))
-        limit = "24M"  # one takes 12 MiB
+        limit = "24M"  # one grid takes 12 MiB
         self.expect(0, "build", "one.vug", "-o", "out", "--max-memory", limit)
         self.assertIn("more than the limit", self.expect(2, "build", "five.vug", "-o", "more",
                                                          "--max-memory", limit).err)

@@ -1,5 +1,5 @@
-"""The files of pictures as others read them: OpenImageIO's and OpenEXR's own programs, and readers
-written from the specifications alone."""
+"""Picture files as read by other programs: those of OpenImageIO and OpenEXR, and readers written
+from the specifications alone."""
 import ctypes
 import ctypes.util
 import json
@@ -79,8 +79,8 @@ bpy.ops.render.render(animation=True)
 
 
 def exrcheck():
-    """What the program exrcheck asks of its library, as that program is not in every package of OpenEXR;
-    a function that tells whether a file is bad, or None."""
+    """The check of the program exrcheck, called in its library because not every package of OpenEXR has the
+    program: a function that returns whether a file is bad, or None if the library is missing."""
     for minor in range(1, 10):
         library = ctypes.util.find_library(f"OpenEXRUtil-3_{minor}")
         if library:

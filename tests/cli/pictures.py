@@ -1,4 +1,4 @@
-"""Small pictures for tests, written without any library: Radiance HDR and EXR (linear), PNG (screen)."""
+"""Writes small pictures for tests without any library: Radiance HDR and EXR (linear), PNG (sRGB)."""
 import math
 import random
 import struct
@@ -17,7 +17,7 @@ def write_png(path, rows):
 
 
 def write_exr(path, channels):
-    """Lines of floats by channel, not compressed: {"R": rows, "Z": rows}."""
+    """Writes uncompressed lines of floats by channel: {"R": rows, "Z": rows}."""
     names = sorted(channels)
     height, width = len(channels[names[0]]), len(channels[names[0]][0])
 
@@ -48,7 +48,7 @@ def rgbe(pixel):
 
 
 def unpack(code):
-    """The light of four RGBE bytes, by the usual decoding (m + 0.5) 2^e."""
+    """The radiance of four RGBE bytes, by the usual decoding (m + 0.5) 2^e."""
     r, g, b, e = code
     return tuple(math.ldexp(v, e - 136) for v in (r, g, b)) if e else (0.0, 0.0, 0.0)
 

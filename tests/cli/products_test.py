@@ -134,7 +134,7 @@ class Info(VugTest):
     def test_text_for_people(self):
         text = self.expect(0, "info", "out/cave.vdb").out
         self.assertIn("  name: rock\n", text.replace("    ", "  "))
-        self.assertNotIn("axiom", text)  # only the first line of long texts
+        self.assertNotIn("axiom", text)  # only the first line of each long text
 
 
 class Tree(VugTest):
@@ -214,7 +214,7 @@ class Sweep(VugTest):
         for radius, row in zip((1, 2, 3), rows):
             values = dict(zip(head, row))
             area, volume = 4 * math.pi * radius**2, 4 / 3 * math.pi * radius**3
-            # A mesh of triangles of edge h lies inside of the ball by about h^2 / 8R.
+            # A mesh of triangles of edge h lies inside the ball by about h^2 / 8R.
             self.assertAlmostEqual(float(values["area"]) / area, 1, delta=0.01 / radius)
             self.assertAlmostEqual(float(values["volume"]) / volume, 1, delta=0.01 / radius)
             self.assertEqual((values["components"], values["genus"]), ("1", "0"))

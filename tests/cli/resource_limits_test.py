@@ -1,5 +1,5 @@
-"""L-systems that never end, grow beyond all bounds or compute what is no number: each stops soon, in
-little memory, with a sentence that names the rule and its place."""
+"""L-systems that never end, grow without bound or compute invalid numbers: each stops soon, in little
+memory, with a message that names the rule and its location."""
 import resource
 import subprocess
 import unittest
@@ -38,11 +38,11 @@ BOMBS = {
         ["axiom A(1)", "interpret {", "depth 1e9", "A(x) -> F A(x/2+1)", "}"], "5:1", "reduce 'depth'"),
     "a guard that divides by 0": (["axiom A(0)", "A(x) if 1/x > 3 -> B"], "3:1",
                                   "one side of a comparison of the rule of 'A(x)' is inf"),
-    "a number that is none": (["axiom B A(1)", "A(x) -> B[A(sqrt(0 - x))]"], "3:1",
+    "an invalid number": (["axiom B A(1)", "A(x) -> B[A(sqrt(0 - x))]"], "3:1",
                               "parameter 1 of module 3 of the rule of 'A(x)' is not a number"),
     "a number beyond all": (["axiom A(1)", "steps 99", "A(x) -> A(x*1e200)"], "4:1",
                             "parameter 1 of module 1 of the rule of 'A(x)' is inf"),
-    "a weight that is none": (["axiom A(1)", "A(x) @(x - 2) -> B"], "3:1", "the weight of the rule of 'A(x)' is -1"),
+    "an invalid weight": (["axiom A(1)", "A(x) @(x - 2) -> B"], "3:1", "the weight of the rule of 'A(x)' is -1"),
 }
 TEXTS = {
     "a block without an axiom": (["A -> B"], "1:9", "grammar 'g' has no axiom"),
@@ -103,7 +103,7 @@ class Bombs(VugTest):
     def test_they_stop_in_little_memory(self):
         self.write("g.vug", "grammar g: lsystem {\naxiom A(1)\nsteps 1000\nA(x) -> A(x+1)A(x+1)\n}\n")
         subprocess.run([PROGRAM, "derive", "g.vug"], cwd=self.folder, stderr=subprocess.DEVNULL)
-        most = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # KiB, of the largest so far
+        most = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # KiB, the maximum of all child processes so far
         self.assertLess(most, 1 << 20)
 
     def test_check_looks_at_what_nothing_draws(self):
@@ -122,7 +122,7 @@ class Bombs(VugTest):
                 before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
                 self.expect(2, "check", "g.vug")
                 taken = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-                self.assertLess(taken, 10 if not SLOW else 100)  # seconds of processor time; it was minutes
+                self.assertLess(taken, 10 if not SLOW else 100)  # seconds of processor time; it once took minutes
 
     def test_a_module_asks_for_too_many_steps_of_another_system(self):
         self.write("g.vug", "grammar Leaf: lsystem {\n axiom L\n L -> L\n}\n"

@@ -60,7 +60,7 @@ class Farm(VugTest):
         self.part("b_half", "--tile", "2/2", "--samples", "0..24")
         self.write("other.vug", SCENE.replace("(90, 60, 30)", "(90, 60, 31)"))
         self.expect(0, "render", "other.vug", "--part", "b_scene", "--tile", "2/2")
-        self.write("text", "this is no part")
+        self.write("text", "this is not a part")
         for parts, sentence in [(["a"], "the samples 0..48 of the pixels x 0..63, y 20..39 are missing"),
                                 (["a", "b", "a"], "'a' and 'a' both have the samples 0..48"),
                                 (["a", "b_half"], "samples 24..48 of the pixels x 0..63, y 20..39 are missing"),
@@ -119,7 +119,7 @@ class Farm(VugTest):
         moments = random.Random(7)
         for _ in range(10):
             self.killed(moments.uniform(0.1, 1.1) * duration, "render", "s.vug", *options)
-            # Killed after its last write, it leaves what a whole run leaves; before, no picture.
+            # A run that is killed after its last write leaves the files of a complete run; before that, no picture.
             picture = self.folder / f"{name}.exr"
             if picture.exists():
                 self.assertEqual(digest(picture), digest(self.folder / f"{whole}.exr"))

@@ -68,8 +68,8 @@ class Running:
 
 
 class VugTest(unittest.TestCase):
-    """A test with a folder of its own, which is where the command runs. It is empty, or holds a copy
-    of what `prepare` makes once for all tests of the class."""
+    """A test whose commands run in a folder of its own. The folder is empty or contains a copy of the
+    files that `prepare` creates once for all tests of the class."""
 
     maxDiff = None
     prepared = None

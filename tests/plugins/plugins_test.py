@@ -1,4 +1,4 @@
-"""The plugins of plugins/hello_*: built alone against an installed Vug, loaded, refused."""
+"""The plugins of plugins/hello_*: built against an installed Vug, loaded, refused."""
 import json
 import math
 import os
@@ -66,7 +66,7 @@ class Plugins(unittest.TestCase):
     def test_a_primitive(self):
         self.assertIn("unknown function 'lens'", self.vug(2, "check", "lens.vug"))
         report = json.loads(self.vug(0, "measure", "lens.vug", "--json", "--plugin", self.lens))
-        cap = 0.5  # metres, the height of each half
+        cap = 0.5  # height of each half in metres
         self.assertAlmostEqual(report["volume"] / (2 * math.pi * cap**2 * (3 * 2 - cap) / 3), 1, delta=2e-3)
         self.assertAlmostEqual(report["area"] / (2 * 2 * math.pi * 2 * cap), 1, delta=2e-3)
         listed = self.vug(0, "--plugin", self.lens, "list", "lens")
@@ -80,7 +80,7 @@ class Plugins(unittest.TestCase):
         self.vug(0, "build", "warm.vug", "-o", "out", path=folders)
         lines = (self.room / "out/warm_skin.csv").read_text().splitlines()
         heat = lines[0].split(",").index("heat")
-        # Heat that is the same everywhere stays so, and three steps keep 0.9^3 of it.
+        # Uniform heat stays uniform, and three steps leave 0.9^3 of it.
         for line in lines[1:]:
             self.assertAlmostEqual(float(line.split(",")[heat]), 0.9**3, places=5)
         self.assertGreater(len(lines), 300)
@@ -106,9 +106,9 @@ class Plugins(unittest.TestCase):
         self.assertIn("is not a plugin: it lacks VUG_PLUGIN", self.vug(2, "list", "--plugin", empty))
         done = run(PROGRAM, "check", "lens.vug", cwd=self.room, env={
             **os.environ, "VUG_PLUGIN_PATH": f"{broken}:{self.lens.parent}"})
-        self.assertEqual(done.returncode, 0, done.stderr)  # those of the path are done without
-        self.assertIn(f"warning: the plugin '{stale}' is for interface 0 of vug 0.0.9", done.stderr)
-        self.assertIn(f"warning: the plugin '{empty}' is none", done.stderr)
+        self.assertEqual(done.returncode, 0, done.stderr)  # unusable plugins of the path are skipped
+        self.assertIn(f"warning: the plugin '{stale}' was built for interface 0 of vug 0.0.9", done.stderr)
+        self.assertIn(f"warning: the plugin '{empty}' is not a plugin", done.stderr)
         done = run(PROGRAM, "check", "lens.vug", cwd=self.room, env={
             **os.environ, "VUG_PLUGIN_PATH": str(broken)})
         self.assertEqual(done.returncode, 2, done.stderr)
