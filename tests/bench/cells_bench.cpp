@@ -1,7 +1,8 @@
-// Cells: how fast a network is built, and how near rules come to what memory allows. The bound is
-// the bytes that a step has to move (links and the attributes read, those written) at the speed of
-// a triad, a[i] = b[i] + s * c[i], which is measured in turns with the rules. Prints a table.
-// "By cpu" is the same from the processor time of all threads, for machines that others use too.
+// Cells: the speed of building a network, and the speed of rules relative to the memory bandwidth.
+// The bound is the number of bytes that a step must move (links, attributes read and written) at
+// the speed of a triad, a[i] = b[i] + s * c[i], which is measured in alternation with the rules.
+// Prints a table. "By cpu" is the same ratio from the processor time of all threads, for machines
+// with other load.
 //   bench_cells [millions...]      default: 1 10
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
@@ -29,7 +30,7 @@ using namespace vug::cells;
 
 constexpr int kRounds = 25;
 
-/// Seconds on the clock, and of processor time for each core; the least of each.
+/// Wall-clock seconds, and processor seconds per core; the minimum of each.
 struct Time {
   double wall = 1e9, cpu = 1e9;
 

@@ -1,5 +1,5 @@
-// Cells from end to end: strewn, harmonised, linked, rewritten and written as points, with the
-// memory that it takes; then read back and compared. Prints a table.
+// Cells from end to end: scattered, relaxed, linked, rewritten and written as points, with the
+// memory used; then read back and compared. Prints a table.
 //   bench_cells_whole [millions]      default: 10
 #include "peak_memory.h"
 
@@ -46,7 +46,7 @@ Stage rule(const std::string& name, const NamedValues& parameters = {}, int step
   return {make_product(rules(), name, parameters), name, begin, steps, {}};
 }
 
-/// A point each for the worst place and the worst normal.
+/// Prints the largest errors of a position and of a normal.
 void compare(const volume::Points& is, const volume::Points& was, double voxel) {
   const auto& id = is.values<int32_t>("id");
   const auto &n = is.values<Vec3f>("N"), &m = was.values<Vec3f>("N");

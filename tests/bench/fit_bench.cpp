@@ -1,11 +1,11 @@
-// The sampler of facades on one of 500 x 700 pixels: proposals a second on one thread, from the
-// full tree, with each likelihood; then what is promised of whole searches: how long eight chains
-// take, and how soon there is a tree as good as the last one. Prints a table, and a line for each
-// promise.
+// The sampler of facades on a facade of 500 x 700 pixels: proposals per second on one thread, from
+// the full tree, with each likelihood; then the guarantees for whole searches: the duration of
+// eight chains, and the time until a tree is as good as the final one. Prints a table, and a line
+// for each guarantee.
 //   bench_fit [millions of proposals, 1 without] [photos]
 //
-// Chains are timed by the processor, as on a busy machine that is what a quiet one needs at most;
-// searches by the clock, as not all of a search is parallel.
+// Chains are timed in processor seconds, which on a busy machine are an upper bound for an idle
+// one; searches are timed in wall-clock seconds, because parts of a search are serial.
 #include <vug/base/parallel.h>
 #include <vug/fit/evidence/cluster_image.h>
 #include <vug/fit/evidence/working_size.h>
@@ -32,7 +32,7 @@ using namespace vug::fit;
 
 constexpr int kWidth = 500, kHeight = 700;
 
-/// Five columns and six rows of windows above shops, and noise.
+/// Five columns and six rows of windows above shops, with noise.
 bool is_window(int x, int y) {
   return y < 580 && x % 100 > 29 && x % 100 < 75 && y % 95 > 24 && y % 95 < 80;
 }
@@ -53,7 +53,7 @@ Evidence evidence(bool supervised) {
   return Evidence(kWidth, kHeight, kRegionTypes, values);
 }
 
-/// Millions of proposals a second.
+/// Millions of proposals per second.
 double measure(const Rules& rules, const std::string& likelihood, int64_t steps) {
   const bool supervised = likelihood == "supervised";
   const Evidence pixels = evidence(supervised);
@@ -84,10 +84,10 @@ double measure(const Rules& rules, const std::string& likelihood, int64_t steps)
 }
 
 constexpr int kCores = 2;
-constexpr double kRate = 0.5;        ///< Millions of proposals a second on a thread.
-constexpr double kChains = 15;       ///< Seconds of 8 chains of 1 M proposals on two cores.
-constexpr double kUsable = 3;        ///< Seconds until there is a tree that costs at most
-constexpr double kTolerance = 0.02;  ///< so much more than the last one, by bits.
+constexpr double kRate = 0.5;        ///< Millions of proposals per second and thread.
+constexpr double kChains = 15;       ///< Seconds for 8 chains of 1 M proposals on two cores.
+constexpr double kUsable = 3;        ///< Seconds until a tree is usable, i.e. its
+constexpr double kTolerance = 0.02;  ///< bits exceed those of the final one by this share.
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -136,7 +136,7 @@ Search search(const Rules& rules, const Evidence& pixels, double stop) {
 }
 
 void measure_usable(const Rules& rules, const std::string& name, const Evidence& pixels) {
-  constexpr double kEarly = 0.8;  // of the time: what has begun is brought to its end
+  constexpr double kEarly = 0.8;  // share of the time, because steps in progress are completed
   const ThreadLimit both(kCores);
   const Search whole = search(rules, pixels, 0), early = search(rules, pixels, kEarly * kUsable);
   const double more = early.bits / whole.bits - 1;
@@ -147,7 +147,7 @@ void measure_usable(const Rules& rules, const std::string& name, const Evidence&
       100 * kTolerance, kUsable, verdict(more <= kTolerance && early.seconds <= kUsable));
 }
 
-/// The evidence of all pixels of a photo, by their colours.
+/// The evidence of all pixels of a photo, from their colours.
 Evidence evidence_of(const std::string& photo) {
   const image::Image colours = read_photo(photo);
   return cluster_image(&colours, nullptr, {}, RandomKey(1)).evidence();

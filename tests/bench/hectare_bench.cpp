@@ -1,5 +1,5 @@
-// A hectare of bamboo, its culms placed from a few plants: built and rendered with one sample a
-// pixel, and the most memory that the process held on the way. The limit is 500 MB.
+// A hectare of bamboo whose culms are instances of a few plants: built and rendered with one sample
+// per pixel. Measures the peak memory of the process; the limit is 500 MB.
 //   bench_hectare [WIDTHxHEIGHT]      default: the scene's size
 #include "peak_memory.h"
 

@@ -1,6 +1,6 @@
-// Ten thousand solids of every kind that has an end, rotated and displaced by noise, at about
-// 10 and 100 million active voxels: how throughput and memory grow with the grid. Each size runs
-// in a process of its own, so that its peak memory (VmHWM) is its own.
+// Throughput and memory as functions of the grid size: ten thousand solids of every bounded kind,
+// rotated and displaced by noise, at about 10 and 100 million active voxels. Each size runs in a
+// process of its own, so that the peak memory (VmHWM) belongs to it alone.
 #include "peak_memory.h"
 
 #include <vug/base/rng.h>
@@ -24,7 +24,7 @@ namespace {
 
 using namespace vug;
 
-/// Kinds that make a solid with an end out of their defaults, about 1 m in size.
+/// Kinds whose defaults yield a bounded solid, about 1 m in size.
 std::vector<field::Field> samples() {
   std::vector<field::Field> out;
   for (const field::FieldKind* kind : field::primitives()) {
@@ -57,7 +57,7 @@ void run(double target, bool json) {
   const field::Field field = solid();
   const double before = peak_memory();  // libraries and the expression
   volume::VoxelizeOptions options;
-  options.voxel = 0.12;  // the size of the wanted grid is extrapolated from a coarse one
+  options.voxel = 0.12;  // the size of the target grid is extrapolated from a coarse one
   const auto coarse = volume::voxelize(field, options).statistics().active_voxels;
   options.voxel *= std::sqrt(static_cast<double>(coarse) / target);
   const auto start = std::chrono::steady_clock::now();

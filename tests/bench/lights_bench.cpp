@@ -1,6 +1,6 @@
 // Cost of many lights: samples per second of the same room with 10, 100, ... 10,000 lights of the
-// same total power, and the cost of one choice by the tree and of a uniform one. The benefit of the
-// tree is measured as the mean squared error of the light at points of the room for equal time.
+// same total power, and the cost of one choice by the tree and of a uniform choice. The benefit of
+// the tree is measured as the mean squared error of the light at points of the room for equal time.
 #include <vug/base/rng.h>
 #include <vug/mesh/shapes.h>
 #include <vug/render/kinds.h>
@@ -95,7 +95,7 @@ Choice choose(const LightSet& set, LightId count, bool tree) {
 }  // namespace
 
 int main() {
-  samples_per_second(10);  // warms up
+  samples_per_second(10);  // warm-up
   double ten = 0;
   fmt::print(
       "lamps | M samples/s | of that with 10 | choice ns | even ns | variance | even | worth\n");

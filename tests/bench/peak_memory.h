@@ -1,4 +1,4 @@
-// The most that a process has held.
+// Peak memory of the current process.
 #pragma once
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // One prototype for a grove: a moso culm with branches, twigs and leaves, from its L-system to a
-// mesh of stems and a place for each leaf. The limit is 50 ms on one thread.
+// mesh of stems and an instance for each leaf. The limit is 50 ms on one thread.
 #include <benchmark/benchmark.h>
 #include <vug/base/parallel.h>
 #include <vug/base/rng.h>
@@ -57,7 +57,7 @@ void turtle(benchmark::State& state) {
 }
 BENCHMARK(turtle)->Unit(benchmark::kMillisecond);
 
-/// A culm without branches, as a solid that is joined with rock, and places near its bark.
+/// A culm without branches, as a solid to be united with rock, and points near its bark.
 struct Solid {
   field::Field field;
   std::vector<Vec3d> near;

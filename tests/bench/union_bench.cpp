@@ -1,6 +1,7 @@
-// A thousand spheres become one level set: the field expression against OpenVDB's own way, which
-// builds the operand grids in parallel and joins them with csgUnion one after the other. Both run
-// in this process, in turns; the best of the rounds counts. Prints a table, and JSON with --json.
+// A thousand spheres united into one level set: the field expression compared with OpenVDB's
+// method, which builds the operand grids in parallel and unites them with csgUnion one after the
+// other. Both run alternately in this process; the best round counts. Prints a table, or JSON with
+// --json.
 #include <vug/base/parallel.h>
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>
@@ -49,7 +50,7 @@ field::Field union_of(const std::vector<Ball>& all) {
 
 constexpr double kEndless = 1e9;
 
-/// Wall time and the processor time of all threads; the least of each over the rounds.
+/// Wall time and processor time of all threads; the minimum of each over the rounds.
 struct Time {
   double wall = kEndless, cpu = kEndless;
 };
@@ -78,7 +79,7 @@ openvdb::FloatGrid::Ptr openvdb_union(const std::vector<Ball>& all) {
 
 struct Result {
   std::string name;
-  Time ours, morph, raw, peer;  // raw: the morph without repair; peer: endless where it did not run
+  Time ours, morph, raw, peer;  // raw: the morph without repair; peer: infinite if it did not run
   uint64_t active = 0, peer_active = 0;
 };
 
@@ -96,7 +97,7 @@ Result run(const std::string& name, double edge, int rounds, bool peer) {
     const auto two = [&] {
       volume::voxelize(field::morph(union_of(first), union_of(second), 0.5), options);
     };
-    if (round == 0) one();  // counts, and warms the allocator
+    if (round == 0) one();  // counts voxels and warms up the allocator
     measure(out.ours, [&] { volume::voxelize(union_of(first), options); });
     measure(out.morph, two);
     volume::VoxelizeOptions raw = options;

@@ -1,6 +1,6 @@
 // Rewriting parametric words: modules per second with one thread and with two, in alternation, and
-// the speed-up of two; compared with loops that are written by hand for a single rule, and with
-// copying the bytes.
+// the speed-up of two; compared with handwritten loops for a single rule and with copying the
+// bytes.
 #include <vug/base/parallel.h>
 #include <vug/lsystem/compile.h>
 #include <vug/lsystem/derive.h>
@@ -16,10 +16,11 @@
 namespace vug::lsystem {
 namespace {
 
-// Steps that end in words of five and of three million modules; in all twice as many are made.
+// Steps that end in words of five and of three million modules; all steps together produce twice as
+// many.
 constexpr int kSteps = 20, kChanceSteps = 24;
 
-/// One rule that guards, computes and branches, and one that only computes.
+/// One rule with a guard, computed parameters and a branch, and one that only computes.
 const char* const kPlant = R"(grammar plant: lsystem {
   axiom A(1, 0.1)
   A(l, w) if l > 0.0001 -> F(l, w)[+(0.5rad)A(l*0.7, w*0.6)]A(l*0.9, w)
@@ -52,7 +53,7 @@ SystemPtr system_of(const char* text) {
 }
 
 /// Runs `work`, which returns the number of modules produced, with one thread and with two in turn.
-/// What counts are the fastest runs of each: other work on the machine makes the others slow.
+/// The fastest runs of each count: other work on the machine slows the rest down.
 template <class Work>
 void by_one_and_two(benchmark::State& state, const Work& work) {
   std::array<double, 2> fastest{1e9, 1e9};
@@ -94,7 +95,7 @@ BENCHMARK_CAPTURE(Plant, chance, kChancePlant, kChanceSteps)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 
-/// The same two rules written out: arrays as the engine has them, no programs, one pass.
+/// The same two rules as handwritten code: the engine's arrays, no bytecode, one pass.
 struct Rows {
   UninitializedVector<SymbolId> symbols;
   UninitializedVector<uint32_t> ends;
@@ -155,7 +156,7 @@ Word row_of(const System& system, size_t count) {
 
 constexpr size_t kRow = 1 << 20;
 
-/// A row of modules, each replaced by one, again and again.
+/// A row of modules, each replaced by one module in every step.
 void Steady(benchmark::State& state, const char* text) {
   const SystemPtr system = system_of(text);
   Rewriter rewriter(*system);
@@ -170,7 +171,7 @@ void Steady(benchmark::State& state, const char* text) {
 BENCHMARK_CAPTURE(Steady, guarded, kSteady)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(Steady, chance, kChance)->UseManualTime()->Unit(benchmark::kMillisecond);
 
-/// What copying such a row takes: the limit that memory sets.
+/// The time of copying such a row: the limit set by the memory bandwidth.
 void CopyRow(benchmark::State& state) {
   const SystemPtr system = system_of(kSteady);
   const Word from = row_of(*system, kRow);

@@ -182,7 +182,7 @@ class Cells(VugTest):
         self.expect(0, "build", "file.vug", "-o", "out")
         self.assertIn("out/file.ply", self.files())
         mesh = json.loads(self.expect(0, "info", "out/file.ply", "--json").out)
-        self.assertGreaterEqual(mesh["triangles"], len(faces) - 1)  # coarse meshes are subdivided to the size of the cells
+        self.assertGreaterEqual(mesh["triangles"], len(faces) - 1)  # coarse meshes are subdivided
         self.assertAlmostEqual(mesh["bounds"][1][1], 2, delta=0.01)
         self.assertIn("crack 1", mesh["attributes"])
         measured = json.loads(self.expect(1, "measure", "out/file.ply", "--json").out)
@@ -224,7 +224,7 @@ cells rust on worn { spacing 5cm  holes true  run corrosion(share: 80%, loss: 50
         self.assertEqual((worn["class"], worn["voxel_size"][0]), ("level set", 0.04))
 
     def test_cells_finer_than_a_pixel_are_averaged(self):
-        # 156 random cells per pixel: their mean is 0.5 with a standard error of 0.5 / sqrt(156), plus the noise of the samples.
+        # 156 random cells per pixel: their mean is 0.5 with a standard error of 0.5 / sqrt(156), plus render noise.
         self.write("s.vug", """volume rock = level_set(box(size: (5, 4, 1)), voxel: 4cm)
 cells skin on rock { spacing 4cm  relax 0  run sprinkle(attribute: "mark", share: 50%) }
 camera main { kind orthographic  eye (0, 0, 5)  target (0, 0, 0)  width 4m }

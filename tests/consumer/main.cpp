@@ -1,6 +1,5 @@
-// A sphere, made by name, measured at three points whose distances are known, and as a level set;
-// and a picture that is written and read, for which the installed library of picture formats must
-// be found.
+// Creates a sphere by name, checks its distances at three points and its level set, then writes and
+// reads a picture, which requires that the installed library of picture formats is found.
 #include <vug/field/registry.h>
 #include <vug/image/io.h>
 #include <vug/volume/voxelize.h>
@@ -30,7 +29,7 @@ int main() {
   const vug::volume::LevelSet rock = vug::volume::voxelize(sphere, {.voxel = 0.25});
   const auto voxels = rock.statistics().active_voxels;
   std::cout << centre << ' ' << surface << ' ' << outside << ' ' << voxels << '\n';
-  // Within three voxels of the surface lie about 4/3 pi (2.75^3 - 1.25^3) / 0.25^3 = 5052.
+  // About 4/3 pi (2.75^3 - 1.25^3) / 0.25^3 = 5052 voxels lie within three voxels of the surface.
   const bool band = voxels > 4800 && voxels < 5300;
   return centre == -2 && surface == 0 && outside == 3 && band && picture_survives() ? 0 : 1;
 }

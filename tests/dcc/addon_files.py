@@ -1,4 +1,4 @@
-"""Checks of the add-on in Blender: files that are saved, opened again and swept, and memory."""
+"""Checks of the add-on in Blender: saving, reopening and cleaning up files, and memory."""
 import gc
 import os
 import shutil
@@ -16,7 +16,7 @@ def save():
     from vug_addon import folders
     cave()["R"] = 0.8
     bpy.ops.vug.update(cave="cave")
-    # Volumes of a file that was never saved come along, and leave nothing behind.
+    # Saving a file for the first time moves its volumes next to it; later the temporary ones are deleted.
     old = cave().vug.folder
     assert folders.is_stored(old) and os.path.exists(f"{old}/cave_rock.vdb"), old
     bpy.ops.wm.save_as_mainfile(filepath=f"{folder}/saved.blend")
@@ -29,11 +29,11 @@ def save():
     nothing_is_built()
     shutil.copy(f"{folder}/saved.blend", f"{folder}/first.blend")
     bpy.ops.wm.save_mainfile()
-    assert not os.path.exists(old), "nobody names it any more"
+    assert not os.path.exists(old), "no file refers to it any more"
 
 
 def sweeps():
-    """Folders of files that are gone or were never saved go, the latter only when they are old."""
+    """Deletes the folders of deleted files and of files that were never saved, the latter only if they are old."""
     from vug_addon import folders
     kept = ("young", "of_this", "of_another")
     for name in (*kept, "old", "of_none"):
@@ -50,8 +50,8 @@ def sweeps():
 
 
 def memory():
-    """Twenty runs that each make all meshes anew, after five that warm up. A mesh of 5300 vertices takes
-    about 1 MB in Blender and its arrays half of it, so a leak of either would show 10 or 20 MB."""
+    """Twenty runs that each recreate all meshes, after five warm-up runs. A mesh of 5300 vertices takes about
+    1 MB in Blender and its arrays half of that, so a leak of either would amount to 10 or 20 MB."""
     sizes, meshes = [], len(bpy.data.meshes)
     for i in range(25):
         cave()["R"] = 0.6 + 0.01 * i
@@ -71,7 +71,7 @@ def reloads():
     near(cave().id_properties_ui("R").as_dict()["max"], 1, 1e-12)
     near(volume_of(thing("wall").data), 4 / 3 * numpy.pi * 0.8**3, 0.02)
     assert "Cd" in thing("wall").data.attributes
-    # The first that was saved names what was swept, in its place: it has moved, too.
+    # The first saved file refers to the folder that was cleaned up, by its new location.
     bpy.ops.wm.open_mainfile(filepath=f"{folder}/first.blend")
     equal(cave().vug.folder, "//vug/cave/")
     assert thing("rock volume").data.grids.load()

@@ -1,4 +1,4 @@
-"""What the checks of the add-on in Blender share."""
+"""Shared code for the checks of the add-on in Blender."""
 import os
 
 import bpy
@@ -42,7 +42,7 @@ def volume_of(mesh):
 
 
 def print_of(collection):
-    """All that could change in a cave, and how many things there are at all."""
+    """Everything that can change in a cave, and the number of data blocks in the file."""
     out = [len(bpy.data.objects), len(bpy.data.meshes), len(bpy.data.materials), len(bpy.data.volumes),
            collection.vug.known, sorted(collection.keys())]
     for thing in collection.objects:
@@ -53,7 +53,7 @@ def print_of(collection):
 
 
 def resident():
-    """Megabytes of memory that are in use."""
+    """Resident memory in megabytes."""
     with open("/proc/self/statm") as file:
         return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
 

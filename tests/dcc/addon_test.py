@@ -1,5 +1,5 @@
-"""The add-on in the real Blender: its zip is installed there, and used as a script uses it. What happens
-inside stands in in_addon.py; two Blenders run, the second opens what the first has saved."""
+"""The add-on in the real Blender: installs its zip and uses it from a script. in_addon.py runs inside
+Blender. Two processes of Blender run; the second opens the file that the first has saved."""
 import os
 import pathlib
 import subprocess
@@ -11,8 +11,8 @@ from external_tools import HERE, VugTest, require_blender
 
 ZIP = pathlib.Path(os.environ.get("VUG_ADDON", ""))
 
-# A ball off the middle with colours and water that vary with height, stones in three places, fog, and
-# lights of each kind that a file can hold, with a sky, and a cloud with colours and heat.
+# An off-centre ball with colours and water that vary with height, stones in three places, fog, lights
+# of each kind that a file can store, a sky, and a cloud with colours and temperature.
 SCENE = """param R = 70cm  in 50cm..1m  "radius of the ball"
 param LEAN = 10deg  in 0deg..45deg  "how far stones lean"
 param WET = true  "water on it"
@@ -36,7 +36,7 @@ medium air on mist { kind cloud  extinction 2/m  g 0.25  temperature 1500
   albedo layer(under: (0.9, 0.5, 0.1), over: (0.1, 0.5, 0.9), mask: height(from: -1m, to: 1m)) }
 render main { size 320x160 spp 1 }
 """
-# A card cut to a leaf, and one that is there to a quarter.
+# A card cut to a leaf, and one with an opacity of a quarter.
 LEAF = """mesh blade { of leaf(length: 1m, width: 20cm, rows: 4, card: true) }
 object cut on blade { material surface(thin: true, color: (0.1, 0.3, 0.05), subsurface: 1, through: 0.5, opacity: leaf_blade()) }
 object pane on blade { material surface(thin: true, color: (0.1, 0.3, 0.05), specular: 0, opacity: 0.25) }
@@ -47,7 +47,7 @@ object veil on blade { material surface(thin: true, specular: 0, opacity: attrib
 class Addon(VugTest):
     def prepare(self):
         self.write("cave.vug", SCENE)
-        # So fine that there is time to stop it.
+        # So fine that there is time to cancel it.
         self.write("slow.vug", SCENE.replace("voxel: 5cm", "voxel: 4mm"))
         self.write("bad.vug", SCENE.replace("fog(sphere", "fog(spere"))
         self.write("stones.vug", SCENE)
@@ -57,7 +57,7 @@ class Addon(VugTest):
         program = require_blender()
         own = {f"BLENDER_USER_{name}": str(self.folder / name.lower())
                for name in ("CONFIG", "SCRIPTS", "DATAFILES")}
-        # The Python inside of it takes its packages from beside the first python3 in the path.
+        # Blender's Python searches for packages next to the first python3 in the path.
         path = f"{os.path.dirname(program)}:{os.environ['PATH']}"
         done = subprocess.run(
             [program, "--background", "--factory-startup", "--python-exit-code", "1", "--python",
@@ -71,7 +71,7 @@ class Addon(VugTest):
     def test_from_zip_to_reload(self):
         self.blender("use")
         self.blender("again")
-        # What it wrote of Blender's cube is a solid of the cube's size.
+        # The export of Blender's cube is a solid of the cube's size.
         self.expect(0, "build", "cube.vug", "-o", "out", "-q")
         measured = self.expect(0, "measure", "cube.vug", "--json", "-q").out
         volume = float(measured.split('"volume":')[1].split(",")[0].split("}")[0])

@@ -1,4 +1,4 @@
-"""The real Blender imports what vug export writes for it, and finds what we have made."""
+"""The real Blender imports the files that vug export writes for it, and finds the scene in them."""
 import json
 import math
 import os
@@ -17,7 +17,7 @@ def to_srgb(linear):
 class Blender(VugTest):
     def prepare(self):
         self.write("all.vug", SCENE)
-        # Without polish our mesh is what Blender's own mesher makes of the same voxels.
+        # Without polishing, our mesh equals that of Blender's own mesher for the same voxels.
         round_ = SCENE.replace("box(size: (1, 1, 1))", "sphere(70cm)")
         self.write("raw.vug", round_.replace("mesh wall on rock {", "mesh wall on rock { polish false"))
         self.write("round.vug", round_)
@@ -26,7 +26,7 @@ class Blender(VugTest):
 
     def blender(self, name):
         program = require_blender()
-        # The Python inside of it takes its packages from beside the first python3 in the path.
+        # Blender's Python searches for packages next to the first python3 in the path.
         path = f"{os.path.dirname(program)}:{os.environ['PATH']}"
         done = subprocess.run(
             [program, "--background", "--factory-startup", "--python-exit-code", "1", "--python",
@@ -44,12 +44,12 @@ class Blender(VugTest):
         self.assertEqual(found["grids"], ["surface"])
         place = found["objects"]["heap.2"]["place"]
         self.assertEqual([round(row[3], 5) for row in place[:3]], [4, 0, 1])  # z up: (x, -z, y)
-        # The camera looks along y, z is up in its picture.
+        # The camera looks along y; z is up in its picture.
         camera = found["objects"]["main"]["place"]
         for row, wanted in zip(camera, ([1, 0, 0, 0], [0, 0, -1, -6], [0, 1, 0, 2])):
             for got, expected in zip(row, wanted):
                 self.assertAlmostEqual(got, expected, places=5)
-        # 320x160 pixels, 60 degrees across.
+        # 320x160 pixels, 60 degrees wide.
         self.assertAlmostEqual(math.tan(found["cameras"]["main"]["angle_y"] / 2),
                                math.tan(math.radians(30)) / 2, places=5)
         self.assertAlmostEqual(found["cameras"]["plan"]["ortho_scale"], 8, places=4)
@@ -72,12 +72,12 @@ class Blender(VugTest):
         found = self.blender("raw")
         for key in ("low", "high"):
             for axis in range(3):
-                # Blender 3.4 shifts what it makes of a volume by half a voxel.
+                # Blender 3.4 shifts the mesh of a volume by half a voxel.
                 shifted = found["surface"][key][axis] - VOXEL / 2
                 self.assertLess(abs(shifted - found["wall"][key][axis]), 0.01 * VOXEL, (key, axis))
         self.assertLess(abs(found["surface"]["volume"] / found["wall"]["volume"] - 1), 0.005)
         self.assertGreater(min(found["agree"]), 0.9)
-        # The polished one lies nearer to the ball, and is a ball of that size.
+        # The polished mesh is closer to the ball and has its volume.
         polished = self.blender("round")
         self.assertLess(abs(found["surface"]["volume"] / polished["wall"]["volume"] - 1), 0.005)
         self.assertLess(abs(polished["wall"]["volume"] / (4 / 3 * math.pi * 0.7**3) - 1), 0.005)
@@ -88,7 +88,7 @@ class Blender(VugTest):
             t = t * t * (3 - 2 * t)
             for got, low, high, factor in zip(rgb, (0.8, 0.4, 0.02), (0.1, 0.2, 0.9), (0.5, 1, 1)):
                 wanted = factor * (low + t * (high - low))
-                # Blender keeps them in 8 bits as a screen shows them.
+                # Blender stores them as 8-bit sRGB.
                 self.assertAlmostEqual(to_srgb(got), to_srgb(wanted), delta=1 / 255, msg=(x, y, z))
 
 

@@ -10,7 +10,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "cli"))
 from vug import SOURCE, VugTest  # noqa: E402, F401
 
-# A cube of 1 m that stands on the ground, off the middle so that mirrored axes show, in colours; balls
+# A coloured cube of 1 m that stands on the ground, off-centre so that mirrored axes are detected; balls
 # of 60 cm in three places; fog; cameras of both kinds; a light of each kind.
 SCENE = """seed 3
 volume rock = level_set(box(size: (1, 1, 1)).translate((1, 0.5, 2)), voxel: 5cm)
@@ -56,7 +56,7 @@ def require_node():
 
 
 def node(script, *arguments):
-    """What a script of this folder prints, as JSON. It runs beside the packages that it imports."""
+    """The JSON output of a script of this folder, which runs in the folder of the packages that it imports."""
     program, packages = require_node()
     copy = packages / script
     copy.write_bytes((HERE / script).read_bytes())

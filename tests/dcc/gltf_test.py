@@ -10,7 +10,7 @@ class Gltf(VugTest):
         report = node("validate_gltf.js", self.folder / "set" / name)
         issues = report["issues"]
         for each in issues["messages"]:
-            # It knows this extension by name only, and so not what uses its numbers.
+            # The validator knows only the name of this extension and takes its accessors for unused.
             instancing = each["code"] == "UNSUPPORTED_EXTENSION" and "gpu_instancing" in each["message"]
             unused = each["code"] in ("UNUSED_OBJECT", "UNUSED_EXTENSION")
             self.assertTrue(each["severity"] >= 2 and (instancing or unused), each)
@@ -21,7 +21,7 @@ class Gltf(VugTest):
         self.write("all.vug", SCENE)
         info = self.report("all.vug", "all.glb", "--for", "blender")
         self.assertEqual((info["drawCallCount"], info["materialCount"]), (2, 2))
-        self.assertEqual(info["maxAttributes"], 4)  # place, normal, colour, wetness
+        self.assertEqual(info["maxAttributes"], 4)  # position, normal, colour, wetness
 
     def test_instances(self):
         self.write("all.vug", SCENE)

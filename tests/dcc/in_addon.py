@@ -1,4 +1,4 @@
-"""Runs inside of Blender: installs the add-on's zip and uses it.
+"""Runs inside Blender: installs the add-on's zip and uses it.
 
 blender --background --factory-startup --python in_addon.py -- use|again FOLDER ZIP
 """
@@ -57,7 +57,7 @@ def geometry():
     points = values(mesh.vertices, "co", 3)
     near((points.min(0), points.max(0)), ((0.3, -3.7, 1.3), (1.7, -2.3, 2.7)), 2e-3, "bounds, z up")
     near(volume_of(mesh), 4 / 3 * numpy.pi * 0.7**3, 0.01)
-    import vug  # what Blender has is what Vug makes, in its order
+    import vug  # Blender's attributes equal those of Vug, in the same order
     ours = vug.load("cave.vug").build().mesh("wall")
     x, y, z = ours.positions.T
     equal(numpy.array_equal(points, numpy.stack([x, -z, y], 1)), True, "positions")
@@ -111,7 +111,7 @@ def sky():
     equal(tuple(picture.size), (512, 256))
     assert os.path.samefile(os.path.dirname(bpy.path.abspath(picture.filepath)),
                             bpy.path.abspath(cave().vug.folder)), picture.filepath
-    # What somebody has made of the world stays; Blender's plain one gives way.
+    # A world edited by the user is kept; Blender's default world is replaced.
     own = bpy.data.worlds.new("an artist's")
     own.use_nodes = True
     own.node_tree.nodes.new("ShaderNodeTexSky")
@@ -141,7 +141,7 @@ def slider():
     equal(bpy.ops.vug.update(), {"FINISHED"})
     equal(print_of(cave()) == before, True, "nothing has changed")
     pebble = thing("heap.1").data["vug_digest"]
-    thing("heap.1").location.x += 1  # an artist's
+    thing("heap.1").location.x += 1  # an edit by an artist
     cave()["R"] = 0.9
     equal(bpy.ops.vug.update(), {"FINISHED"})
     near(volume_of(thing("wall").data), 4 / 3 * numpy.pi * 0.9**3, 0.02)
@@ -162,7 +162,7 @@ def slider():
 
 
 def stale():
-    """What the scene refuses is told by name, and the way back is one step."""
+    """Parameters that the scene rejects are named, and one operator reverts them."""
     bpy.ops.vug.update()
     equal((cave().vug.stale, bpy.ops.vug.revert.poll()), ("", True))
     cave()["R"], cave()["SHARE"], cave().vug.use_seed = 0.75, 2.0, True
@@ -178,7 +178,7 @@ def stale():
 
 
 def deleted():
-    """What the cave owns comes back; what an artist has done to the rest stays."""
+    """Deleted objects of the cave are restored; an artist's other changes are kept."""
     thing("heap.2").location.x = 7
     pebble = thing("heap.2").data
     bpy.data.objects.remove(thing("wall"))
@@ -207,7 +207,7 @@ def deleted():
 
 
 def units():
-    """A scene of centimetres: everything is a hundred times as many units, and the cave the same metres."""
+    """A scene in centimetres: all coordinates are a hundred times as large, the cave's parameters remain metres."""
     settings = bpy.context.scene.unit_settings
     settings.scale_length = 0.01
     equal(bpy.ops.vug.update(), {"FINISHED"})
@@ -223,7 +223,7 @@ def units():
     near(numpy.array(sun.color) * sun.energy, (3, 2, 1), 1e-4)
     near((thing("plan").data.ortho_scale, thing("main").data.clip_end), (800, 1e5), 0.1)
     near(thing("main").location, (0, -600, 200), 1e-2)
-    equal(cave()["R"], 0.7)  # still metres, and shown as such
+    equal(cave()["R"], 0.7)  # still in metres, and displayed as such
     assert "subtype" not in cave().id_properties_ui("R").as_dict() or \
         cave().id_properties_ui("R").as_dict()["subtype"] == "NONE"
     assert "(metres)" in cave().id_properties_ui("R").as_dict()["description"]
@@ -234,7 +234,7 @@ def units():
     mesh = vug.read_mesh("big.ply")
     near(mesh.bounds, ((-1, 0, -1), (1, 2, 1)), 1e-5)
     bpy.data.objects.remove(bpy.context.object)
-    settings.system = "NONE"  # a unit is a metre then
+    settings.system = "NONE"  # a unit is then a metre
     equal(bpy.ops.vug.update(), {"FINISHED"})
     geometry()
     settings.system, settings.scale_length = "METRIC", 1
@@ -308,7 +308,7 @@ def block_out():
 
 
 def opacity():
-    """Holes are cut; what is there in part lets the rest of the light through."""
+    """Holes are cut; partially opaque surfaces transmit the rest of the light."""
     bpy.ops.vug.add(filepath=f"{folder}/leaf.vug", use_camera=False)
     leaf = bpy.data.collections["leaf"]
     cut, pane, veil = ([each for each in leaf.objects if each["vug_name"] == name][0] for name in ("cut", "pane", "veil"))

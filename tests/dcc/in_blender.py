@@ -1,4 +1,4 @@
-"""Runs inside of Blender: imports a set of vug export and prints what is there, as JSON.
+"""Runs inside Blender: imports a set of vug export and prints the resulting data as JSON.
 
 blender --background --factory-startup --python in_blender.py -- FOLDER NAME VOLUME
 """
@@ -8,7 +8,7 @@ import sys
 import bpy
 import numpy
 
-# Debian 12 pairs Blender 3.4 with a numpy that has dropped a name its glTF importer uses.
+# Debian 12 combines Blender 3.4 with a numpy that has removed a name that Blender's glTF importer uses.
 if "bool" not in numpy.__dict__:
     numpy.bool = bool
 
@@ -22,7 +22,7 @@ def vectors(items, attribute):
 
 
 def measures(mesh):
-    """Bounds, volume by its triangles, and how their normals agree with those of vertices."""
+    """Bounds, the volume enclosed by the triangles, and the agreement of their normals with those of the vertices."""
     points = vectors(mesh.vertices, "co")
     mesh.calc_loop_triangles()
     corners = numpy.empty(3 * len(mesh.loop_triangles), dtype=numpy.int64)
@@ -73,7 +73,7 @@ modifier.object, modifier.threshold, modifier.resolution_mode = imported, 0, "GR
 modifier.grid_name = "surface"
 theirs = measures(surface.evaluated_get(bpy.context.evaluated_depsgraph_get()).to_mesh())
 out["surface"] = plain(theirs)
-# The way out at the places of our triangles that are nearest to some of theirs.
+# Compares the outward directions of some of their triangles with those of our nearest triangles.
 step = max(1, len(theirs["middles"]) // 200)
 agree = []
 for i in range(0, len(theirs["middles"]), step):

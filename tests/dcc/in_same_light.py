@@ -1,4 +1,4 @@
-"""Runs inside of Blender: brings same.vug by the add-on and renders it by Cycles.
+"""Runs inside Blender: imports same.vug with the add-on and renders it with Cycles.
 
 blender --background --factory-startup --python in_same_light.py -- FOLDER ADDON WIDTH HEIGHT SPP RUNS BOUNCES
 """
@@ -28,7 +28,7 @@ cycles.max_bounces = cycles.diffuse_bounces = bounces
 cycles.sample_clamp_indirect = cycles.sample_clamp_direct = cycles.light_sampling_threshold = 0
 cycles.pixel_filter_type = "BOX"
 cycles.filter_width = 1
-for thing in bpy.data.objects:  # what hides the steps of coarse meshes is not physics
+for thing in bpy.data.objects:  # the shadow terminator offset hides facets of coarse meshes and is not physical
     if thing.type == "MESH":
         thing.cycles.shadow_terminator_offset = thing.cycles.shadow_terminator_geometry_offset = 0
 for run in range(runs):

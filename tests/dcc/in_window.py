@@ -1,8 +1,8 @@
-"""Runs inside of a Blender with a window: the add-on as a user's clicks and keys drive it.
+"""Runs inside a Blender with a window: uses the add-on by a user's clicks and keys.
 
 blender --factory-startup --enable-event-simulate --python in_window.py -- FOLDER ADDON
 
-Operators that wait return at once there, so what is looked at stands in a timer, one check after the other.
+Modal operators return at once there, so the checks run one after the other in a timer.
 """
 import os
 import sys
@@ -35,7 +35,7 @@ def call(operator, *arguments, **more):
 
 
 def ended():
-    """Waits for what is being made: a generator for `yield from`."""
+    """Waits for the current build to end: a generator for `yield from`."""
     begun = time.monotonic()
     while CaveBuild.current:
         assert time.monotonic() - begun < 120, "it does not end"
@@ -51,7 +51,7 @@ def wall():
 
 
 def checks():
-    # As the file browser calls it when a file has been chosen.
+    # The call that the file browser makes when a file has been chosen.
     assert call(bpy.ops.vug.add, "EXEC_DEFAULT", filepath=f"{folder}/cave.vug", chosen=True) == {"FINISHED"}
     assert CaveBuild.current and cave() is None, "it does not wait"
     yield from ended()
@@ -98,7 +98,7 @@ def checks():
     draw_sidebar()
     for _ in range(5):
         yield
-    yield "a fault is told"
+    yield "an error is reported"
 
 
 def escape():
@@ -108,7 +108,7 @@ def escape():
 
 
 def draw_sidebar():
-    """So that the panel, with a fault in it, is drawn at least once."""
+    """Ensures that the panel, which shows an error, is drawn at least once."""
     place = view()
     place["area"].spaces.active.show_region_ui = True
     place["area"].tag_redraw()

@@ -1,5 +1,5 @@
 // open_preview.mjs CHROMIUM PAGE PICTURE: opens a page of vug preview in a browser without a network,
-// photographs it, and prints what it shows as JSON.
+// takes a screenshot, and prints the contents of the page as JSON.
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 
@@ -27,7 +27,7 @@ try {
     pages: Object.fromEntries([...document.querySelectorAll('.page')].map((each) => [each.id, each.textContent])),
     pictureWidth: document.querySelector('img.picture')?.naturalWidth ?? 0,
   }));
-  // What the canvas shows by itself: each key changes it, and H brings the first look back.
+  // The canvas alone: each key changes its picture, and H restores the first one.
   const look = async () => (await page.locator('#view').screenshot()).toString('base64');
   const press = async (key) => {
     await page.keyboard.press(key);
@@ -41,7 +41,7 @@ try {
   for (const key of ['f', '[']) changes[key] = await press(key) !== first;
   await page.keyboard.press(']');
   changes.h = await press('h') === first;
-  // How much the brightness of the model's pixels spreads: a blank canvas has none.
+  // The standard deviation of the brightness of the model's pixels: 0 for a blank canvas.
   const spread = await page.evaluate(async (png) => {
     const image = new Image();
     image.src = `data:image/png;base64,${png}`;

@@ -39,9 +39,9 @@ class Preview(VugTest):
         self.assertEqual(seen["said"], [])
         self.assertEqual([url for url in seen["asked"] if not url.startswith("file:")], [])
         self.assertEqual(len(seen["asked"]), 1)  # the page itself
-        self.assertEqual(seen["marked"], 3)      # nothing of the scene has become markup
+        self.assertEqual(seen["marked"], 3)      # no text of the scene has become markup
 
-        # As many as the exporter wrote: the walls, the halls, three pebbles.
+        # The number of triangles that the exporter wrote: the walls, the halls, three pebbles.
         self.expect(0, "build", "all <b>.vug", "-o", "o", "-q", "--seed", "3")
         count = {name: self.triangles(f"o/all <b>_{name}.ply") for name in ("wall", "pebble", "hall")}
         drawn = count["wall"] + count["hall"] + self.pebbles * count["pebble"]
@@ -57,10 +57,10 @@ class Preview(VugTest):
         self.assertIn("Area", pages["page-metrics"])
         self.assertIn("<img src=x onerror=alert(1)>", pages["page-parameters"])
         self.assertIn("axiom Room*3", pages["page-recipe"])
-        self.assertGreater(seen["spread"], 8)  # of 255; one colour has none
+        self.assertGreater(seen["spread"], 8)  # of 255; a uniform picture has 0
         self.assertEqual(seen["changes"], {"f": True, "[": True, "h": True})
 
-    pebbles = 3  # in the heap; what is placed stands nowhere else
+    pebbles = 3  # in the heap; an instanced object does not appear in its own position
 
     def triangles(self, file):
         head = (self.folder / file).read_bytes()[:4096]

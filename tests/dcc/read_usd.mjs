@@ -1,12 +1,12 @@
-// What two readers of USD find in a file, as JSON: the prims with their attributes as tinyusdz
-// parses them, and what three.js makes of the whole.
+// Prints the contents of a USD file as read by two readers, as JSON: the prims with their attributes
+// as parsed by tinyusdz, and the scene that three.js builds from the file.
 import fs from 'fs';
 import {createRequire} from 'module';
 
 const file = process.argv[2];
 const node = process;
 
-// tinyusdz is built for browsers: it looks for a window, and that there is no Node.
+// tinyusdz is built for browsers: it requires a window and rejects Node.
 async function tinyusdz() {
   const wasm = createRequire(import.meta.url).resolve('tinyusdz/tinyusdz.wasm');
   globalThis.window = globalThis;

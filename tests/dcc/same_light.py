@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Renders one scene by Vug and, through the add-on, by Blender's Cycles, and compares the light.
+"""Renders one scene with Vug and, through the add-on, with Blender's Cycles, and compares the light.
 
     PYTHONPATH=build/release/python tests/dcc/same_light.py cave out.png [--size 320x180] [--spp 256] [--runs 4]
 
-The same camera and lights, Lambertian rock of varying colour. Says how far the means of red, green and blue
-differ, and how many blocks of 20x20 pixels lie beyond three standard errors, which come from the spread
-between runs with other seeds; writes both pictures side by side. Exit code 1 where they differ by more than
-1 % or more than 1 % of the blocks lie beyond. `cave` is lit by three lights, none of which is in the picture,
-`open` by a sky that is. The cave's rock is flat: light between a facet's horizon and that of its smooth normal,
-which Cycles cuts off and Vug follows, is half a percent there.
+Camera and lights are the same; the rock is Lambertian with varying colour. Prints the differences of the means of
+red, green and blue and the number of blocks of 20x20 pixels that differ by more than three standard errors, which
+are estimated from runs with different seeds; writes both pictures side by side. The exit code is 1 if the means
+differ by more than 1 % or if more than 1 % of the blocks differ. `cave` is lit by three lights, none of which is
+in the picture, `open` by a sky, which is in the picture. The cave's rock has flat shading: light between the
+horizon of a facet and that of its smooth normal, which Cycles cuts off and Vug keeps, would be half a percent there.
 """
 import argparse
 import os
@@ -25,7 +25,7 @@ import vug
 
 HERE = pathlib.Path(__file__).resolve().parent
 BOUNCES = 6
-# A sky in the picture has no noise, but what lies between its texels is looked up with different rounding.
+# A visible sky has no noise, but the two renderers interpolate between its texels with different rounding.
 LOOKUP = {"cave": 0, "open": 0.003}
 RENDER = f"render main {{ size 320x180 spp 64 integrator path(max_bounces: {BOUNCES}) }}\n"
 SCENES = {"cave": """seed 4
@@ -75,8 +75,8 @@ def blocks(values, size):
 
 
 def z_scores(a, b, size, lookup):
-    """Of the blocks' means. Pixels are independent, so the variance of a block's mean comes from that of
-    its pixels between runs."""
+    """Z-scores of the blocks' means. Pixels are independent, so the variance of a block's mean follows from that
+    of its pixels between runs."""
     variance = sum(blocks(each.var(0, ddof=1) / len(each), size) / size**2 for each in (a, b))
     means = blocks(a.mean(0), size), blocks(b.mean(0), size)
     return (means[0] - means[1]) / numpy.sqrt(variance + (lookup * means[1]) ** 2)

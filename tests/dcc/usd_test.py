@@ -1,16 +1,16 @@
-"""Two readers of USD, tinyusdz and three.js, find all that a scene shows, where it stands."""
+"""Two readers of USD, tinyusdz and three.js, find everything that a scene shows, in the right place."""
 import math
 import re
 import unittest
 
 from external_tools import SCENE, VugTest, node, require_node
 
-# Metres in a unit, and whether z is up.
+# Metres per unit, and whether z is up.
 SPACES = {"usd": (1, False), "maya": (0.01, False), "unreal": (0.01, True)}
 
 
 def prims(text):
-    """[(type, name)] of every prim that tinyusdz has printed."""
+    """[(type, name)] of every prim in the output of tinyusdz."""
     return re.findall(r'def (\w+) "([^"]+)"', text)
 
 
@@ -49,19 +49,19 @@ class Usd(VugTest):
                 asset = block(block(text, "Volume", name), "OpenVDBAsset", grid)
                 self.assertIn(f"@./all_{name}.vdb@", asset)
                 self.assertTrue((self.folder / program / f"all_{name}.vdb").exists())
-            # A cube of a metre is one.
+            # The extent of the cube is one metre.
             box = numbers(block(text, "Xform", "wall"), "extent")
             for axis in range(3):
                 self.assertAlmostEqual((box[3 + axis] - box[axis]) * unit, 1, delta=1e-4)
             self.assertEqual(len(numbers(block(text, "PointInstancer", "heap"), "positions")), 9)
-            # 100 W from a ball of 10 cm.
+            # 100 W from a ball of radius 10 cm.
             ball = block(text, "SphereLight", "ball")
             radius = numbers(ball, "inputs:radius")[0] * unit
             watts = 4 * math.pi**2 * radius**2 * numbers(ball, "inputs:intensity")[0]
             self.assertAlmostEqual(watts, 100, delta=0.01)
 
     def test_three_places_everything(self):
-        # It takes every layer to metres with y up by what the layer says of its space.
+        # It converts every layer to metres with y up according to the layer's metadata.
         for program in SPACES:
             found = self.read(program)["three"]
             [wall] = [each for each in found if each["type"] == "Mesh" and each["parent"] == "wall"]
@@ -70,7 +70,7 @@ class Usd(VugTest):
                 self.assertAlmostEqual(wall["box"][1][axis], high, delta=1e-3, msg=program)
             types = [each["type"] for each in found]
             expected = {"PerspectiveCamera": 1, "OrthographicCamera": 1, "DirectionalLight": 1,
-                        "RectAreaLight": 2}  # a disk is one, too
+                        "RectAreaLight": 2}  # three.js also represents a disk as one
             self.assertEqual({kind: types.count(kind) for kind in expected}, expected, program)
             [camera] = [each for each in found if each["type"] == "PerspectiveCamera"]
             for got, wanted in zip(camera["matrix"][12:15], (0, 2, 6)):
@@ -82,7 +82,7 @@ class Usd(VugTest):
         for level in ("full", "lod1", "lod2"):
             self.assertIn(f'"{level}" {{', found["tinyusdz"])
         self.assertEqual(found["tinyusdz"].count('def Mesh "shape"'), 2 * 3)
-        # The first is the whole; the others have a quarter of the one before, about.
+        # The first level is the full mesh; each other level has about a quarter of the faces of the one before.
         sizes = [len(counts.split(",")) for counts in
                  re.findall(r"faceVertexCounts = (.*)", block(found["tinyusdz"], "Xform", "wall"))]
         whole = block(self.read("usd")["tinyusdz"], "Xform", "wall")

@@ -1,5 +1,5 @@
-"""The add-on in a Blender with a window, on a screen that is none (Xvfb): its event loop, Esc and undo, which no
-headless Blender has. What happens inside stands in in_window.py."""
+"""The add-on in a Blender with a window on a virtual screen (Xvfb): its event loop, Esc and undo, which a headless
+Blender lacks. in_window.py runs inside Blender."""
 import os
 import shutil
 import subprocess
@@ -22,7 +22,7 @@ class Window(VugTest):
         self.write("slow.vug", SCENE.replace("voxel: 5cm", "voxel: 4mm"))
 
     def screen(self):
-        """The number of a screen that is there until the test ends."""
+        """The number of a virtual screen that exists until the test ends."""
         there, told = os.pipe()
         server = subprocess.Popen(["Xvfb", "-displayfd", str(told), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
                                   pass_fds=[told], stderr=subprocess.DEVNULL)

@@ -1,4 +1,5 @@
-// Whatever the bytes, they are a cloud of finite points with lists that fit, or are refused.
+// For any bytes, the reader returns a cloud of finite points with lists of matching lengths, or
+// fails.
 #include "require.h"
 
 #include <vug/base/error.h>

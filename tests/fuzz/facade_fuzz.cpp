@@ -1,5 +1,5 @@
-// Whatever stands in the block of a facade: it is refused with its faults, or it is derived, twice
-// to the same tree, whose parts lie within their parents; and by a plan that leaves all open.
+// Any block of a facade is rejected with error messages or derived twice to the same tree, whose
+// parts lie within their parents; it is also derived by a plan that leaves all choices open.
 #include "require.h"
 
 #include <vug/facade/derive.h>

@@ -1,4 +1,4 @@
-// Bytes of a fuzzer as a file, for readers that take a path.
+// Writes the bytes of a fuzzer to a file, for readers that take a path.
 #pragma once
 
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-/// One file for the whole run; each call replaces what is in it.
+/// One file for the whole run; each call replaces its contents.
 inline const std::filesystem::path& file_of_bytes(const uint8_t* data, size_t size,
                                                   const std::string& suffix) {
   static const struct Scratch {

@@ -1,5 +1,5 @@
-// Whatever the bytes, the IES reader gives a profile whose light is finite and nowhere brighter
-// than its peak, or refuses with bad_input.
+// For any bytes, the IES reader returns a profile whose intensities are finite and do not exceed
+// its peak, or fails with bad_input.
 #include <vug/base/error.h>
 #include <vug/render/lighting/ies_profile.h>
 

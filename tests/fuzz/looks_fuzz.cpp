@@ -1,4 +1,4 @@
-// Any bytes are either a pixel classifier that yields probabilities, or are rejected.
+// For any bytes, the reader returns a pixel classifier that yields probabilities, or fails.
 #include "require.h"
 
 #include <vug/base/error.h>

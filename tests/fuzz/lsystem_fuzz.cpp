@@ -1,5 +1,5 @@
-// Whatever stands in the block of an L-system: it is refused with its faults, or it grows for a few
-// steps; its brackets pair, and formatting keeps its meaning and settles.
+// For any block of an L-system: it is rejected with error messages, or it is derived for a few
+// steps with matching brackets, and formatting keeps its meaning and is idempotent.
 #include "require.h"
 
 #include <vug/lsystem/compile.h>

@@ -1,5 +1,5 @@
-// Whatever the bytes, the reader of parts and checkpoints gives a part that can be developed, or
-// refuses with bad_input (too_large for one that no machine could hold).
+// For any bytes, the reader of partial renders and checkpoints returns one that can be developed
+// into a picture, or fails with bad_input (too_large if it exceeds any memory).
 #include "file_of_bytes.h"
 
 #include <vug/base/error.h>

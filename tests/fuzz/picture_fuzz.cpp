@@ -1,6 +1,6 @@
-// Whatever the bytes, the reader of pictures gives as many values as its header says, or refuses
-// with bad_input (too_large for one that no machine could hold). OpenEXR and OpenImageIO below it
-// are the system's, and not instrumented: a finding in them is theirs.
+// For any bytes, the picture reader returns the number of values stated in the header, or fails
+// with bad_input (too_large if the picture exceeds any memory). The system's OpenEXR and
+// OpenImageIO, which it calls, are not instrumented: report findings in them to their projects.
 #include "file_of_bytes.h"
 
 #include <vug/base/error.h>
@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     const vug::image::FileInfo info = vug::image::read_info(path);
     if (info.width < 1 || info.height < 1 || info.channels.size() != info.formats.size())
       std::abort();
-    // Larger ones cost a fuzzer its time.
+    // Larger pictures would slow the fuzzer down.
     const double values =
         static_cast<double>(info.width) * info.height * static_cast<double>(info.channels.size());
     if (values > 1 << 22) return 0;

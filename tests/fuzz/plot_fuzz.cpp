@@ -1,5 +1,5 @@
-// Whatever corners: a polygon that is not simple is refused as bad input, one that is has an area
-// with points in it, and its sides are where they were given.
+// For any corners: a polygon that is not simple is rejected as bad input; a simple polygon has an
+// area, contains points, and its sides are at the given positions.
 #include "require.h"
 
 #include <vug/base/error.h>
@@ -12,7 +12,8 @@ namespace {
 
 using namespace vug;
 
-/// A small grid, on which corners coincide and sides touch, or whatever eight bytes are.
+/// A number of a small grid, on which corners coincide and sides touch, or the value of any eight
+/// bytes.
 double coordinate(const uint8_t*& at, const uint8_t* end) {
   const uint8_t which = at == end ? uint8_t{0} : *at++;
   if (which < 240) return (which % 16) * 0.25;

@@ -1,4 +1,4 @@
-// Whatever a recipe says, it is refused with its faults, or its cells run for a few steps on a box.
+// Any recipe of cells is rejected with error messages, or its cells run for a few steps on a box.
 #include <vug/base/error.h>
 #include <vug/building/cell_layer.h>
 #include <vug/loading/load.h>

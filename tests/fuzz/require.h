@@ -1,4 +1,4 @@
-// What fuzz targets hold their promises with.
+// The assertion of fuzz targets, which aborts the process.
 #pragma once
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Any bytes: parse, report, evaluate what needs no objects; a text without faults must keep its
-// meaning and settle when it is formatted.
+// For any bytes: parses, reports errors and evaluates expressions without objects. Formatting a
+// text without errors must keep its meaning and be idempotent.
 #include "require.h"
 
 #include <vug/scene/check.h>

@@ -1,5 +1,5 @@
-// Whatever stands in a session file: it is refused as bad input, or it is done; then it is whole,
-// its text gives the same tree and the same text again, and undoing and doing all again does too.
+// Any session file is rejected as bad input or replayed completely; then its text yields the same
+// tree and the same text again, and so does undoing and redoing all edits.
 #include "require.h"
 
 #include <vug/facade/tree_output.h>
@@ -13,7 +13,8 @@ namespace {
 
 using namespace vug;
 
-/// Small, with one of each split that has free numbers, conditions, arguments and inner splits.
+/// A small style with one of each split that has free numbers, conditions, arguments and inner
+/// splits.
 modeller::StylePtr style() {
   const std::string text =
       "grammar f: facade {\n axiom Facade\n"
@@ -35,7 +36,7 @@ modeller::Session read(const std::string& text) {
                                 [](const auto&, const auto&) { return style(); });
 }
 
-/// Whether it may ask for very many parts, which is valid but slow: counts of three digits, or one
+/// Whether the text may request very many parts, which is valid but slow: counts of three digits or
 /// with an exponent.
 bool crowded(const std::string& text) {
   int digits = 0;

@@ -1,4 +1,4 @@
-// Whatever the bytes, the STL reader gives a valid mesh or refuses with bad_input.
+// For any bytes, the STL reader returns a valid mesh or fails with bad_input.
 #include <vug/base/error.h>
 #include <vug/mesh/format.h>
 

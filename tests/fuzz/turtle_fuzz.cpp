@@ -1,6 +1,5 @@
-// Whatever word a turtle reads, brackets that do not pair and numbers of any size or none among
-// them: it is refused as bad input, or draws finite axes with square frames, and their stems have a
-// finite surface.
+// For any word, including unmatched brackets, huge numbers and NaN: the turtle rejects it as bad
+// input or draws finite axes with orthogonal frames, whose stems have a finite surface.
 #include "require.h"
 
 #include <vug/base/error.h>
@@ -14,7 +13,7 @@ namespace {
 
 using namespace vug;
 
-/// Numbers of the bytes, one after the other: many plain ones, and whatever eight bytes are.
+/// Reads numbers from the bytes in order: many common values, and the value of any eight bytes.
 class Numbers {
  public:
   Numbers(const uint8_t* data, size_t size) : at_(data), end_(data + size) {}

@@ -1,4 +1,4 @@
-"""Arrays share memory with what they show, keep it alive, and cannot change it."""
+"""Arrays share the memory of the objects that they view, keep them alive, and are read-only."""
 import gc
 import unittest
 

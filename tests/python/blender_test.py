@@ -1,4 +1,4 @@
-"""The package inside the real Blender, whose own TBB, OpenVDB, Embree and OpenImageIO are loaded."""
+"""The package in the real Blender, which has loaded its own TBB, OpenVDB, Embree and OpenImageIO."""
 import hashlib
 import os
 import shutil

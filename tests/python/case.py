@@ -40,7 +40,7 @@ class Case(unittest.TestCase):
         return path
 
     def vug(self, *args):
-        """Runs the command; gives what it printed."""
+        """Runs the command and returns its standard output."""
         done = subprocess.run([PROGRAM, *map(str, args), *(["-q"] if args[0] in QUIET else [])],
                               capture_output=True, text=True, timeout=300)
         self.assertEqual(done.returncode, 0, done.stderr)

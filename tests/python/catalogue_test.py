@@ -1,4 +1,4 @@
-"""The catalogue says what `vug list` says."""
+"""The catalogue agrees with `vug list`."""
 import json
 import unittest
 

@@ -1,4 +1,4 @@
-"""From text to files: what Python makes has the bytes of what the command makes."""
+"""From text to files: Python writes the same bytes as the command."""
 import json
 import unittest
 import warnings
@@ -165,14 +165,14 @@ class Chain(Case):
         for program in [kind.name for kind in vug.catalogue.find("program")]:
             self.vug("export", "cave.vug", "-o", f"theirs {program}", "--for", program, *FLAGS)
             with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # what is left out differs from program to program
+                warnings.simplefilter("ignore")  # omissions depend on the program
                 paths = self.scene.export(f"ours {program}", program)
             self.assertEqual(sorted(p.name for p in paths),
                              sorted(p.name for p in (self.folder / f"theirs {program}").iterdir()))
             for path in paths:
                 self.assert_same_files(path, f"theirs {program}/{path.name}")
         plain = vug.loads(BALL)
-        plain.export("plain", "blender")  # a volume, a sky: nothing is lost, so nothing is warned of
+        plain.export("plain", "blender")  # a volume and a sky: nothing is lost, so there is no warning
         with self.assertWarnsRegex(vug.SceneWarning, r"omitted: the camera 'main': the file contains only a mesh \(scene.ply\)"):
             plain.export("plain", "meshes")
         for wrong in ({"up": "x"}, {"unit": "mm"}):
@@ -182,7 +182,7 @@ class Chain(Case):
             self.scene.export("out", "blendr")
 
     def test_files_tell_their_scene(self):
-        scene = self.scene.with_(STAINED=True)  # so that it moves
+        scene = self.scene.with_(STAINED=True)  # makes the scene depend on the frame
         build = scene.build()
         build.render(spp=1).save("picture.exr")
         for file in [*build.save("ours")[:2], "picture.exr"]:

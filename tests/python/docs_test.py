@@ -22,7 +22,7 @@ class Docs(Case):
         for block, line in blocks:
             if block.startswith(">>>"):
                 test = doctest.DocTestParser().get_doctest(block, names, "python.md", str(PAGE), line)
-                test.globs = names  # not a copy: later blocks go on with these
+                test.globs = names  # not a copy: later blocks use these variables
                 runner.run(test, out=said.append, clear_globs=False)
             else:
                 exec(compile("\n" * line + block, str(PAGE), "exec"), names)

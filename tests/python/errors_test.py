@@ -1,4 +1,4 @@
-"""Faults as exceptions with their places; arguments that cannot be used; warnings."""
+"""Errors as exceptions with source locations; invalid arguments; warnings."""
 import pickle
 import unittest
 import warnings

@@ -1,4 +1,4 @@
-"""The package as `cmake --install` lays it down, without the build's folder."""
+"""The package as installed by `cmake --install`, without the build folder."""
 import os
 import pathlib
 import subprocess
@@ -26,7 +26,7 @@ class Installed(Case):
         self.what_is_missing_is_told(package)
 
     def what_is_missing_is_told(self, package):
-        """Of a Python without numpy, and of one for which the package is not built."""
+        """The messages of a Python without numpy, and of one for which the package is not built."""
         blind = self.write("blind/numpy.py", "raise ImportError('none here')").parent
 
         def said(path):

@@ -1,4 +1,4 @@
-"""Callbacks, cancelling, Ctrl-C, and other Python threads during the work."""
+"""Callbacks, cancellation, Ctrl-C, and other Python threads during the work."""
 import os
 import signal
 import subprocess
@@ -10,7 +10,7 @@ import unittest
 import vug
 from case import BALL, Case
 
-LONG = BALL.replace("spp 4", "spp 100000")  # minutes
+LONG = BALL.replace("spp 4", "spp 100000")  # takes minutes
 
 
 class Callbacks(Case):

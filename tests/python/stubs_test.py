@@ -37,7 +37,7 @@ class Stubs(Case):
         [build] = [n for n in self.classes["Scene"].body if getattr(n, "name", "") == "build"]
         [progress] = [each for each in build.args.args if each.arg == "progress"]
         self.assertEqual(ast.unparse(progress.annotation), "Optional[Callable[[float, str], Any]]")
-        for node in ast.walk(self.tree):  # nothing is left that only C++ understands
+        for node in ast.walk(self.tree):  # no C++ types remain in the signatures
             if isinstance(node, ast.Name):
                 self.assertNotIn(node.id, ("handle", "object", "function", "array_t", "std"))
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Counts the alarms of `vug diff`: renders of one scene that differ by their samples alone must pass, a
-picture one percent darker and one with another material must not.
+"""Counts the alarms of `vug diff`: renders of one scene that differ only by their samples must pass; a
+picture that is one percent darker and one with another material must fail.
 
     tests/bench/render/alarms.py build/release/bin/vug counts.txt [--renders 100] [--alarm 0.01]
 
-Every verdict is a line of counts.txt as soon as it is known, and a run goes on after the last of them. The
-renders share one reference, as they do for someone who guards a look, so their alarms come together or
-not at all a little more than if each had its own.
+Every verdict is appended to counts.txt at once, and a later run continues after the last line. The renders
+share one reference, as in regression tests, so their alarms are slightly more correlated than if each
+render had its own.
 """
 import argparse
 import collections
@@ -74,7 +74,7 @@ def main():
             with options.counts.open("a") as counts:
                 counts.write(f"{name} {known[name]}\n")
 
-        for i in range(5):  # each against the reference, with samples of their own
+        for i in range(5):  # each is compared with the reference and has its own samples
             judge(f"darker{i}", 5000 + i, light=0.99)
             judge(f"swapped{i}", 6000 + i, scene="dry")
         for i in range(options.renders):
