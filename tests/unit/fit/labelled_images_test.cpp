@@ -108,7 +108,7 @@ TEST(LabelledImage, MismatchesAreReported) {
   EXPECT_FAULT(read_labelled_image(photo, root / "labels/b.png", kClasses), "b.png");
   EXPECT_FAULT(read_labelled_image(photo, photo, kClasses), "colours instead");
   EXPECT_FAULT(read_labelled_image(photo, labels, Classes{{"window", "wall"}}),
-               "which has no name");
+               "has the unnamed class 4");
   EXPECT_FAULT(read_labelled_image(photo, labels, kClasses, {}, 1000), "more than the limit");
   write_labels(labels, std::vector<uint8_t>(39 * 60, kUnlabelled), 39, 60);
   EXPECT_FAULT(read_labelled_image(photo, labels, kClasses),
@@ -116,7 +116,7 @@ TEST(LabelledImage, MismatchesAreReported) {
   fs::remove(labels);
   EXPECT_FAULT(read_labelled_folder(root, kClasses), "has no labels");
   fs::rename(photo, root / "labels/c.png");
-  EXPECT_FAULT(read_labelled_folder(root, kClasses), "no picture to the labels");
+  EXPECT_FAULT(read_labelled_folder(root, kClasses), "no picture for the labels");
   write_pair(root, "a", facade);
   fs::remove(root / "labels/c.png");
   fs::copy_file(photo, root / "images/a.jpg");

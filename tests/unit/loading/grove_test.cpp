@@ -197,14 +197,17 @@ TEST(GrovePlaces, FaultsAreReportedWithTheirLocation) {
   EXPECT_NE(faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]")
                 .find("hint: models are counted from 0, in the order of 'of'"),
             std::string::npos);
-  EXPECT_NE(faults(square + ", count: 5, from: 3m").find("stand 'on'"), std::string::npos);
-  EXPECT_NE(faults(square + ", count: 5, steepest: 20deg").find("stand 'on'"), std::string::npos);
+  EXPECT_NE(faults(square + ", count: 5, from: 3m").find("there is no ground 'on'"),
+            std::string::npos);
+  EXPECT_NE(faults(square + ", count: 5, steepest: 20deg").find("there is no ground 'on'"),
+            std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, margin: 3m").find("'avoid'"), std::string::npos);
   EXPECT_NE(faults(square + ", count: 5, on: thick")
                 .find("hint: 'thick' is declared by 'object' on 'large_mesh'"),
             std::string::npos);
-  EXPECT_NE(faults(square + ", count: 5, diameter_spread: 1cm").find("not said"),
-            std::string::npos);
+  EXPECT_NE(
+      faults(square + ", count: 5, diameter_spread: 1cm").find("'diameter', which is missing"),
+      std::string::npos);
   // Only "as many as fit" needs no number.
   EXPECT_NE(faults(square + ", distribution: thomas").find("'density' per hectare or a 'count'"),
             std::string::npos);

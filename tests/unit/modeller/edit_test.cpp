@@ -63,8 +63,8 @@ TEST(Edit, RejectionsNameTheFaultAndTheReason) {
   EXPECT_EQ(refusal(state, "apply 0.1.0.0 Grid").substr(0, 32), "rule: 'window' at 0.1.0.0 is an ");
   EXPECT_EQ(refusal(state, "apply 0.7 Grid").substr(0, 6), "node: ");
   EXPECT_EQ(refusal(state, "set 0.1.0 columns=0"),
-            "numbers/columns: 'columns' is 0, while dividing Grid 12 x 6 m at (0, 3) (here it is 1 "
-            "to 1000)");
+            "numbers/columns: 'columns' is 0, while dividing Grid 12 x 6 m at (0, 3) (it must be "
+            "1 to 1000 here)");
   EXPECT_EQ(refusal(state, "set 0.1.0 row=3").substr(0, 13), "numbers/row: ");
   EXPECT_NE(refusal(state, "set 0.1.0 row=3").find("did you mean 'rows'?"), std::string::npos);
   EXPECT_NE(refusal(state, "set 0.1.0 width=5"), "");

@@ -93,7 +93,7 @@ TEST(Session, ErrorsHaveALocationAndAHint) {
                            "  {\"edit\": \"act\", \"node\": \"0.1\", \"rule\": \"Grid\", "
                            "\"numbers\": {\"dx\": 2, \"rows\": 0}}")),
             "9:79: /edits/1/numbers/rows: 'rows' is 0, while dividing Grid 12 x 5.5 m at (0, 3.5) "
-            "(here it is 1 to 1000)");
+            "(it must be 1 to 1000 here)");
   EXPECT_EQ(fault_of(edits("{\"edit\": \"applyy\", \"node\": \"0\", \"rule\": \"rows\"}")),
             "8:10: /edits/0/edit: unknown edit 'applyy' (did you mean 'apply'?)");
   EXPECT_EQ(fault_of(edits("{\"edit\": \"apply\", \"node\": \"1\", \"rule\": \"rows\"}")),

@@ -94,7 +94,7 @@ TEST(TreeToEdits, BrokenTreesAreRejected) {
     text.replace(text.find(from), from.size(), to);
     return fault(text);
   };
-  EXPECT_EQ(fault("{}").substr(0, 33), "1:1: this is not a facade tree (us");
+  EXPECT_EQ(fault("{}").substr(0, 34), "1:1: this is not a facade tree (us");
   EXPECT_NE(fault(good.substr(0, good.size() / 2)).find("invalid JSON"), std::string::npos);
   EXPECT_NE(changed("\"parent\": -1", "\"parent\": 3")
                 .find("/nodes/0/parent: node 0 has an invalid parent"),

@@ -98,7 +98,7 @@ TEST_F(PartialRenders, MismatchesAreNamed) {
   RenderState state = begin_render(o, {1, 2, 0, 0});
   PartialRenderHeader header = partial_render_header(o);
   write_partial_render(file("begun"), header, state);
-  EXPECT_NE(merge_error({top, file("begun")}).find("done only to 0 %"), std::string::npos);
+  EXPECT_NE(merge_error({top, file("begun")}).find("only 0 % complete"), std::string::npos);
   header.identity = "another scene";
   std::fill(state.done.begin(), state.done.end(), state.end);
   write_partial_render(file("scene"), header, state);
