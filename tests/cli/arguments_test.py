@@ -33,7 +33,7 @@ class Arguments(VugTest):
         self.expect(0, "diff", "a.exr", "a.exr", "--max", "rmse=1%", "--alarm", "1%")
         self.refused("invalid limit '--max rmse=1m'", "diff", "a.exr", "a.exr", "--max", "rmse=1m")
 
-    def test_limits_that_are_unreachable_or_given_twice(self):
+    def test_limits_that_are_unreachable_or_repeated(self):
         self.expect(0, *RENDER)
         diff = ("diff", "a.exr", "a.exr")
         self.refused("no image can meet the limit -1 of rmse", *diff, "--max", "rmse=-1")
@@ -43,14 +43,14 @@ class Arguments(VugTest):
         self.refused("duplicate limit for albedo.rmse\n", *diff, "--max", "albedo.rmse=1", "--max", "rmse=2",
                      "--max", "albedo.rmse=1")
 
-    def test_faults_of_options_are_not_those_of_the_text(self):
+    def test_errors_of_options_are_not_attributed_to_the_text(self):
         self.write("s.vug", BALL + "camera main { eye (0, 0, 4) }\nrender main { size 8x8  spp 1 }\n")
         render = ("render", "s.vug", "-o", "s.exr")
         for option, said in ((["--layers", "beauty,nope"], "--layers: unknown layer 'nope'"),
                              (["--view", "nope"], "--view: unknown view 'nope'"),
                              (["--display", "nope"], "--display: unknown display 'nope'"),
                              (["--eye", "left"], "--eye: the camera is not a stereo camera"),
-                             (["--denoise", "--layers", "beauty"], "--denoise: an image without the layer 'variance'"),
+                             (["--denoise", "--layers", "beauty"], "--denoise: a picture without the layer 'variance'"),
                              (["--deep", "--noise", "5%"], "--deep: a deep picture needs all samples")):
             error = self.refused("error: " + said, *render, *option)
             self.assertNotIn("s.vug", error)
@@ -98,7 +98,7 @@ class Arguments(VugTest):
         self.assertEqual(self.files(), ["ball.vug"])
 
     def test_params_that_the_scene_does_not_declare(self):
-        self.refused("the scene has no param 'R'\nhint: it declares none", "check", "ball.vug", "-D", "R=1")
+        self.refused("the scene has no param 'R'\nhint: it declares no parameters", "check", "ball.vug", "-D", "R=1")
         self.write("two.vug", "param RADIUS = 1m\nparam VOXEL = 10cm\nvolume a = level_set(sphere(RADIUS), voxel: VOXEL)\n")
         self.refused("hint: did you mean 'RADIUS'? its params: RADIUS, VOXEL\n", "check", "two.vug", "-D", "RADUIS=1")
         self.refused("hint: its params: RADIUS, VOXEL\n", "check", "two.vug", "-D", "LD=1")

@@ -50,7 +50,7 @@ class BadPictures(VugTest):
         self.write("room.vug", ROOM + 'light day = sky_image(file: "sky.pfm")\n')
         self.refused("sky.pfm", "not finite")
 
-    def test_a_texture_that_is_missing_is_named_or_shown(self):
+    def test_a_missing_texture_is_reported_or_shown(self):
         self.textured("gone.png")
         self.refused("room.vug:6:47: error: the picture 'gone.png' does not exist", "missing: show")
         self.textured("gone.png", ", missing: show")
@@ -63,7 +63,7 @@ class BadPictures(VugTest):
         self.expect(0, "render", "grey.vug", "-o", "grey.exr", "--float")
         self.expect(1, "diff", "shown.exr", "grey.exr", "--max", "max=0.1")
 
-    def test_a_picture_that_is_none(self):
+    def test_a_file_that_is_not_a_picture(self):
         noise = random.Random(5).randbytes(2000)
         self.expect(2, "info", self.write("noise.exr", noise).name)
         for content in (noise, b"", b"\x76\x2f\x31\x01" + noise):
@@ -77,7 +77,7 @@ class BadPictures(VugTest):
                 self.assertIn("noise.exr", self.expect(2, "diff", *pair).err)
             self.assertIn("noise.exr", self.expect(2, "merge", "noise.exr", "-o", "out.exr").err)
 
-    def test_what_is_wrong_is_said_in_our_words(self):
+    def test_library_errors_have_messages_of_vug(self):
         """Messages of libraries do not reach the user unchanged."""
         write_png(self.folder / "fine.png", [[(i, j, 7) for i in range(30)] for j in range(20)])
         self.textured("fine.png")
@@ -119,7 +119,7 @@ class BadPictures(VugTest):
         self.expect(2, "diff", "a.hdr", "c.hdr", "--mask", "mask.hdr")
         self.expect(0, "diff", "a.hdr", "c.hdr")
 
-    def test_lamps_without_area(self):
+    def test_lights_without_area(self):
         for lamp in ("rect(width: 0, height: 1)", "disk(radius: 0)", "sphere(radius: 0)",
                      "spot(radius: 0)", "portal(width: 0, height: 1)", "rect(normal: (0, 0, 0))"):
             self.write("room.vug", ROOM + f"light lamp = {lamp}\n")
@@ -127,7 +127,7 @@ class BadPictures(VugTest):
                 self.refused("room.vug:6:")
                 self.refused("room.vug:6:", verb="check")
 
-    def test_a_shining_mesh_without_area(self):
+    def test_an_emissive_mesh_without_area(self):
         """Degenerate triangles emit nothing and do not affect their neighbours."""
         flat = "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 1 0\nf 1 2 3\n"
         self.write("flat.obj", flat + "f 3 4 3\n")

@@ -114,7 +114,7 @@ class BrokenFiles(VugTest):
                     result = self.vug(READERS[suffix][-1], name)
                     self.assertIn(result.code, (0, 1, 2), result.err)
 
-    def test_a_scene_that_is_no_text(self):
+    def test_a_scene_that_is_not_a_text_file(self):
         for suffix in (".vdb", ".ply", ".exr", ".png"):
             self.write("use.vug", self.whole[suffix].read_bytes())
             for verb in ["check", "format"] if suffix == ".vdb" else ["check"]:
@@ -123,7 +123,7 @@ class BrokenFiles(VugTest):
                                  "hint: scenes are UTF-8 text; 'vug info' describes grids, meshes and "
                                  "pictures\n")
 
-    def test_what_is_no_regular_file(self):
+    def test_files_that_are_not_regular(self):
         """Reading a pipe without a writer would block, and reading a device would never end."""
         for name, what in [("pipe", "pipe"), ("zero", "device"), ("folder", "folder")]:
             for suffix in (".vug", ".vdb", ".ply", ".exr"):  # the four ways of opening a file

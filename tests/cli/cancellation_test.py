@@ -25,7 +25,7 @@ class Stopped(VugTest):
         """The visible files."""
         return [f for f in self.files() if not pathlib.Path(f).name.startswith(".")]
 
-    def test_a_killed_build_leaves_old_files_whole(self):
+    def test_a_killed_build_leaves_old_files_intact(self):
         self.expect(0, "build", "rock.vug", "-o", "new")
         for name in ("rock.vdb", "rock.ply"):
             self.write(f"out/{name}", "old\n")
@@ -50,7 +50,7 @@ class Stopped(VugTest):
         self.assertEqual(running.stop(signal.SIGKILL)[0], -signal.SIGKILL)
         self.assertEqual([f for f in self.results() if f.endswith(".ply")], [])
 
-    def test_asked_to_stop(self):
+    def test_cancellation(self):
         for how, stage, *args in [
                 (signal.SIGINT, "voxels", "build", "rock.vug", "-o", "out"),
                 (signal.SIGTERM, "polishing", "measure", "rock.vug"),
@@ -66,7 +66,7 @@ class Stopped(VugTest):
                 self.assertEqual(out, "")
                 self.assertEqual(self.files(), ["rock.vug"])
 
-    def test_what_a_killed_run_left_goes_with_the_next(self):
+    def test_the_next_run_removes_files_of_a_killed_run(self):
         """Removes the hidden files of the same outputs, but not those of running processes."""
         args = ("render", "rock.vug", "-o", "out/rock.exr", "--checkpoint", "out/rock.state", "--spp", "100000",
                 "--size", "640x360", "--checkpoint-every", "0")
@@ -93,7 +93,7 @@ class Stopped(VugTest):
         self.assertEqual(living.stop(signal.SIGINT)[0], 3, living.said)
         self.assertTrue((self.folder / "out/rock.state").exists())
 
-    def test_a_sweep_keeps_what_it_has(self):
+    def test_a_cancelled_sweep_keeps_completed_rows(self):
         ball = "param R = 1m\n" + SCENE.replace("sphere(2m)", "sphere(R)")
         self.write("ball.vug", ball)
         running = Running(self.folder, "sweep", "ball.vug", "-p", "R", "-v", "20cm,3m", "-o", "out/a")
@@ -106,7 +106,7 @@ class Stopped(VugTest):
         self.assertEqual([line.split(",")[0] for line in out.splitlines()], ["R", "20cm"])
         self.assertEqual((self.folder / "out/a.csv").read_text(), out)
 
-    def test_asked_to_stop_before_there_is_any_work(self):
+    def test_cancellation_before_the_work_starts(self):
         self.write("long.vug", "".join(f"let a{i} = {i} + 1\n" for i in range(150000)))
 
         def heeds(process):
@@ -123,7 +123,7 @@ class Stopped(VugTest):
             out, said = process.communicate()
             self.assertEqual((process.returncode, out, said), (3, b"", b"error: stopped on request\n"))
 
-    def test_a_second_signal_ends_it_the_hard_way(self):
+    def test_a_second_signal_ends_it_immediately(self):
         running = Running(self.folder, "render", "rock.vug", "-o", "out/rock.exr", "--spp", "100000")
         running.wait_for("rendering")
         running.process.send_signal(signal.SIGINT)

@@ -75,7 +75,7 @@ class CellsFiles(VugTest):
     def info(self, file):
         return json.loads(self.expect(0, "info", file, "--json").out)
 
-    def test_what_a_table_holds(self):
+    def test_contents_of_a_table(self):
         about = self.info("out/s_crust.csv")
         self.assertEqual((about["type"], about["rows"]), ("table", self.info("out/s_crust.vdb")["grids"][0]["points"]["count"]))
         self.assertEqual(about["columns"][:4], ["id", "x", "y", "z"])
@@ -180,7 +180,7 @@ class CellsFiles(VugTest):
         process.send_signal(how)
         return process.communicate(timeout=60)[1]
 
-    def test_a_killed_run_goes_on_to_the_same_bytes(self):
+    def test_a_resumed_run_writes_the_same_bytes(self):
         self.write("long.vug", SCENE % ('files ["points", "csv"]', 1000))
         self.expect(0, "build", "long.vug", "-o", "whole")
         process = self.start("--checkpoint-every", "0", "-o", "new")
@@ -202,7 +202,7 @@ class CellsFiles(VugTest):
         for name in os.listdir(self.folder / "whole"):
             self.assertEqual(digest(self.folder / "new" / name), digest(self.folder / "whole" / name), name)
 
-    def test_a_sequence_goes_on_from_frame_to_frame(self):
+    def test_a_sequence_continues_from_frame_to_frame(self):
         self.write("f.vug", SCENE % ("", "20 * frame"))
         self.expect(0, "build", "f.vug", "-o", "seq", "--frames", "1..3")
         self.assertEqual(sorted(os.listdir(self.folder / "seq")),
@@ -220,7 +220,7 @@ class CellsFiles(VugTest):
         self.expect(2, "build", "f.vug", "-o", "seq", "--frames", "1..3", "--frame", "3")
         self.expect(2, "build", "f.vug", "-o", "seq", "--frames", "3..1")
 
-    def test_what_does_not_fit(self):
+    def test_invalid_files_and_checkpoints(self):
         self.assertIn("--resume requires a checkpoint", self.expect(2, "build", "s.vug", "-o", "x", "--resume").err)
         self.assertIn("a checkpoint of cells is a VDB file of points",
                       self.expect(2, "build", "s.vug", "-o", "x", "--checkpoint", "kept.state").err)

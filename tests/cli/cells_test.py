@@ -23,7 +23,7 @@ class Cells(VugTest):
         self.assertEqual(error.count("error: "), 1, error)
         self.assertEqual(self.files(), ["s.vug"])
 
-    def test_what_the_text_gets_wrong(self):
+    def test_errors_in_the_text(self):
         at = len("cells skin on wall { ") + 1
         run = at + len("spacing 20cm  run ")
         self.refused("spacing 20cm  run vornoi", run, "there is no rule 'vornoi'", "did you mean 'voronoi'?")
@@ -36,7 +36,7 @@ class Cells(VugTest):
         self.refused("spacing 20cm", 7, "'cells' needs 'run'", "run: rules")
         self.refused("run maze", 7, "'cells' needs 'spacing'", "spacing: ")
 
-    def test_attributes_that_nobody_brings(self):
+    def test_unknown_attributes(self):
         at = len("cells skin on wall { spacing 20cm  run ") + 1
         first = "crack, corrosion(where: attribute(name: "
         self.refused(f'spacing 20cm  run {first}"crak"))', at + len(first) - len("name: "), "no rule of 'skin' creates an attribute 'crak'",
@@ -50,7 +50,7 @@ class Cells(VugTest):
         self.write("s.vug", SCENE % ("wall", 'spacing 20cm  run sprinkle(attribute: "alive"), life'))
         self.assertIn("error: the attribute 'alive' is a number, not a whole number", self.expect(2, "check", "s.vug").err)
 
-    def test_names_that_files_cannot_hold(self):
+    def test_names_that_files_cannot_store(self):
         for name in ("my wet part", "", "2nd", "id", "x"):
             self.refused(f'spacing 20cm  run set(attribute: "{name}", to: 0.3)', 7, "", "letters, digits and _")
 
@@ -66,7 +66,7 @@ class Cells(VugTest):
             self.assertEqual(f"warning: unknown attribute '{name}'" in error, hint is not None, error)
             self.assertIn(f"hint: {hint}" if hint else "", error)
 
-    def test_attributes_of_included_looks_may_be_those_of_other_scenes(self):
+    def test_attributes_of_included_materials_may_belong_to_other_scenes(self):
         self.write("look.vug", 'material odd = surface(color: layer(under: (1, 1, 1), over: (0, 0, 0), mask: attribute(name: "my_own")))\n')
         self.write("s.vug", SCENE % ("wall", GOOD) + 'include "look.vug"\nobject stone on skin { material odd }\n')
         self.assertNotIn("warning", self.expect(0, "check", "s.vug").err)
@@ -76,7 +76,7 @@ class Cells(VugTest):
             self.write("s.vug", SCENE % ("wall", GOOD) + 'render more { layers ["beauty", "attribute_%s"] }\n' % name)
             self.assertEqual(f"warning: unknown attribute '{name}'" in self.expect(0, "check", "s.vug").err, told, name)
 
-    def test_a_surface_that_folds_is_doubtful(self):
+    def test_a_folded_surface_causes_a_warning(self):
         # Two balls grow into each other at their intersection.
         for height, folds in ((0.5, True), (-0.05, False)):
             scene = SCENE.replace("sphere(1m)", "sphere(1m) + sphere(1m).translate((1.4, 0, 0))")
@@ -84,11 +84,11 @@ class Cells(VugTest):
             error = self.expect(0, "build", "s.vug", "-o", "out").err
             self.assertEqual("warning: the displacement by cells folds the mesh 'skin'" in error, folds, error)
 
-    def test_a_surface_that_flies_away_is_refused(self):
+    def test_a_diverging_surface_is_rejected(self):
         self.refused('spacing 20cm  steps 1  run set(attribute: "height", to: 1000000)', 7, "cells displace the surface by up to 1e+06 m",
                      "'height' is in metres; 'move false' turns the displacement off")
 
-    def test_a_surface_that_is_gone_is_doubtful(self):
+    def test_a_vanished_surface_causes_a_warning(self):
         self.write("s.vug", SCENE % ("wall", 'spacing 20cm  holes true  steps 2  run set(attribute: "k", to: 1), '
                                              'freeze(attribute: "k", above: 0.5, as: transparent)'))
         self.assertIn("warning: nothing remains of the mesh 'skin'", self.expect(0, "build", "s.vug", "-o", "out").err)
@@ -99,7 +99,7 @@ class Cells(VugTest):
         self.write("t.vug", SCENE % ("wall", 'spacing 20cm  steps 3  from "out/s_skin.vdb"  run life'))
         self.assertIn("the points are already at step 5, but the run ends at step 3", self.expect(2, "build", "t.vug", "-o", "more").err)
 
-    def test_what_stands_around_comes_where_it_is_named(self):
+    def test_exposure_is_computed_where_it_is_named(self):
         rule = 'spacing 20cm  run set(attribute: "light", to: value(name: "exposure"))'
         for block, there in ((rule, True), ("spacing 20cm  run moisture", False), ("spacing 20cm  run dust(shelter: 50%)", True)):
             self.write("s.vug", SCENE % ("wall", block))
@@ -107,25 +107,25 @@ class Cells(VugTest):
             head = (self.folder / "out/s.ply").read_bytes().split(b"end_header")[0].decode()
             self.assertEqual("property float exposure\n" in head, there, block)
 
-    def test_numbers_that_are_none(self):
+    def test_invalid_numbers(self):
         for spacing in ("1m * log(-1)", "1m * (0 / 0)", "1m / 0"):
             self.write("s.vug", SCENE % ("wall", f"spacing {spacing}  run maze"))
             error = self.expect(2, "check", "s.vug").err
             self.assertRegex(error, r"^s\.vug:4:\d+: error: ")
             self.assertEqual(error.count("error: "), 1, error)
 
-    def test_what_shows_on_the_mesh(self):
+    def test_attributes_on_the_mesh(self):
         at = len("cells skin on wall { ") + 1
         self.refused("spacing 10m  run maze", at, "cells 10 m apart are larger than the object", "use a smaller spacing")
         self.refused("spacing 1e-6m  run maze", at, "1.34e+13 cells are more than can be indexed", "use a larger spacing")
         self.refused("spacing 0.5mm  run maze", at, "5.37e+07 cells would take about 18 GiB", "use a larger spacing", "wall",
                      "--max-memory", "300M")
 
-    def test_objects_without_a_mesh_wear_nothing(self):
+    def test_objects_without_a_mesh_get_no_cell_attributes(self):
         self.write("s.vug", SCENE % ("wall", GOOD) + "object ball on skin { direct true }\n")
         self.assertIn("s.vug:5:8: error: 'ball' has a cell layer", self.expect(2, "check", "s.vug").err)
 
-    def test_the_mesh_is_written_with_what_cells_carry(self):
+    def test_the_mesh_is_written_with_cell_attributes(self):
         self.write("s.vug", SCENE % ("wall", GOOD))
         self.expect(0, "build", "s.vug", "-o", "out")
         self.assertEqual(self.files(), ["out/s.ply", "out/s.vdb", "out/s_skin.vdb", "s.vug"])
@@ -140,7 +140,7 @@ class Cells(VugTest):
         self.assertIn("property float dust\n", head)
         self.assertIn("property float crack\n", head)
 
-    def test_how_even_they_are_is_measured(self):
+    def test_evenness_is_measured(self):
         self.write("s.vug", SCENE % ("wall", "spacing 12cm  harmonise squared  run corrosion(share: 20%, loss: 100%)"))
         report = json.loads(self.expect(0, "measure", "s.vug", "--cells", "skin", "--json").out)
         self.assertEqual(report["on"], {"wall": report["cells"]})
@@ -196,12 +196,12 @@ class Cells(VugTest):
         self.assertIn("inside.vug:2:7: error: the sides of the object do not agree about the outside",
                       self.expect(2, "build", "inside.vug", "-o", "out").err)
 
-    def test_voxels_larger_than_cells_are_doubtful(self):
+    def test_voxels_larger_than_cells_cause_a_warning(self):
         self.write("s.vug", SCENE % ("wall", "spacing 5cm  run maze"))
         self.assertIn("s.vug:4:7: warning: the voxels of 'rock' are larger than the cells",
                       self.expect(0, "build", "s.vug", "-o", "out").err)
 
-    def test_same_bytes_of_what_moves_and_is_cut(self):
+    def test_same_bytes_of_displaced_and_cut_meshes(self):
         self.write("s.vug", """volume left = level_set(box().translate((-0.5, 0, 0)), voxel: 5cm)
 volume right = level_set(box().translate((0.5, 0, 0)), voxel: 5cm)
 cells rain on left, right { spacing 5cm  steps 12  files ["csv"]

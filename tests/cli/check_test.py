@@ -49,7 +49,7 @@ class Check(VugTest):
             for verb in (("check", "s.vug"), ("render", "s.vug", "-o", "s.exr")):
                 self.assertEqual(dark in self.expect(0, *verb).err, warned, (more, verb))
 
-    def test_a_shining_object_has_a_layer_of_light(self):
+    def test_an_emissive_object_has_a_light_layer(self):
         glow = SCENE.replace(", {link}", "").replace("ball on skin {}", 'ball on skin { emission (1, 1, 1)  light_group "glow" }')
         self.write("s.vug", glow.replace("{render}", 'layers ["beauty", "light_glow"]'))
         self.expect(0, "check", "s.vug")
@@ -58,7 +58,7 @@ class Check(VugTest):
         self.write("s.vug", glow.replace("{render}", 'layers ["beauty", "light_glwo"]'))
         self.assertIn("'light_glow'", self.expect(2, "check", "s.vug").err)
 
-    def test_light_beyond_what_can_be_computed_with(self):
+    def test_light_beyond_the_range_of_numbers(self):
         glow = SCENE.replace(", {link}", "").replace("{render}", "")
         for made, place in (("object ball on skin { emission (1, %s, 1) }", "3:23"),
                             ("material hot = surface(emission_radiance: %s)", "3:24")):
@@ -67,7 +67,7 @@ class Check(VugTest):
                 error = self.expect(code, "check", "s.vug").err
                 self.assertEqual(f"s.vug:{place}: error: " in error, code == 2, error)
 
-    def test_what_shines_and_moves(self):
+    def test_emissive_objects_that_move(self):
         """Errors that depend on the evaluation of `at` and are found only by rendering."""
         text = ("volume rock = level_set(sphere(1m), voxel: 20cm)\nmesh skin on rock {}\n"
                 "object ball on skin { emission (1, 1, 1) }\nplace fall { of ball at [pose(position: keys(1: (0, 0, 0), 2: (0, 1, 0)))] }\n"
@@ -78,7 +78,7 @@ class Check(VugTest):
         self.write("s.vug", text % "0")
         self.expect(0, "render", "s.vug", "-o", "s.exr")
 
-    def test_what_is_counted(self):
+    def test_counted_names(self):
         self.write("s.vug", SCENE.replace(", {link}", "").replace("{render}", ""))
         self.assertEqual(self.expect(0, "check", "s.vug").out,
                          "s.vug: fine; 1 volume, 1 mesh, 2 objects, 1 place, 1 light, 1 camera, 1 render\n")
@@ -92,11 +92,11 @@ class Check(VugTest):
             self.expect(code, "check", "s.vug")
             self.expect(code, "render", "s.vug", "-o", "s.exr")
 
-    def test_a_link_to_what_has_a_fault_is_no_second_fault(self):
+    def test_a_link_to_a_faulty_declaration_is_not_another_error(self):
         self.write("s.vug", SCENE.replace("{render}", "").replace("{link}", "only: [\"ball\"]").replace("ball on skin {}", "ball on skn {}"))
         self.assertEqual(self.expect(2, "check", "s.vug").err.count("error: "), 1)
 
-    def test_pictures_that_cannot_be(self):
+    def test_impossible_pictures(self):
         self.both("s.vug:8:8: error: unknown layer 'light_kye'", render='layers ["beauty", "light_kye"]')
         self.both("", 0, render='layers ["beauty", "light_key"]')
         self.both("unknown layer 'light_kye'", render='layers ["light_kye"]')
@@ -105,7 +105,7 @@ class Check(VugTest):
         self.both("", 0, render="crop [0, 0, 16, 4]")
         self.both("a deep picture needs all samples", render="deep true  noise 5%")
 
-    def test_a_view_that_there_is_none_of(self):
+    def test_a_missing_view(self):
         self.write("s.vug", "volume rock = level_set(sphere(1m), voxel: 20cm)\n"
                             'render main { size 4x4  spp 1  view "flimic" }\n')
         self.assertIn("s.vug:2:8: warning: unknown view 'flimic'", self.expect(0, "check", "s.vug").err)
@@ -113,7 +113,7 @@ class Check(VugTest):
         self.assertEqual([d["severity"] for d in report["diagnostics"]], ["warning"])
         self.expect(2, "render", "s.vug", "-o", "s.exr")
 
-    def test_faults_without_end_are_counted(self):
+    def test_repeated_errors_are_counted(self):
         self.write("s.vug", "- a list, not a scene\n" * 300)
         error = self.expect(2, "check", "s.vug").err
         self.assertEqual(error.count("error: "), 20)

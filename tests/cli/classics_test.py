@@ -247,7 +247,7 @@ class Classics(VugTest):
         for time in (0.25, 3.0, 7.5, 15.875):
             self.assertEqual(self.derive(text, "--time", time).strip(), "".join(grown("Ar", time)))
 
-    def test_counts_are_those_that_matrices_give(self):
+    def test_counts_equal_those_of_matrices(self):
         """Counts without rewriting, by the matrix of the number of letters that each rule produces."""
         for name in ("1.9a", "1.10a dragon", "1.11b quadratic Gosper", "1.2 Anabaena"):
             system, steps = SYSTEMS[name]

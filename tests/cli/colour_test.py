@@ -50,7 +50,7 @@ class Colour(VugTest):
                     env={**os.environ, **environment})
         return digest(self.folder / "view.png")
 
-    def test_files_tell_their_primaries(self):
+    def test_files_contain_their_primaries(self):
         for name, known, red in (("plain", "lin_rec709_scene", 0.64), ("aces", "lin_ap1_scene", 0.713)):
             for part in exr.read(self.folder / f"{name}.exr"):
                 primaries = struct.unpack("<8f", part.attributes["chromaticities"][1])

@@ -122,7 +122,7 @@ class Words(VugTest):
         self.assertEqual(self.derive("anabaena", "--time", "2.25"), "Bl(0.25)Ar(0.25)Ar(0.25)\n")
         self.expect(2, "derive", SCENES / "anabaena.vug", "--steps", 2)
 
-    def test_chance_is_the_seeds(self):
+    def test_randomness_depends_only_on_the_seed(self):
         first = self.derive("chance", "--threads", 1)
         self.assertEqual(first, self.derive("chance", "--threads", 7))
         self.assertNotEqual(first, self.derive("chance", "--seed", 2))
@@ -134,7 +134,7 @@ class Words(VugTest):
         self.assertEqual(said["sha256"], hashlib.sha256(said["word"].encode()).hexdigest())
         self.assertNotIn("word", json.loads(self.derive("koch", "--json", "--count")))
 
-    def test_what_cannot_be_derived(self):
+    def test_underivable_systems(self):
         self.assertIn("several L-systems: plane, space",
                       self.expect(2, "derive", SCENES / "hilbert.vug").err)
         self.assertIn("did you mean 'plane'?",

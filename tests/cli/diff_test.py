@@ -149,12 +149,12 @@ class OfRenders(VugTest):
                            ("dark", ["--seed", "3", "-D", "LIGHT=8.5"]), ("ball", ["--seed", "4", "-D", "GREY=0.3"])]:
             self.expect(0, "render", "room.vug", "-o", f"{name}.exr", *args)
 
-    def test_noise_is_no_difference(self):
+    def test_noise_is_not_a_difference(self):
         same = self.expect(0, "diff", "a.exr", "b.exr")
         self.assertIn("the same: the differences are within the noise", same.out)
         self.assertIn("not judged although they differ: ", same.out)
 
-    def test_less_light_and_another_material_are(self):
+    def test_less_light_and_another_material_are_differences(self):
         for name in ("dark", "ball"):
             with self.subTest(name=name):
                 for pair in [("a.exr", f"{name}.exr"), (f"{name}.exr", "a.exr")]:

@@ -62,7 +62,7 @@ class Direct(VugTest):
         self.assertIn("while making the surface of 'skin'", error)
         self.assertNotIn("b.exr", self.files())
 
-    def test_what_shines_needs_a_mesh(self):
+    def test_emissive_objects_need_a_mesh(self):
         start = "volume v = level_set(sphere(1m), voxel: 20cm)\nmesh m on v {}\n"
         for shines in ("emission (1, 1, 1)", "material surface(emission_radiance: 2)"):
             self.write("lamp.vug", start + f"object lamp on m {{ direct true  {shines} }}\n")
@@ -70,7 +70,7 @@ class Direct(VugTest):
             self.assertIn("'lamp' is emissive, for which it needs a mesh", error)
             self.assertIn("lamp.vug:3:", error)
 
-    def test_what_has_holes_needs_a_mesh(self):
+    def test_objects_with_holes_need_a_mesh(self):
         """Opacity cuts holes into meshes only; the tracer of level sets does not evaluate it."""
         self.write("holes.vug", "volume v = level_set(sphere(1m), voxel: 20cm)\nmesh skin on v {}\n"
                                 "object sieve on skin { direct true  material surface(opacity: 0.5) }\n"
@@ -82,7 +82,7 @@ class Direct(VugTest):
         self.assertIn("holes.vug:3:8: error: 'sieve' is emissive and its material has an opacity mask", self.expect(2, "check", "holes.vug").err)
         self.assertNotIn("holes.exr", self.files())
 
-    def test_what_is_no_level_set_is_not_traced(self):
+    def test_only_level_sets_are_traced_directly(self):
         self.write("twig.vug", "grammar twig: lsystem { axiom F(1, 1cm) }\n"
                                "mesh bark { of stems(of: twig) }\nobject rod on bark { direct true }\n")
         self.assertIn("twig.vug:3:8: error: 'rod' has 'direct', but 'bark' is not a mesh of a level set",

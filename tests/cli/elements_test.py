@@ -57,7 +57,7 @@ class Elements(VugTest):
         self.assertEqual(at("window", 1.05, 0.85), 0)
         self.assertEqual(at("node", -2.8, 1.5), -1, "rock next to the facade")
 
-    def test_what_is_no_facade(self):
+    def test_elements_require_a_facade(self):
         self.write("bad.vug", HOUSE.replace("elements cliff", "elements displace(cliff)"))
         said = self.expect(2, "build", "bad.vug", "-o", "out").err
         self.assertIn("bad.vug:10:21: error: 'elements' must be grammars of kind facade, or results of carve(...)", said)

@@ -45,7 +45,7 @@ class Done(VugTest):
         self.assertIn("warned.vug:3:3: warning: nothing reaches", result.err)
         json.loads(result.out)
 
-    def test_warnings_of_what_is_hardly_meant(self):
+    def test_warnings_about_likely_mistakes(self):
         self.write("odd.vug", "param N = 0\ngrammar cave {\n  axiom Room*N\n  Room -> + sphere(1m)\n}\n"
                               "volume none = level_set(cave, voxel: 20cm)\n"
                               "volume rock = level_set(box(size: (2, 2, 2)), voxel: 20cm)\n"
@@ -64,14 +64,14 @@ class Done(VugTest):
             self.assertEqual((shot.count(volume), shot.count(camera)), (1, 1))
             self.assertIn("hint: move its eye out of the solid\n", shot)
 
-    def test_a_picture_that_is_nearly_black_says_what_would_help(self):
+    def test_a_nearly_black_picture_suggests_an_exposure(self):
         self.write("dim.vug", BALL + "\nlight sky = sky(radiance: (1e-4, 1e-4, 1e-4))\nrender main { size 8x6  spp 1 }\n")
         dim = self.expect(0, "render", "dim.vug", "-o", "dim.exr").err
         self.assertIn("warning: the picture is very dark\n", dim)
         stops = dim.split("hint: --exposure ")[1].split()[0]
         self.assertEqual(self.expect(0, "render", "dim.vug", "-o", "dim.exr", "--exposure", stops).err, "")
 
-    def test_a_lamp_in_the_dark_makes_no_bright_picture(self):
+    def test_a_visible_light_on_black_is_not_too_bright(self):
         text = "light lamp = sphere(radius: %s, radiance: (900, 900, 900))\ncamera main { eye (0, 0, 4) }\nrender main { size 16x12  spp 4 }\n"
         self.write("lamp.vug", text % "50cm")
         self.assertEqual(self.expect(0, "render", "lamp.vug", "-o", "lamp.exr").err, "")
@@ -104,7 +104,7 @@ class AnswerIsNo(VugTest):
         self.assertEqual(json.loads(self.expect(1, "measure", "open.obj", "--json").out)
                          ["boundary_edges"], 3)
 
-    def test_a_text_out_of_format(self):
+    def test_an_unformatted_text(self):
         self.write("ball.vug", BALL.replace(" = ", "="))
         result = self.expect(1, "format", "--check", "ball.vug")
         self.assertEqual(result.out, "ball.vug: not formatted\n")
@@ -167,7 +167,7 @@ class Unusable(VugTest):
         self.assertEqual(self.refused("check", "ball.vug", "-D", "R=1e999"),
                          "-D R:1:1: error: the number 1e999 is too large\n1e999\n^\n")
 
-    def test_a_refusal_says_what_to_do(self):
+    def test_errors_suggest_a_remedy(self):
         self.write("ball.vug", BALL + "camera front { eye (0, 0, 5) }\n")
         self.assertIn("did you mean 'front'?",
                       self.refused("render", "ball.vug", "-o", "a.exr", "--camera", "frnt"))
@@ -182,7 +182,7 @@ class Unusable(VugTest):
                          "error: unknown verb 'biuld'\nhint: did you mean 'build'?\n")
         self.assertIn("error: unknown verb 'bogus'\nhint: known: ", self.refused("bogus"))
 
-    def test_what_would_be_ignored(self):
+    def test_arguments_without_effect(self):
         self.write("ball.vug", "param R = 1m\n" + BALL.replace("1m", "R"))
         self.write("open.obj", OPEN_MESH)
         for args, said in [
@@ -195,7 +195,7 @@ class Unusable(VugTest):
             with self.subTest(args=args):
                 self.assertIn(said, self.refused(*args))
 
-    def test_faults_for_programs(self):
+    def test_errors_as_json(self):
         for args in [("no.vug",), ("no.vug", "-D", "R")]:
             result = self.vug("check", *args, "--json")
             self.assertEqual((result.code, result.err), (2, ""))
@@ -215,7 +215,7 @@ class Unusable(VugTest):
                 self.assertIn(args[1], self.refused(*args))
         self.assertEqual(self.files(), [])
 
-    def test_a_folder_is_no_file(self):
+    def test_a_folder_is_not_a_file(self):
         (self.folder / "folder.vug").mkdir()
         (self.folder / "folder.vdb").mkdir()
         for args in [("check", "folder.vug"), ("measure", "folder.vdb"), ("info", "folder.vdb"),
@@ -240,7 +240,7 @@ class Unusable(VugTest):
         self.assertIn("nothing to show", self.refused("render", "empty.vug", "-o", "empty.exr"))
         self.assertEqual(self.files(), ["empty.vug"])
 
-    def test_a_voxel_beyond_all_measure(self):
+    def test_an_enormous_voxel(self):
         for voxel in ["1e30", "1e299"]:
             self.write("vast.vug", f"volume rock = level_set(sphere(2m), voxel: {voxel}m)\n")
             self.assertIn("are larger than", self.refused("build", "vast.vug", "-o", "out"))
@@ -254,7 +254,7 @@ class Unusable(VugTest):
             self.assertTrue(said.startswith(f"deep.vug:{where}: error: "), said)
             self.assertIn("levels deep", said)
 
-    def test_a_solid_that_doubles_itself_without_end(self):
+    def test_a_solid_that_doubles_endlessly(self):
         lets = "".join(f"let a{i} = a{i - 1} + a{i - 1}.translate((1, 0, 0))\n"
                        for i in range(1, 61))
         self.write("many.vug", "let a0 = sphere(1)\n" + lets +
@@ -274,7 +274,7 @@ class Failed(VugTest):
                 self.assertIn("file", self.expect(3, *args).err)
         self.assertEqual(self.files(), ["ball.vug", "file"])
 
-    def test_what_cannot_be_written_is_told_before_the_work(self):
+    def test_unwritable_outputs_are_reported_before_the_work(self):
         """The work would take hours."""
         self.write("vast.vug", "volume rock = level_set(sphere(1m), voxel: 5cm)\n"
                                "mesh wall on rock {}\nrender main { size 8000x8000  spp 100000 }\n"

@@ -50,7 +50,7 @@ class Export(VugTest):
                 about = json.loads(self.expect(0, "info", f"{program}/{name}", "--json").out)
                 self.assertEqual(about["metadata"]["vug:recipe"], SCENE, name)
 
-    def test_axes_and_units_that_are_asked_for(self):
+    def test_requested_axes_and_units(self):
         self.expect(0, "export", "cave.vug", "-o", "o", "--up", "z", "--unit", "cm")
         text = (self.folder / "o/cave.usda").read_text()
         self.assertIn("    metersPerUnit = 0.01\n    upAxis = \"Z\"\n", text)
@@ -90,7 +90,7 @@ class Export(VugTest):
         for path in (self.folder / "a").iterdir():
             self.assertEqual(digest(path), digest(self.folder / "b" / path.name), path.name)
 
-    def test_what_is_left_out_is_told(self):
+    def test_omissions_are_reported(self):
         self.write("sky.vug", BALL + "light heaven = daylight(elevation: 30deg)\ncamera round { kind panoramic }\n")
         said = self.expect(0, "export", "sky.vug", "-o", "o", "--for", "blender", "--lod", "2")
         round_ = "omitted: the camera 'round', which is panoramic\n"
@@ -103,7 +103,7 @@ class Export(VugTest):
         self.assertEqual([path.name for path in sorted((self.folder / "o").glob("*.exr"))], ["sky_heaven.exr"])
         self.assertIn(b'"file":"sky_heaven.exr"', (self.folder / "o/sky_lod2.glb").read_bytes())
 
-    def test_levels_end_where_nothing_is_left(self):
+    def test_levels_end_when_no_triangles_remain(self):
         said = self.expect(0, "export", "cave.vug", "-o", "o", "--for", "blender", "--lod", "8")
         there = sorted(path.name for path in (self.folder / "o").glob("cave_lod*.glb"))
         last = len(there)
@@ -166,7 +166,7 @@ class Recipe(VugTest):
         self.expect(0, "build", "cave.vug", "-o", "set", "-D", "R=80cm", "--seed", 9)
         self.expect(0, "render", "cave.vug", "-o", "set/cave.exr", "-D", "R=80cm", "--seed", 9)
 
-    def test_every_file_tells_the_same(self):
+    def test_every_file_has_the_same_recipe(self):
         expected = SCENE.replace("seed 3", "seed 9").replace("= 1m in", "= 80cm in")
         files = sorted(path.name for path in (self.folder / "set").iterdir())
         files.remove("cave.png")  # it shows the scene but has no recipe
@@ -175,7 +175,7 @@ class Recipe(VugTest):
         for name in files:
             self.assertEqual(self.expect(0, "recipe", f"set/{name}").out, expected, name)
 
-    def test_it_makes_the_same_again(self):
+    def test_the_recipe_rebuilds_the_same_files(self):
         self.expect(0, "recipe", "set/cave.vdb", "-o", "again/cave.vug")
         self.expect(0, "export", "again/cave.vug", "-o", "new", "--for", "blender")
         self.assertEqual(buffer_of(self.folder / "set/cave.glb"), buffer_of(self.folder / "new/cave.glb"))
@@ -191,7 +191,7 @@ class Recipe(VugTest):
         for name in ("cave.vdb", "cave.ply"):
             self.assertEqual(digest(self.folder / "new" / name), digest(self.folder / "third" / name))
 
-    def test_files_without_one_are_refused(self):
+    def test_files_without_a_recipe_are_rejected(self):
         self.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         self.assertIn("contains no recipe", self.expect(2, "recipe", "a.obj").err)
         self.write("a.glb", b"glTF\x02\0\0\0\xff\xff\xff\xff\0\0\0\0JSON")

@@ -38,7 +38,7 @@ class FacadeFit(VugTest):
         self.write("front.vug", FRONT)
         self.expect(0, "render", "front.vug", "-o", "photo.exr")
 
-    def test_reads_back_what_was_rendered(self):
+    def test_recovers_the_rendered_facade(self):
         self.photo()
         said = self.expect(0, "facade", "fit", "photo.exr", "-o", "out", "--width", "6m", "--steps", 20000)
         self.assertTrue(said.out.startswith("Facade(0, 0, 6, 5, "), said.out)
@@ -83,7 +83,7 @@ class FacadeFit(VugTest):
         trees = {(self.folder / f"out{threads}/photo.json").read_bytes() for threads in (1, 2, 7)}
         self.assertEqual(len(trees), 1)
 
-    def test_the_grammar_is_there_to_include(self):
+    def test_the_grammar_can_be_included(self):
         self.photo()
         self.expect(0, "facade", "fit", "photo.exr", "-o", "out", "--name", "main", "--steps", 2000)
         self.expect(0, "check", "out/facade_main_scene.vug")
@@ -105,7 +105,7 @@ class FacadeFit(VugTest):
             sizes = {grid["name"]: grid["voxel_size"][0] for grid in grids}
             self.assertAlmostEqual(sizes["photo_panes"], pane)
 
-    def test_nothing_found_is_said(self):
+    def test_an_empty_result_is_reported(self):
         self.write("flat.txt", "\n".join(f"{0.1 * i} 0 {0.1 * j}" for i in range(60) for j in range(40)))
         said = self.expect(0, "facade", "fit", "--cloud", "flat.txt", "-o", "out", "--steps", 1000, "--no-carving").err
         self.assertIn("bare wall", said)

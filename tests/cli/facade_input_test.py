@@ -65,7 +65,7 @@ class FacadeInput(VugTest):
         self.assertIn("hint: give its width or its height", self.refused("12 m wide is 240 m high", "tower.png"))
         self.assertIn("Facade(0, 0, 3, 60", self.fit("tower.png", "--width", "3m", code=0).out)
 
-    def test_depths_that_are_no_numbers(self):
+    def test_invalid_depths(self):
         for bad in (math.nan, math.inf, -math.inf):
             write_exr(self.folder / "depth.exr", {"depth": rows(lambda x, y: bad)})
             self.refused("'depth.exr' has no depth in any pixel", "depth.exr")
@@ -89,7 +89,7 @@ class FacadeInput(VugTest):
                            (("--width", "3m", "--height", "8m"), (3, 8)), (("--width", "9m"), (9, 12))):
             said = self.fit("photo.png", *more, code=0)
             self.assertTrue(said.out.startswith(f"Facade(0, 0, {size[0]}, {size[1]}"), said.out)
-            self.assertEqual("taken for 12 x 16 m" in said.err, "m" not in str(more), said.err)
+            self.assertEqual("assumed size 12 x 16 m" in said.err, "m" not in str(more), said.err)
         self.expect(0, "facade", "rectify", "photo.png", "--corners", "0,0", "90,0", "90,120", "0,120", "--size", "6mx8m",
                     "-o", "square.exr")
         self.assertTrue(self.fit("square.exr", code=0).out.startswith("Facade(0, 0, 6, 8"))
@@ -119,7 +119,7 @@ class FacadeInput(VugTest):
             self.assertIn(name, self.expect(2, "facade", "scan", name, "-o", "scan.exr").err)
         self.assertNotIn("scan.exr", self.files())
 
-    def test_several_clouds_are_named_aloud(self):
+    def test_several_clouds_are_reported(self):
         lines = [f"{0.1 * i} 0 {0.1 * j}" for i in range(60) for j in range(40)]
         self.write("left.txt", "\n".join(lines[:1200]))
         self.write("right.txt", "\n".join(lines[1200:]))
@@ -170,7 +170,7 @@ class Memory(VugTest):
         self.refused("fit", "--cloud", "scan.txt", "-o", "out", "--max-memory", "20K")
 
     @unittest.skipIf(SLOW, "a sanitizer takes memory of its own")
-    def test_the_estimate_is_honest(self):
+    def test_the_estimate_is_accurate(self):
         """The additional memory of a large picture does not exceed the estimate."""
         def peak(name):
             process = subprocess.Popen([PROGRAM, "facade", "fit", name, "-o", "out", "--no-carving", "--steps", "1000"],
@@ -203,7 +203,7 @@ class Kept(VugTest):
         self.assertNotIn("out/photo.vdb", self.files())
         return tree
 
-    def test_who_has_waited_long_enough_has_the_best_tree_so_far(self):
+    def test_a_cancelled_fit_writes_the_best_tree_so_far(self):
         for how in (signal.SIGINT, signal.SIGTERM):
             running = Running(self.folder, "facade", "fit", "photo.png", "-o", "out", "--steps", 1000000000)
             running.wait_for("sampling")
@@ -215,10 +215,10 @@ class Kept(VugTest):
             self.assertTrue(any(one["kind"] == "window" for one in tree["elements"]), out)
             (self.folder / "out/photo.json").unlink()
 
-    def test_in_its_first_moments(self):
+    def test_cancelled_at_the_start(self):
         for how, later in ((signal.SIGINT, 0), (signal.SIGTERM, 0.02), (signal.SIGINT, 0.1)):
             running = Running(self.folder, "facade", "fit", "photo.png", "-o", "out", "--steps", 1000000000)
-            running.wait_until_it_heeds_signals()
+            running.wait_until_it_handles_signals()
             time.sleep(later)
             code, _ = running.stop(how)
             self.assertEqual(code, 3, running.said)
@@ -228,7 +228,7 @@ class Kept(VugTest):
                 self.outcome()
                 (self.folder / "out/photo.json").unlink()
 
-    def test_other_verbs_that_are_stopped_leave_nothing(self):
+    def test_other_cancelled_verbs_leave_no_files(self):
         self.write("scan.txt", "\n".join(f"{0.02 * i:.2f} {0.001 * (i * j % 7):.3f} {0.02 * j:.2f}"
                                          for i in range(400) for j in range(300)))
         before = self.files()
@@ -236,14 +236,14 @@ class Kept(VugTest):
                      ("model", "--grammar", "ripperda.vug", "--width", "60m", "--height", "60m", "--carve", "w.vdb",
                       "--voxel", "1cm")):
             running = Running(self.folder, "facade", *args)
-            running.wait_until_it_heeds_signals()
+            running.wait_until_it_handles_signals()
             time.sleep(0.1)
             code, out = running.stop(signal.SIGTERM)
             self.assertEqual((code, out), (3, ""), running.said)
             self.assertIn("error: stopped on request", running.said)
             self.assertEqual(self.files(), before)
 
-    def test_a_carving_that_is_too_large_leaves_what_was_found(self):
+    def test_a_carving_that_is_too_large_keeps_the_tree(self):
         said = self.expect(2, "facade", "fit", "photo.png", "-o", "out", "--width", "60m", "--steps", "1000",
                            "--max-memory", "60M").err
         self.assertIn("more than the limit of 60 MiB", said)

@@ -79,7 +79,7 @@ class FacadeScan(VugTest):
         self.assertEqual(report["dropped"], 1)
         self.assertEqual(len(report["openings"]), len(HOLES))
 
-    def test_what_is_no_facade_is_doubted(self):
+    def test_a_cloud_without_a_facade_causes_a_warning(self):
         floor = [f"{0.05 * i:.2f} {0.05 * j:.2f} {0.004 * ((7 * i + 13 * j) % 5 - 2):.3f}" for i in range(120) for j in range(80)]
         self.write("floor.xyz", "\n".join(floor))
         draw = random.Random(1)
@@ -99,7 +99,7 @@ class FacadeScan(VugTest):
             bytes_of = [(self.folder / f"out{threads}" / name).read_bytes() for threads in (1, 2, 7)]
             self.assertTrue(bytes_of[0] == bytes_of[1] == bytes_of[2], name)
 
-    def test_bad_clouds_are_refused(self):
+    def test_invalid_clouds_are_rejected(self):
         for text, said in (("", "empty"), ("1 2 3\n", "three points"), ("1 2\n", "broken.xyz:1:1"),
                            ("1 2 3\n4 x 6\n", "broken.xyz:2:3"), ("nan 0 0\n", "finite"),
                            ("0 0 0\n" * 9, "collinear"), ("0 0 0\n1 1 1\n2 2 2\n", "collinear"),
@@ -122,7 +122,7 @@ class RenderedScan(VugTest):
         self.expect(0, "render", SOURCE / "data/scenes/facades/figure1.vug", "-o", "scan.exr", "-D", "voxel=4cm",
                     "--size", "600x450", "-q")
 
-    def test_what_a_tree_hides_is_lost(self):
+    def test_windows_behind_a_tree_are_not_found(self):
         table = self.expect(0, "tree", SOURCE / "data/scenes/facades/figure1.vug", "--elements").out
         rows = [line.split(",") for line in table.splitlines()]
         true = [[float(v) for v in row[1:5]] for row in rows if row[0] in ("window", "door")]
@@ -139,7 +139,7 @@ class RenderedScan(VugTest):
                 behind = 0.4 < rect[0] < 3.7 and 4 < rect[1] < 5
                 self.assertFalse(known and behind, f"{windows}: {rect} stands behind the tree")
 
-    def test_other_pictures_are_no_scans(self):
+    def test_pictures_without_positions_are_not_scans(self):
         self.write("ball.vug", "volume rock = level_set(sphere(1m), voxel: 20cm)\nmesh ball on rock {}\nobject shown on ball {}\n"
                    "camera main { eye (0, 0, 5)  target (0, 0, 0) }\nlight day = sky(radiance: (1, 1, 1))\n")
         self.expect(0, "render", "ball.vug", "-o", "ball.exr", "--size", "32x32", "--spp", "1", "--layers", "beauty",
@@ -159,7 +159,7 @@ class FacadeRectify(VugTest):
             rows.append(bytes(row))
         self.write("photo.pgm", b"P5\n200 150\n255\n" + b"".join(rows))
 
-    def test_writes_what_is_between_the_corners(self):
+    def test_writes_the_area_between_the_corners(self):
         corners = ["--corners", "20,10", "180,30", "170,140", "30,120"]
         said = self.expect(0, "facade", "rectify", "photo.pgm", *corners, "--size", "8mx5m", "--pixel", "2cm",
                            "-o", "out.exr")
@@ -203,7 +203,7 @@ class FacadeRectify(VugTest):
         self.assertIn("'20m,10m' is not a position in the photo; expected X,Y in pixels without a unit", error)
         self.assertNotIn("x.exr", self.files())
 
-    def test_lies_over_a_range_image(self):
+    def test_aligns_with_a_range_image(self):
         self.write("wall.ply", ply(points()))
         self.expect(0, "facade", "scan", "wall.ply", "-o", "wall.exr", "--pixel", "5cm")
         self.expect(0, "facade", "rectify", "photo.pgm", "--onto", "wall.exr", "-o", "both.exr")
@@ -221,7 +221,7 @@ class FacadeRectify(VugTest):
                       self.expect(2, *onto, "--at", "0,0", "1,0", "1,1", "0,1").err)
         self.assertNotIn("no.exr", self.files())
 
-    def test_what_a_killed_run_left_goes_with_the_next(self):
+    def test_the_next_run_removes_files_of_a_killed_run(self):
         self.write("wall.ply", ply(points()))
         with subprocess.Popen(["true"]) as process:
             process.wait()

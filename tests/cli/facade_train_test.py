@@ -68,7 +68,7 @@ class FacadeTrain(VugTest):
     def train(self, *more, code=0):
         return self.expect(code, "facade", "train", "set", "--classes", "classes.json", "--trees", 4, *more)
 
-    def test_reports_how_right_it_is(self):
+    def test_reports_its_accuracy(self):
         said = self.train("--folds", 2).out
         self.assertGreater(float(said.split("pixel accuracy")[1].split()[0]), 0.95, said)
         self.assertGreater(float(said.split("window overlap")[1].split()[0]), 0.9, said)
@@ -83,7 +83,7 @@ class FacadeTrain(VugTest):
         for threads in (2, 7):
             self.assertEqual((self.folder / f"looks{threads}.json").read_bytes(), first)
 
-    def test_a_facade_is_read_by_its_looks(self):
+    def test_fits_a_facade_with_the_classifier(self):
         self.train("-o", "looks.json")
         self.expect(0, "facade", "fit", "set/images/f2.png", "--looks", "looks.json", "-o", "out", "--steps", 5000,
                     "--no-carving")
@@ -93,12 +93,12 @@ class FacadeTrain(VugTest):
         tree = json.loads((self.folder / "out/f2.json").read_text())
         self.assertEqual(sum(one["kind"] == "window" for one in tree["elements"]), 16)
 
-    def test_the_help_says_what_is_needed(self):
+    def test_the_help_names_the_required_input(self):
         said = " ".join(self.expect(0, "facade", "train", "--help").out.split())
         self.assertIn("this or --folds is required", said)
         self.assertIn("this or -o is required", said)
 
-    def test_what_cannot_be_is_told(self):
+    def test_impossible_training_is_reported(self):
         def told(part, *more):
             said = self.train(*more, code=2)
             self.assertIn(part, said.err)

@@ -40,7 +40,7 @@ class Frames(VugTest):
         self.assertEqual(part.text("vug:frame"), "7")
         self.assertIn("--frame 7", part.text("vug:recipe"))
 
-    def test_resuming_renders_what_is_missing_or_of_another_text(self):
+    def test_resuming_renders_missing_and_outdated_frames(self):
         self.render("-o", "a.#.exr", "--frames", "1..3")
         first = digest(self.folder / "a.2.exr")
         (self.folder / "a.2.exr").unlink()

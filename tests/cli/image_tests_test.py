@@ -24,7 +24,7 @@ class ImageTests(VugTest):
         self.case("lamp", SCENE)
         self.expect(0, "test", "looks", "--update", "--reason", "first light")
 
-    def test_a_missing_reference_is_never_made_unasked(self):
+    def test_a_missing_reference_is_never_created_implicitly(self):
         self.case("new", SCENE)
         result = self.vug("test", "looks")
         self.assertEqual(result.code, 2, result.out)
@@ -58,13 +58,13 @@ class ImageTests(VugTest):
         self.assertRegex(history.read_text().splitlines()[1], "^vug .* a weaker lamp$")
         self.expect(0, "test", "looks")
 
-    def test_a_reference_that_nobody_recorded(self):
+    def test_an_unrecorded_reference(self):
         reference = self.folder / "looks/lamp/reference.exr"
         self.expect(0, "render", "looks/room.vug", "-o", "other.exr", "--spp", "4")
         reference.write_bytes((self.folder / "other.exr").read_bytes())
         self.assertIn("does not match the last entry of its history", self.vug("test", "looks").out)
 
-    def test_references_keep_what_is_compared(self):
+    def test_references_contain_only_compared_layers(self):
         channels = json.loads(self.expect(0, "info", "looks/lamp/reference.exr", "--json").out)["channels"]
         self.assertEqual({channel.split()[0] for channel in channels},
                          {"R", "G", "B", "variance.R", "variance.G", "variance.B", "samples"})
@@ -133,7 +133,7 @@ class ImageTests(VugTest):
         steady = self.expect(0, "test", "looks", "--filter", "lamp", "--flaky", "3")
         self.assertIn("4 of 4 seeds pass", steady.out)
 
-    def test_cases_that_cannot_be_used(self):
+    def test_unusable_cases(self):
         for content, said in [("{", "invalid JSON"), ("[]", "a case must be a JSON object"),
                               ({}, "no scene and no command"), ({**SCENE, "command": ["x"]}, "a scene and a command"),
                               ({**SCENE, "limit": {}}, "did you mean 'limits'?"),
@@ -163,7 +163,7 @@ class ImageTests(VugTest):
         quiet = self.expect(0, "test", "looks", "--filter", "lamp", "--quiet")
         self.assertEqual(quiet.out + quiet.err, "")
 
-    def test_stopped_on_request_nothing_is_left(self):
+    def test_cancellation_leaves_no_files(self):
         self.case("long", {"command": ["sh", "-c", "echo started >&2; exec sleep 60", "{output}"]})
         (self.folder / "looks/long/reference.exr").write_bytes(
             (self.folder / "looks/lamp/reference.exr").read_bytes())

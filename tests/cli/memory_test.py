@@ -48,7 +48,7 @@ class Memory(VugTest):
         self.assertIn("hint: use a smaller --size, or raise --max-memory", error)
         self.assertGreater(told(error), 60000 * 60000 * 4 * 10)
 
-    def test_a_mesh_that_is_too_large_is_refused_before_its_grid(self):
+    def test_a_mesh_that_is_too_large_is_rejected_before_its_grid(self):
         self.write("rock.vug", "volume rock = level_set(sphere(10m), voxel: 1cm)\nmesh wall on rock {}\n"
                                "camera main { eye (0, 0, 30) }\nrender main { size 4x3  spp 1 }\n")
         # The grid alone, with 1.3e7 voxels per layer of its band, would take about half of this.
@@ -63,7 +63,7 @@ class Memory(VugTest):
         self.assertEqual(self.files(), ["rock.vug"])
 
     @unittest.skipIf(SLOW, "a sanitizer takes memory of its own")
-    def test_the_estimates_are_honest(self):
+    def test_the_estimates_are_accurate(self):
         """The estimate is within a factor of 1.5 of the memory used in addition to a trivial build."""
         self.write("little.vug", BALL.replace("10cm", "50cm"))
         self.write("grid.vug", "volume rock = level_set(sphere(1m), voxel: 4mm)\n")

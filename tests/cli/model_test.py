@@ -21,7 +21,7 @@ class Modelling(VugTest):
     def session(self, name="s.json"):
         return json.loads((self.folder / name).read_text())
 
-    def test_lists_rules_with_why_not(self):
+    def test_lists_rules_with_reasons_against_them(self):
         fresh = self.model(*BEGIN[2:], "--list").out
         self.assertEqual(fresh.count("\n  + "), 8, fresh)
         self.assertIn("+ rows(FacadeRow, PartFacade) heights=3.5,5.5", fresh)
@@ -34,7 +34,7 @@ class Modelling(VugTest):
         self.assertEqual(one.split("actions:")[1].count("\n  - "), 8, one)
         self.assertIn("+ IdenticalGrid", self.model("s.json", "--list", "Facade.FacadeRow").out)
 
-    def test_conditions_and_sizes_say_why(self):
+    def test_conditions_and_sizes_give_reasons(self):
         self.write("own.vug", "grammar own: facade {\n axiom A\n A if width > 20m -> window\n"
                               " A -> columns(15m, door, 1, wall)\n A -> wall\n}\n")
         said = self.model("--grammar", "own.vug", "--width", "12m", "--height", "9m", "--list").out
@@ -64,7 +64,7 @@ class Modelling(VugTest):
         self.assertIn("the session has 3 edits to undo, not 9", self.model("s.json", "--undo", 9, "--tree", code=2).err)
         self.assertIn("did you mean 'grid'", self.model("s.json", "--to", "grit", "--tree", code=2).err)
 
-    def test_a_checkpoint_that_moves_is_told(self):
+    def test_a_moved_checkpoint_is_reported(self):
         said = self.model("s.json", "--act", "0.0 IdenticalGrid", "--checkpoint", "grid", "-o", "t.json").err
         self.assertIn("the checkpoint 'grid' was after 3 edits and is now after 4", said)
         self.assertFalse(self.model("t.json", "--checkpoint", "grid", "-o", "t.json").err)
@@ -91,7 +91,7 @@ class Modelling(VugTest):
                    "--carve", "small.vdb")
         self.assertIn("panes", self.expect(0, "info", "small.vdb").out)
 
-    def test_what_is_carved_keeps_a_recipe_with_all_measures(self):
+    def test_carved_solids_have_a_recipe_with_all_measures(self):
         self.write("own.vug", "grammar own: facade {\n width 2m\n height 2m\n axiom A\n"
                               " A -> inset(50cm, window(panes: [1, 1], head: round))\n}\n")
         begin = ("--grammar", "own.vug", "--apply", "0 inset")
@@ -108,7 +108,7 @@ class Modelling(VugTest):
         self.assertEqual([g["active_voxels"] for g in first["grids"]],
                          [g["active_voxels"] for g in second["grids"]])
 
-    def test_what_is_carved_has_the_sizes_of_its_recipe(self):
+    def test_carved_solids_have_the_sizes_of_the_recipe(self):
         """Texts have a resolution of a tenth of a millimetre, which cannot represent a third of a metre."""
         self.model("--grammar", "ripperda.vug", "--width", "2m", "--height", "2m", "--act",
                    "0 RegularIdenticalGrid columns=1 rows=1 x=0.33335 y=0.33335 width=1.33335 height=1.33335", "--carve",
@@ -118,7 +118,7 @@ class Modelling(VugTest):
         ids = [json.loads(self.expect(0, "info", name, "--json").out)["id"] for name in ("a.vdb", "out/again.vdb")]
         self.assertEqual(*ids)
 
-    def test_thin_walls_are_told(self):
+    def test_thin_walls_are_reported(self):
         begin = ("--grammar", "ripperda.vug", "--width", "2m", "--height", "2m", "--carve", "a.vdb")
         said = self.model(*begin, "--thickness", "3cm").err
         self.assertIn("warning: a wall of 0.03m is thinner than two voxels of 0.04m and may have holes", said)
@@ -132,7 +132,7 @@ class Modelling(VugTest):
             self.assertIn(f"grammar {grammar}: facade {{", (self.folder / f"out/{name}.vug").read_text())
             self.expect(0, "check", f"out/{name}.vug")
 
-    def test_nothing_that_a_session_stands_on_is_written_over(self):
+    def test_inputs_of_a_session_are_not_overwritten(self):
         self.write("mine/own.vug", "grammar own: facade {\n width 5m\n height 4m\n axiom A\n A -> window\n}\n")
         write_png(self.folder / "photo.png", [[(9, 9, 9)] * 10] * 8)
         photo = (self.folder / "photo.png").read_bytes()
@@ -200,7 +200,7 @@ class Modelling(VugTest):
         self.assertIn("the session has 3 edits to undo", self.model("s.json", "--undo", 9, code=2).err)
         self.assertIn("would be lost", self.model("s.json", "--undo", 1, code=2).err)
 
-    def test_broken_sessions_leave_nothing(self):
+    def test_broken_sessions_leave_no_files(self):
         text = (self.folder / "s.json").read_text()
         for bad, told in ((text.replace('"rows":2', '"rows":0'), "/edits/1/numbers/rows: 'rows' is 0"),
                           (text.replace("Grid", "Gridd"), "s.json:10:39: error: /edits/1/rule"),

@@ -111,7 +111,7 @@ class PictureFiles(VugTest):
             found.update(part.pixels)
         return found
 
-    def test_programs_of_others_accept_them(self):
+    def test_external_programs_accept_them(self):
         for name in [*FORMS, *DEEP.values()]:
             for program in (["oiiotool", "--info", "-v", "--stats"], ["exrinfo", "-s", "-v"],
                             ["exrheader"]):
@@ -179,7 +179,7 @@ class PictureFiles(VugTest):
             self.assertIn("vug:recipe", told)
             self.assertIn("worldToCamera", told)
 
-    def test_deep_pictures_are_whole_or_refused(self):
+    def test_deep_pictures_are_complete_or_rejected(self):
         for args in (["--noise", "0.1"], ["--preview", "p.png"], ["--checkpoint", "c"]):
             said = self.expect(2, "render", "s.vug", "-o", "no.exr", "--deep", *args).err
             self.assertIn("a deep picture needs all samples of a pixel at once", said)
@@ -187,7 +187,7 @@ class PictureFiles(VugTest):
         self.assertFalse(any(name.startswith("no") for name in self.files()))
         self.assertIn("not a flat image", self.expect(2, "diff", "deep.deep.exr", "deep.deep.exr").err)
 
-    def test_info_tells_what_a_deep_picture_is(self):
+    def test_info_describes_a_deep_picture(self):
         flat = json.loads(self.expect(0, "info", "deep.exr", "--json").out)
         told = json.loads(self.expect(0, "info", "deep.deep.exr", "--json").out)
         self.assertEqual((flat["type"], told["type"]), ("picture", "deep picture"))
@@ -200,7 +200,7 @@ class PictureFiles(VugTest):
         self.write("cut.exr", whole[:len(whole) // 2])
         self.expect(2, "info", "cut.exr")
 
-    def test_stereo_is_two_parts_that_say_which_view_they_are(self):
+    def test_stereo_is_two_parts_that_name_their_view(self):
         self.write("two.vug", SCENE.replace("fov 70deg", "fov 70deg  interaxial 20cm  convergence 1m"))
         two = lambda *args, code=0: self.expect(code, "render", "two.vug", *args)
         for name, form, count in (("pair", (), 2), ("split", ("--multi-part",), 12)):
@@ -275,7 +275,7 @@ class PictureFiles(VugTest):
                 for a, b in zip(plain[ours], shown[theirs]):
                     self.assertAlmostEqual(a, b, delta=1e-3 * abs(a) + 1e-6)
 
-    def test_headers_tell(self):
+    def test_headers_contain_metadata(self):
         part, = exr.read(self.folder / "crop.exr")
         self.assertEqual(part.window, (10, 5, 49, 34))
         self.assertEqual(part.display, (0, 0, 69, 39))
@@ -295,7 +295,7 @@ class PictureFiles(VugTest):
             self.assertAlmostEqual(u / w * 70, x + 0.5, delta=0.6)
             self.assertAlmostEqual(v / w * 40, y + 0.5, delta=0.6)
 
-    def test_what_is_not_exact_is_said(self):
+    def test_biased_settings_are_in_the_header(self):
         ball = ("volume rock = level_set(sphere(1m), voxel: 20cm)\ncamera main { eye (0, 0, 4) }\n"
                 "render main { size 8x6  spp 1  integrator path(INEXACT) }\n")
         for options, said in (("regularize: 0.5", "regularize 0.5"), ("clamp: 3", "clamp 3"), ("max_bounces: 4", None)):

@@ -47,7 +47,7 @@ class Preview(VugTest):
         self.assertNotIn("<", texts[2])
         return texts[1], json.loads(texts[2]), base64.b64decode(texts[3], validate=True)
 
-    def test_what_it_holds(self):
+    def test_contents_of_the_page(self):
         title, data, model = self.data(self.page("o.html", "-D", "R=1.25m"))
         self.assertEqual(title, html.escape(NAME).replace("&#x27;", "'"))
         self.assertEqual((data["name"], data["camera"], data["exposure"]), (NAME, "main", 2))
@@ -108,7 +108,7 @@ class Preview(VugTest):
         self.assertIn("16 x 9", data["picture"]["note"])
 
     def test_refusals(self):
-        for args, why in [(("-o", "page.txt"), "one .html file"),
+        for args, why in [(("-o", "page.txt"), "does not end in .html"),
                           (("--max-triangles", "2"), "max-triangles"),
                           (("--mesh", "none"), "none"),
                           (("-o", "data/preview.html"), "preview.html")]:

@@ -199,7 +199,7 @@ class Format(VugTest):
             self.assertIn("a.vug:1:1: error: ", self.expect(2, "format", *args).err)
         self.assertEqual(path.read_text(), "volume = = (\n")
 
-    def test_scenes_that_come_with_us_are_in_format(self):
+    def test_our_scenes_are_formatted(self):
         self.expect(0, "format", "--check", *sorted((SOURCE / "data").rglob("*.vug")))
 
 
@@ -231,7 +231,7 @@ class Sweep(VugTest):
         self.assertIn("\n  while measuring R = 5\n", error)
         self.assertEqual(self.files(), ["ball.vug", "out/a.csv", "out/a.svg"])
 
-    def test_what_is_there_before_a_fault_is_kept(self):
+    def test_results_before_an_error_are_kept(self):
         self.write("ball.vug", "param R = 1m in 1m..2m\n" + BALL.replace("1m", "R"))
         result = self.vug("sweep", "ball.vug", "-p", "R", "-v", "1,2,99,1.5", "-o", "out/a")
         self.assertEqual(result.code, 2)
@@ -326,7 +326,7 @@ class Build(VugTest):
         self.assertEqual(sizes, [1, 2, 2])
         self.expect(2, "measure", "ball.vug", "-D", "R=2", "-D", "R=1")
 
-    def test_files_of_a_scene_lie_beside_it_wherever_one_stands(self):
+    def test_files_of_a_scene_are_relative_to_it(self):
         self.write("shot/ball.vug", BALL)
         self.write("shot/use.vug", 'include "lib.vug"\n'
                                    "volume v = level_set(mesh(file: \"out/ball.ply\") + more, voxel: 20cm)\n")

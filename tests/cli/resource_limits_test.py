@@ -58,7 +58,7 @@ TEXTS = {
     "a weight below 0": (["axiom A", "A @-1 -> B"], "3:4", "weights must be 0 or more"),
     "two lists of what contexts see": (["axiom A", "ignore F", "consider A", "A < A -> B"], "4:10", "'consider' cannot be combined with 'ignore'"),
     "nothing behind": (["axiom A", "A > -> B"], "3:3", "expected a right context after '>'"),
-    "an unknown query": (["axiom A ?Z(1)"], "2:9", "queries are ?P, ?H, ?L, ?U, ?D"),
+    "an unknown query": (["axiom A ?Z(1)"], "2:9", "known queries: ?P, ?H, ?L, ?U, ?D"),
     "a wrong number of parameters": (["axiom A(1, 2)", "A(x) -> B"], "2:7", "its rules take 1"),
     "an unknown name": (["axiom A(1)", "A(x) -> B(y)"], "3:11", "unknown name 'y'"),
     "a turn without a unit": (["axiom +(60)F"], "2:9", "write 60deg or 60rad"),
@@ -81,7 +81,7 @@ class Bombs(VugTest):
         self.assertIn(f"g.vug:{place}", error)
         self.assertIn(message, error)
 
-    def test_what_grows_too_large_or_never_ends(self):
+    def test_systems_that_grow_too_large_or_never_end(self):
         for name, bomb in BOMBS.items():
             with self.subTest(name):
                 self.stopped(*bomb)
@@ -91,7 +91,7 @@ class Bombs(VugTest):
             with self.subTest(name):
                 self.stopped(*text)
 
-    def test_they_stop_in_the_memory_that_is_given(self):
+    def test_they_stop_within_the_given_memory(self):
         self.write("g.vug", "grammar g: lsystem {\naxiom A(1)\nsteps 22\nA(x) -> A(x+1)A(x+1)\n}\n"
                             "field wood = stems(of: g)\nvolume v = level_set(wood, voxel: 1m)\n")
         for verb, out in (("build", "out"), ("render", "out.exr")):
@@ -106,7 +106,7 @@ class Bombs(VugTest):
         most = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # KiB, the maximum of all child processes so far
         self.assertLess(most, 1 << 20)
 
-    def test_check_looks_at_what_nothing_draws(self):
+    def test_check_derives_undrawn_systems(self):
         self.write("g.vug", "grammar g: lsystem {\naxiom F\nsteps 100\nF -> FF\n}\n"
                             "grammar h: lsystem {\naxiom guide(3) F\n}\n")
         error = self.expect(2, "check", "g.vug").err
@@ -136,7 +136,7 @@ class Bombs(VugTest):
         self.write("chain.vug", chain + "grammar L2500: lsystem {\n axiom F\n}\n")
         for verb in (("check",), ("derive", "L0")):
             error = self.expect(2, verb[0], "chain.vug", *verb[1:]).err
-            self.assertRegex(error, r"chain\.vug:\d+:\d+: error: more than 200 names depend on each other in a chain")
+            self.assertRegex(error, r"chain\.vug:\d+:\d+: error: more than 200 names depend on each other in a row")
         self.assertIn("'A' depends on itself", self.expect(2, "derive", "g.vug", "A", "--drawn").err)
 
 

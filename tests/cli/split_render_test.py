@@ -53,7 +53,7 @@ class Farm(VugTest):
         self.expect(0, "merge", "c1", "c2", "-o", "joint.exr")
         self.expect_whole("joint", "crop")
 
-    def test_parts_that_make_no_picture(self):
+    def test_parts_that_do_not_form_a_picture(self):
         self.part("a", "--tile", "1/2")
         self.part("b", "--tile", "2/2")
         self.part("b_seed", "--tile", "2/2", "--seed", "6")
@@ -80,12 +80,12 @@ class Farm(VugTest):
                         f"{radiance - 89}/2")
         self.assertIn("different scenes", self.expect(2, "merge", "p90", "p91", "-o", "m.exr").err)
 
-    def test_names_that_say_what_is_chosen_anyhow(self):
+    def test_names_that_equal_the_default_choice(self):
         self.part("a", "--tile", "1/2")
         self.part("b", "--tile", "2/2", "--render", "main", "--camera", "main")
         self.expect(0, "merge", "a", "b", "-o", "m.exr")
 
-    def test_what_cannot_be_a_part(self):
+    def test_invalid_parts(self):
         for args in [("--tile", "0/2"), ("--tile", "3/2"), ("--tile", "2"), ("--tile", "1/41"),
                      ("--samples", "0..49"), ("--samples", "7..7"), ("--samples", "7-9"),
                      ("--crop", "0,0,65,10"), ("--crop", "5,5,5,9"),
@@ -178,7 +178,7 @@ class Farm(VugTest):
         self.assertLessEqual(held["holds"]["samples_left"], 64 * 40 * 100000)
         self.assertLess(0, held["holds"]["samples_left"])
 
-    def test_info_tells_what_a_part_is(self):
+    def test_info_describes_a_partial_render(self):
         self.part("a", "--tile", "2/4", "--samples", "16..48", "--crop", "0,8,64,40", "--layers", "beauty,Z")
         told = json.loads(self.expect(0, "info", "a", "--json").out)
         self.assertEqual((told["type"], told["width"], told["height"], told["spp"], told["seed"]),

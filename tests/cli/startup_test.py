@@ -58,7 +58,7 @@ class Startup(VugTest):
                                         "pictures, cannot be loaded: .*No such file")
         self.assertIn("hint: reinstall vug", result.stderr)
 
-    def test_a_library_of_another_version_is_refused(self):
+    def test_a_library_of_another_version_is_rejected(self):
         write_png(self.folder / "grey.png", [[(9, 9, 9)] * 16] * 16)
         copy = self.copy_with(b"picture library of vug ", b"picture library of gnu ")
         result = self.run_copy(copy, "diff", "grey.png", "grey.png")

@@ -35,7 +35,7 @@ class Trees(VugTest):
                       self.expect(0, "tree", "front.vug", "--overlay", "photo.png").out)
         self.assertIn("<svg", self.expect(0, "tree", "front.vug", "--svg").out)
 
-    def test_the_papers_grammar(self):
+    def test_the_grammar_of_the_paper(self):
         said = self.expect(0, "tree", SOURCE / "data/facades/ripperda.vug", "--seed", 3, "--theta").out
         self.assertTrue(said.startswith("Facade(0, 0, 12, 9, "), said)
         for seed in range(5):

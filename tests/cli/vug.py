@@ -49,7 +49,7 @@ class Running:
         while stage not in self.said and self.read():
             pass
 
-    def wait_until_it_heeds_signals(self):
+    def wait_until_it_handles_signals(self):
         """Waits until the command has installed its signal handlers."""
         while True:
             status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()

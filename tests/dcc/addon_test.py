@@ -68,7 +68,7 @@ class Addon(VugTest):
         self.assertEqual(done.returncode, 0, done.stdout[-20000:] + done.stderr[-5000:])
         self.assertIn("\nALL GOOD\n", done.stdout, done.stdout + done.stderr)
 
-    def test_from_zip_to_reload(self):
+    def test_from_the_zip_to_a_reloaded_file(self):
         self.blender("use")
         self.blender("again")
         # The export of Blender's cube is a solid of the cube's size.
@@ -77,7 +77,7 @@ class Addon(VugTest):
         volume = float(measured.split('"volume":')[1].split(",")[0].split("}")[0])
         self.assertAlmostEqual(volume, 6, delta=6 * 5e-3)
 
-    def test_the_zip_holds_the_add_on_alone(self):
+    def test_the_zip_contains_only_the_add_on(self):
         with zipfile.ZipFile(ZIP) as zipped:
             names = [name for name in zipped.namelist() if not name.endswith("/")]
         wanted = sorted(f"vug_addon/{path.name}" for path in

@@ -82,7 +82,7 @@ class Blender(VugTest):
         self.assertLess(abs(found["surface"]["volume"] / polished["wall"]["volume"] - 1), 0.005)
         self.assertLess(abs(polished["wall"]["volume"] / (4 / 3 * math.pi * 0.7**3) - 1), 0.005)
 
-    def test_colours_are_ours(self):
+    def test_colours_equal_ours(self):
         for x, y, z, *rgb in self.blender("all")["wall"]["colors"]:
             t = min(max((z - 0.1) / 0.8, 0), 1)
             t = t * t * (3 - 2 * t)

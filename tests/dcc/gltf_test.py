@@ -28,7 +28,7 @@ class Gltf(VugTest):
         info = self.report("all.vug", "all.glb", "--for", "gltf")
         self.assertIn("EXT_mesh_gpu_instancing", info["extensionsUsed"])
 
-    def test_scenes_of_ours(self):
+    def test_our_scenes(self):
         for scene in ("teaching/strewn", "teaching/crystals"):
             name = scene.split("/")[1]
             self.report(SOURCE / f"data/scenes/{scene}.vug", f"{name}.glb", "--for", "blender")

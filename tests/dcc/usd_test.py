@@ -60,7 +60,7 @@ class Usd(VugTest):
             watts = 4 * math.pi**2 * radius**2 * numbers(ball, "inputs:intensity")[0]
             self.assertAlmostEqual(watts, 100, delta=0.01)
 
-    def test_three_places_everything(self):
+    def test_three_js_places_everything(self):
         # It converts every layer to metres with y up according to the layer's metadata.
         for program in SPACES:
             found = self.read(program)["three"]

@@ -90,7 +90,7 @@ class Plugins(unittest.TestCase):
         self.assertEqual((self.room / "one/warm_skin.csv").read_bytes(),
                          (self.room / "out/warm_skin.csv").read_bytes())
 
-    def test_what_is_refused(self):
+    def test_rejected_input(self):
         broken = self.room / "broken"
         broken.mkdir()
         stale = broken / "stale.so"

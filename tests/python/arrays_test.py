@@ -37,7 +37,7 @@ class Views(Case):
         first = image.channels.index("albedo.R")
         self.assertEqual(address(image["albedo"]), address(image.pixels) + 4 * first)
 
-    def test_nobody_can_write(self):
+    def test_arrays_are_read_only(self):
         for array in self.every_array(vug.loads(SKIN).build()):
             self.assertFalse(array.flags.writeable)
             with self.assertRaises(ValueError):
@@ -46,7 +46,7 @@ class Views(Case):
                 array.flags.writeable = True
             self.assertIsNotNone(array.base)
 
-    def test_they_outlive_all_else(self):
+    def test_they_outlive_their_objects(self):
         arrays = list(self.every_array(vug.loads(SKIN).build()))
         copies = [array.copy() for array in arrays]
         gc.collect()
@@ -115,7 +115,7 @@ class Voxels(Case):
         self.assertEqual(mist.dense()[0].max(), 1)
         self.assertIsInstance(scene.build().level_set("mist"), vug.LevelSet)
 
-    def test_what_is_refused(self):
+    def test_rejected_input(self):
         rock = vug.loads(BALL).build().level_set()
         for bad in ([[0, 0]], [[0, numpy.nan, 0]], [[0, numpy.inf, 0]], [0, 0, 0], [[[0, 0, 0]]]):
             with self.assertRaises(ValueError, msg=bad):
@@ -149,7 +149,7 @@ class Meshes(Case):
         self.assertIsNone(mesh.normals)
         numpy.testing.assert_array_equal(mesh.bounds, [(0, 0, 0), (1, 1, 1)])
 
-    def test_strange_but_fine(self):
+    def test_unusual_but_valid(self):
         for kind in (numpy.float16, numpy.float64, numpy.int8, ">f4"):
             mesh = vug.Mesh(numpy.array(self.CORNERS, kind), numpy.array(self.FACES, numpy.uint8))
             numpy.testing.assert_array_equal(mesh.positions, self.CORNERS)
@@ -162,7 +162,7 @@ class Meshes(Case):
         self.assertEqual((empty.positions.shape, empty.triangles.shape, empty.bounds), ((0, 3), (0, 3), None))
         self.assertEqual(empty.measure()["area"], 0)
 
-    def test_what_is_refused(self):
+    def test_rejected_input(self):
         fine, faces = numpy.array(self.CORNERS, float), self.FACES
         broken = fine.copy()
         broken[2, 1] = numpy.nan

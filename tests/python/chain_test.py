@@ -42,7 +42,7 @@ class Chain(Case):
         self.write("cave.vug", CAVE)
         self.scene = vug.load("cave.vug", R=1.25, DIRT="10%", STAINED=False, seed=5, frame=2)
 
-    def test_what_a_scene_reads(self):
+    def test_contents_of_a_scene(self):
         self.assertEqual([path.name for path in self.scene.files], ["cave.vug"])
         self.write("twice.vug", 'volume a = level_set(mesh("a.ply") + mesh("a.ply"), voxel: N)\nparam N = 1m')
         vug.loads(BALL).build().mesh().save("a.ply")
@@ -181,7 +181,7 @@ class Chain(Case):
         with self.assertRaises(vug.Error):
             self.scene.export("out", "blendr")
 
-    def test_files_tell_their_scene(self):
+    def test_files_contain_their_scene(self):
         scene = self.scene.with_(STAINED=True)  # makes the scene depend on the frame
         build = scene.build()
         build.render(spp=1).save("picture.exr")
@@ -215,7 +215,7 @@ class Motion(Case):
 
 
 class Parts(Case):
-    def test_libraries_beside_and_from_us(self):
+    def test_includes_relative_to_a_folder(self):
         self.write("lib/part.vug", "let part = sphere(1m)\n")
         text = 'include "part.vug"\nvolume rock = level_set(part, voxel: 20cm)\n'
         scene = vug.loads(text, base=self.folder / "lib")

@@ -22,14 +22,14 @@ class Faults(Case):
         self.assertIn("bad.vug:2:14: error:", str(error))
         self.assertIn("^\nhint: did you mean 'sphere'?", str(error))
 
-    def test_they_survive_a_journey(self):
+    def test_they_survive_pickling(self):
         with self.assertRaises(vug.Error) as caught:
             vug.loads("volume = 3\n")
         again = pickle.loads(pickle.dumps(caught.exception))
         self.assertEqual(vars(again), vars(caught.exception))
         self.assertEqual(str(again), str(caught.exception))
 
-    def test_names_that_are_not_there(self):
+    def test_missing_names(self):
         scene = vug.loads(BALL)
         build = scene.build()
         for ask in (lambda: build.mesh("wal"), lambda: build.measure("wal"), lambda: scene.measure("wal")):
@@ -105,7 +105,7 @@ class Faults(Case):
 
 
 class Warnings(Case):
-    def test_they_name_the_line_that_asked(self):
+    def test_they_name_the_calling_line(self):
         text = BALL.replace("sphere(R)", "sphere(R).translate((9, 0, 0))").replace(
             "voxel: 10cm", "voxel: 10cm, from: (-1, -1, -1), to: (1, 1, 1)")
         with warnings.catch_warnings(record=True) as seen:

@@ -23,9 +23,9 @@ class Installed(Case):
                               env={**os.environ, "PYTHONPATH": str(package.parent)})
         self.assertEqual(done.stdout.split(), [str(package / "__init__.py"), "0"], done.stderr)
         self.assertEqual(pathlib.Path(done.stdout.split()[0]).parent, package)
-        self.what_is_missing_is_told(package)
+        self.check_messages_of_missing_modules(package)
 
-    def what_is_missing_is_told(self, package):
+    def check_messages_of_missing_modules(self, package):
         """The messages of a Python without numpy, and of one for which the package is not built."""
         blind = self.write("blind/numpy.py", "raise ImportError('none here')").parent
 

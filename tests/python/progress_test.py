@@ -26,7 +26,7 @@ class Callbacks(Case):
             self.assertEqual(shares, sorted(shares), stage)
             self.assertTrue(0 <= shares[0] and shares[-1] <= 1, stage)
 
-    def test_a_call_may_have_its_own(self):
+    def test_a_call_may_have_its_own_callback(self):
         of_build, of_call = [], []
         build = vug.loads(BALL).build(progress=lambda share, what: of_build.append(what))
         hear = {"progress": lambda share, what: of_call.append(what)}
@@ -46,7 +46,7 @@ class Callbacks(Case):
         self.assertEqual((len(of_call), "rendering" in of_build), (heard, True))
         self.assertRaises(TypeError, build.mesh, progress=3)
 
-    def test_they_run_on_the_thread_that_asked(self):
+    def test_they_run_on_the_calling_thread(self):
         threads = set()
         scene = vug.loads(BALL)
         scene.render(spp=16, progress=lambda share, what: threads.add(threading.get_ident()))
@@ -69,7 +69,7 @@ class Callbacks(Case):
         self.assertAlmostEqual(volumes[0], 4.19, delta=0.1)
         self.assertEqual(set(refused), {"this build is already running"})
 
-    def test_a_callback_that_is_none(self):
+    def test_an_invalid_callback(self):
         with self.assertRaises(TypeError):
             vug.loads(BALL).build(progress=3).mesh()
 
@@ -87,7 +87,7 @@ class Cancelling(Case):
         for answer in (None, True, 0, "", 1):
             vug.loads(BALL).render(spp=1, progress=lambda share, what: answer)
 
-    def test_what_it_raises_is_raised(self):
+    def test_exceptions_of_callbacks_are_raised(self):
         class Mine(BaseException):
             pass
 
@@ -98,7 +98,7 @@ class Cancelling(Case):
         with self.assertRaisesRegex(Mine, "enough"):
             vug.loads(LONG).render(progress=progress)
 
-    def test_a_build_goes_on_with_what_it_has(self):
+    def test_a_build_continues_with_completed_results(self):
         build = vug.loads(LONG).build(progress=lambda share, what: what != "rendering")
         mesh = build.mesh()
         with self.assertRaises(vug.Cancelled):
@@ -118,7 +118,7 @@ class Cancelling(Case):
             with self.assertRaises(vug.Cancelled, msg=stage):
                 build.save(f"stopped {stage}")
 
-    def test_a_picture_goes_on_from_its_checkpoint(self):
+    def test_a_picture_continues_from_its_checkpoint(self):
         scene = vug.loads(BALL)
         scene.render(spp=2048).save("whole.exr")
         with self.assertRaises(vug.Cancelled):
@@ -137,7 +137,7 @@ class Cancelling(Case):
         self.assertFalse((self.folder / "half.part").exists())
         self.assert_same_files("again.exr", "whole.exr")
 
-    def test_cells_go_on_from_their_checkpoint(self):
+    def test_cells_continue_from_their_checkpoint(self):
         scene = vug.loads(BALL + "cells skin on wall { spacing 10cm  run life(steps: 2000) }\n")
         scene.build().save("whole")
         with self.assertRaises(vug.Cancelled):
@@ -170,7 +170,7 @@ class Cancelling(Case):
 
 
 class Threads(Case):
-    def test_python_goes_on_meanwhile(self):
+    def test_other_python_threads_keep_running(self):
         done = threading.Event()
         beats = 0
 

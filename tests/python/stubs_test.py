@@ -41,7 +41,7 @@ class Stubs(Case):
             if isinstance(node, ast.Name):
                 self.assertNotIn(node.id, ("handle", "object", "function", "array_t", "std"))
 
-    def test_the_package_gives_what_it_promises(self):
+    def test_the_package_has_all_declared_names(self):
         for name in vug.__all__:
             self.assertTrue(hasattr(vug, name), name)
             self.assertTrue(inspect.getdoc(getattr(vug, name)), name)
