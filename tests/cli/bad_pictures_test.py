@@ -134,7 +134,7 @@ class BadPictures(VugTest):
         self.write("room.vug", 'volume rock = level_set(mesh(file: "flat.obj"), voxel: 10cm)\n')
         self.expect(2, "check", "room.vug")
 
-    def test_a_camera_in_rock_is_warned_of(self):
+    def test_a_camera_in_rock_causes_a_warning(self):
         self.write("room.vug", ROOM.replace("eye (0, 0, 4)", "eye (0, 0, 0.5)"))
         said = self.expect(0, "render", "room.vug", "-o", "room.exr").err
         self.assertIn("warning: the camera is inside the solid of 'skin'", said)

@@ -232,7 +232,7 @@ class CellsFiles(VugTest):
         self.write("lost.vug", SCENE % ('from "lost.vdb"', 60))
         for verb in (("build", "-o", "x"), ("check",)):
             error = self.expect(2, verb[0], "from.vug", *verb[1:]).err
-            self.assertIn("from.vug:4:7: error: 'out/s.vdb' does not contain points", error)
+            self.assertIn("from.vug:4:7: error: 'out/s.vdb' contains no points", error)
             self.assertIn("cannot read 'lost.vdb'", self.expect(2, verb[0], "lost.vug", *verb[1:]).err)
 
 

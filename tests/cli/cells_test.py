@@ -32,7 +32,7 @@ class Cells(VugTest):
                      "did you mean 'triangle'?")
         self.refused("spacing 20cm  run maze", 15, "'cells' expects a mesh or level set after 'on', not the name 'wal'", "did you mean 'wall'?", "wal")
         for spacing in ("0", "0cm", "-2cm"):
-            self.refused(f"spacing {spacing}  run maze", at, "the spacing of cells must be above 0", "for instance: spacing 2cm")
+            self.refused(f"spacing {spacing}  run maze", at, "the spacing of cells must be a length above 0", "for instance: spacing 2cm")
         self.refused("spacing 20cm", 7, "'cells' needs 'run'", "run: rules")
         self.refused("run maze", 7, "'cells' needs 'spacing'", "spacing: ")
 
@@ -52,7 +52,7 @@ class Cells(VugTest):
 
     def test_names_that_files_cannot_store(self):
         for name in ("my wet part", "", "2nd", "id", "x"):
-            self.refused(f'spacing 20cm  run set(attribute: "{name}", to: 0.3)', 7, "", "letters, digits and _")
+            self.refused(f'spacing 20cm  run set(attribute: "{name}", to: 0.3)', 7, "", "use letters, digits and _")
 
     def test_whole_numbers_of_steps(self):
         self.write("s.vug", SCENE % ("wall", "spacing 20cm  run life  steps 2.5"))
@@ -193,7 +193,7 @@ class Cells(VugTest):
         first = lines[faces[0]].split()
         turned = lines[:faces[0]] + [" ".join([first[0], first[2], first[1], first[3]])] + lines[faces[0] + 1:]
         self.write("turned.obj", "\n".join(turned) + "\n")
-        self.assertIn("inside.vug:2:7: error: the sides of the object do not agree about the outside",
+        self.assertIn("inside.vug:2:7: error: the polygons of the object disagree about the outside",
                       self.expect(2, "build", "inside.vug", "-o", "out").err)
 
     def test_voxels_larger_than_cells_cause_a_warning(self):

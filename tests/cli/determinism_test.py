@@ -46,7 +46,7 @@ class SameBytes(VugTest):
         for name, threads in [("again", 1), ("two", 2), ("seven", 7)]:
             self.assertEqual(self.products(name, "--threads", str(threads)), first, name)
 
-    def test_the_seed_changes_all(self):
+    def test_the_seed_changes_everything(self):
         self.write("scene.vug", SCENE)
         first, other = (self.products(f"s{s}", "--seed", str(s)) for s in (11, 12))
         for name in first:

@@ -50,7 +50,7 @@ class Direct(VugTest):
             self.expect(0, "render", "s.vug", "-o", "again.exr", "--float", "--threads", threads)
             self.assertEqual(digest(self.folder / "again.exr"), digest(self.folder / "direct.exr"), threads)
 
-    def test_it_needs_less_memory_and_says_so_before(self):
+    def test_it_needs_less_memory_and_estimates_less(self):
         self.write("large.vug", "volume rock = level_set(sphere(3m), voxel: 1cm)\nmesh skin on rock {}\n"
                                 "param direct = true\nobject ball on skin { direct direct }\n"
                                 "camera main { eye (0, 0, 30) }\nrender main { size 8x6  spp 1 }\n")

@@ -223,7 +223,7 @@ class Unusable(VugTest):
             with self.subTest(args=args):
                 self.refused(*args)
 
-    def test_faults_of_a_text(self):
+    def test_errors_of_a_text(self):
         self.write("ball.vug", "volume rock = level_set(sphre(1m), voxel: 10cm)\n")
         said = ("ball.vug:1:25: error: unknown function 'sphre'\n"
                 "volume rock = level_set(sphre(1m), voxel: 10cm)\n"
@@ -265,7 +265,7 @@ class Unusable(VugTest):
 class Failed(VugTest):
     """Exit 3: system errors during the work."""
 
-    def test_a_folder_that_cannot_be_made(self):
+    def test_a_folder_that_cannot_be_created(self):
         self.write("ball.vug", BALL)
         self.write("file", "not a folder\n")
         for args in [("build", "ball.vug", "-o", "file/out"),

@@ -113,7 +113,7 @@ class Bombs(VugTest):
         self.assertIn("g.vug:4:1: error: grammar 'g' exceeds its limit", error)
         self.assertIn("g.vug:6:9: error: no guides are defined, at 'guide(3)', module 1 of the word", error)
 
-    def test_many_blocks_within_each_other(self):
+    def test_deeply_nested_blocks(self):
         for name, opening in (("blocks", "grammar g: lsystem {\n"), ("tables", "grammar g: lsystem {\ntable A {\n"),
                               ("words", "grammar g: lsystem {\naxiom A{\n"), ("polygons", "{")):
             with self.subTest(name):
@@ -130,7 +130,7 @@ class Bombs(VugTest):
         self.assertIn("g.vug:5:9: error: grammar 'g' requests 1000000000 steps of 'Leaf'; the maximum is 1000000",
                       self.expect(2, "derive", "g.vug", "g", "--drawn").err)
 
-    def test_systems_made_of_each_other(self):
+    def test_systems_that_require_each_other(self):
         self.write("g.vug", "grammar A: lsystem {\n axiom B\n}\ngrammar B: lsystem {\n axiom A\n}\n")
         chain = "".join(f"grammar L{i}: lsystem {{\n axiom F L{i + 1}\n}}\n" for i in range(2500))
         self.write("chain.vug", chain + "grammar L2500: lsystem {\n axiom F\n}\n")

@@ -117,7 +117,7 @@ class Plugins(unittest.TestCase):
         self.assertIn("cannot be loaded", self.vug(2, "list", "--plugin", "lens.vug"))
         self.assertIn("it is a folder", self.vug(2, "list", "--plugin", "."))
 
-    def test_names_that_are_there_already(self):
+    def test_names_that_already_exist(self):
         self.vug(0, "check", "lens.vug", "--plugin", self.lens, "--plugin", self.lens)
         copy = self.room / "copy.so"
         shutil.copy(self.lens, copy)

@@ -9,7 +9,7 @@ from case import BALL, Case
 
 
 class Faults(Case):
-    def test_several_faults_of_a_text(self):
+    def test_several_errors_of_a_text(self):
         self.write("bad.vug", "volume rock = level_set(spere(1m), voxel: 10cm)\n"
                               "mesh wall on rok {}\n")
         with self.assertRaises(vug.Error) as caught:

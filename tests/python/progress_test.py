@@ -109,7 +109,7 @@ class Cancelling(Case):
                          again.positions.__array_interface__["data"])
         self.assertEqual(build.render(spp=1).width, 32)
 
-    def test_every_stage_of_everything_can_be_stopped(self):
+    def test_every_stage_can_be_cancelled(self):
         text = BALL + "cells skin on wall { spacing 10cm  run life(steps: 2000) }\n"
         stages = []
         vug.loads(text).build(progress=lambda share, what: stages.append(what)).save("out")

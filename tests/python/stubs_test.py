@@ -18,7 +18,7 @@ class Stubs(Case):
         self.classes = {n.name: n for n in self.tree.body if isinstance(n, ast.ClassDef)}
         self.functions = {n.name: n for n in self.tree.body if isinstance(n, ast.FunctionDef)}
 
-    def test_every_name_is_there(self):
+    def test_every_name_exists(self):
         for name, member in vars(_vug).items():
             if inspect.isclass(member) and not issubclass(member, (Exception, tuple)):
                 told = {getattr(n, "name", None) or n.target.id for n in self.classes[name].body

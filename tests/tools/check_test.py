@@ -86,7 +86,7 @@ class CheckTest(unittest.TestCase):
         self.finds("layers", {"lib/vug/mesh/a.cpp": "#include <vug/rocks/a.h>\n"}, "unknown module")
         self.finds("layers", {"lib/vug/rocks/a.cpp": BODY}, "not in the list")
 
-    def test_doors_to_libraries(self):
+    def test_wrappers_of_libraries(self):
         for library, owner in (("openvdb/openvdb.h", "volume"), ("embree3/rtcore.h", "raytree and render"),
                                ("OpenImageIO/imageio.h", "image"), ("OpenEXR/ImfArray.h", "image")):
             self.finds("layers", {"lib/vug/field/a.cpp": f"#include <{library}>\n"},

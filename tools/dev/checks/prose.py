@@ -1,6 +1,6 @@
 """Comments, messages and documents avoid the phrases that docs/style.md rejects.
 
-The table tools/dev/phrases.txt holds a pattern and an advice on each line. The check reads comments and string
+Each line of the table tools/dev/phrases.txt holds a pattern and its advice. The check reads comments and string
 literals of C++, comments of scenes, CMake and shell files, docstrings and comments of Python, and all of Markdown
 except code. A line that must quote a phrase ends with "style: quoted".
 """
@@ -9,7 +9,7 @@ import re
 from .tree import Finding
 
 TABLE = "tools/dev/phrases.txt"
-# Pages that quote the phrases, and texts that belong to other people.
+# Pages that quote the phrases, and third-party texts.
 EXEMPT = (TABLE, "docs/style.md", "docs/references.bib", "tests/data/", "tests/fuzz/corpus/",
           "tools/dev/checks/prose.py", "LICENSE")
 CPP_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"', re.S)
