@@ -91,7 +91,7 @@ class BadPictures(VugTest):
         for name, content, said in [
                 ("b.png", changed(png, len(png) // 2), damaged), ("c.png", png[:len(png) // 2], cut),
                 ("d.png", png[:20], cut), ("e.png", changed(png, 18), damaged), ("f.png", png[:-12], cut),
-                ("g.png", b"no picture at all", "it is no .png picture, " + start),
+                ("g.png", b"no picture at all", "it is not a .png image, " + start),
                 ("h.exr", picture[:len(picture) * 2 // 3], pixels), ("i.exr", changed(picture, len(picture) // 2), pixels),
                 ("j.jpg", b"\xff\xd8\xff\xe0" + bytes(99), start), ("k.tif", b"II*\0" + b"\7" * 99, start),
                 ("l.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 40 +X 40\nabc", pixels),

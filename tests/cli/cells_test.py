@@ -156,7 +156,7 @@ class Cells(VugTest):
         self.assertGreater(paper["variation"], report["variation"])
         self.assertIn("five_to_seven: ", self.expect(0, "measure", "s.vug", "--cells", "skin").out)
         self.assertIn("did you mean 'skin'?", self.expect(2, "measure", "s.vug", "--cells", "skim").err)
-        self.assertIn("--cells is for scenes", self.expect(2, "measure", "s.ply", "--cells", "skin").err)
+        self.assertIn("--cells requires a scene", self.expect(2, "measure", "s.ply", "--cells", "skin").err)
 
     def test_several_objects(self):
         self.write("s.vug", SCENE.replace("render", "volume other = level_set(box(size: (2, 0.4, 2)).translate((0, -1, 0)), voxel: 10cm)\n"

@@ -42,7 +42,7 @@ class Done(VugTest):
     def test_results_and_diagnostics_do_not_mix(self):
         self.write("warned.vug", CAVE.replace("axiom", "Hall -> + box()\n  axiom"))
         result = self.expect(0, "measure", "warned.vug", "--json")
-        self.assertIn("warned.vug:3:3: warning: nothing reaches", result.err)
+        self.assertIn("warned.vug:3:3: warning: the production 'Hall -> +' is unreachable", result.err)
         json.loads(result.out)
 
     def test_warnings_about_likely_mistakes(self):
@@ -252,7 +252,7 @@ class Unusable(VugTest):
                        "volume rock = level_set(a10100, voxel: 1m)\n")
             said = self.refused("build", "deep.vug", "-o", "out")
             self.assertTrue(said.startswith(f"deep.vug:{where}: error: "), said)
-            self.assertIn("levels deep", said)
+            self.assertIn("nested operations", said)
 
     def test_a_solid_that_doubles_endlessly(self):
         lets = "".join(f"let a{i} = a{i - 1} + a{i - 1}.translate((1, 0, 0))\n"

@@ -94,7 +94,7 @@ class FacadeInput(VugTest):
                     "-o", "square.exr")
         self.assertTrue(self.fit("square.exr", code=0).out.startswith("Facade(0, 0, 6, 8"))
         self.write("scan.txt", "\n".join(f"{0.1 * i} 0 {0.1 * j}" for i in range(60) for j in range(40)))
-        self.refused("how large the facade is", "--cloud", "scan.txt", "--width", "3m")
+        self.refused("do not apply to a scan", "--cloud", "scan.txt", "--width", "3m")
 
     def test_grammars(self):
         write_png(self.folder / "photo.png", photo())

@@ -321,7 +321,7 @@ class PictureFiles(VugTest):
         self.write("fire.vug", (self.folder / "fire.vug").read_text().replace('"flame"', '"flames"'))
         error = self.expect(2, "render", "fire.vug", "-o", "fire.exr").err
         self.assertIn("fire.vug:1:", error)
-        self.assertIn("does not contain a grid named 'flames'", error)
+        self.assertIn("has no grid named 'flames'", error)
 
     def test_cryptomatte_decodes(self):
         for name in ("plain", "parts"):

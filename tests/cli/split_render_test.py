@@ -148,7 +148,7 @@ class Farm(VugTest):
         self.assertIn("already exists", self.expect(2, *args, "--spp", "4096").err)
         self.assertIn("different seeds, 5 and 9",
                       self.expect(2, *args, "--spp", "4096", "--resume", "--seed", "9").err)
-        self.assertIn("done only to", self.expect(2, "merge", "state", "-o", "a.exr").err)
+        self.assertIn("is only", self.expect(2, "merge", "state", "-o", "a.exr").err)
         self.assertEqual(json.loads(self.expect(0, "info", "state", "--json").out)["type"], "checkpoint")
         self.assertEqual(digest(self.folder / "state"), kept)
         whole = (self.folder / "state").read_bytes()

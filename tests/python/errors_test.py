@@ -74,7 +74,7 @@ class Faults(Case):
                 ({"noise": numpy.nan}, ValueError, "noise must be from 0 to 1"),
                 ({"exposure": 99}, ValueError, "exposure"),
                 ({"eye": "middle"}, ValueError, "eye"),
-                ({"eye": "left"}, vug.Error, "no views"),
+                ({"eye": "left"}, vug.Error, "not a stereo camera"),
                 ({"working_space": "rec70"}, ValueError, "did you mean 'rec709'"),
                 ({"layers": ["albdo"]}, vug.Error, "albdo"),
                 ({"layers": 3}, TypeError, "layers"),

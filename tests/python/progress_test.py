@@ -125,7 +125,7 @@ class Cancelling(Case):
             scene.render(spp=2048, checkpoint="half.part",
                          progress=lambda share, what: what != "rendering" or share < 0.4)
         self.assertTrue((self.folder / "half.part").exists())
-        with self.assertRaisesRegex(vug.Error, "of another picture"):
+        with self.assertRaisesRegex(vug.Error, "belongs to another picture"):
             scene.render(spp=1024, checkpoint="half.part")
         shares = []
         image = scene.render(spp=2048, checkpoint="half.part",
