@@ -1,3 +1,4 @@
+#include <vug/render/film/surface_aov.h>
 #include <vug/render/kinds.h>
 
 namespace vug::render {
@@ -18,6 +19,9 @@ namespace vug::render {
 #undef VUG_KIND
 #define VUG_KIND(name) const Kind<IntegratorPtr>& name##_integrator();
 #include <vug/render/integrators_kinds.inc>
+#undef VUG_KIND
+#define VUG_KIND(name) SurfaceAov name##_aov();
+#include <vug/render/surface_aovs_kinds.inc>
 #undef VUG_KIND
 
 #define VUG_KIND(name) &name##_camera(),
@@ -69,6 +73,15 @@ const Kinds<MediumPtr>& media() {
 const Kinds<IntegratorPtr>& integrators() {
   static const Kinds<IntegratorPtr> all = {
 #include <vug/render/integrators_kinds.inc>
+  };
+  return all;
+}
+#undef VUG_KIND
+
+#define VUG_KIND(name) name##_aov(),
+const std::vector<SurfaceAov>& surface_aovs() {
+  static const std::vector<SurfaceAov> all = {
+#include <vug/render/surface_aovs_kinds.inc>
   };
   return all;
 }

@@ -1,6 +1,7 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/raytree/path_scheduler.h>
+#include <vug/render/film/surface_aov.h>
 #include <vug/render/kinds.h>
 #include <vug/render/paths/automatic_portals.h>
 #include <vug/render/tile_renderer.h>
@@ -42,7 +43,8 @@ LightPathPlan plan_light_paths(const AovPlan& aovs, const std::vector<std::strin
   plan.components = aovs.has_components();
   plan.groups = aovs.groups.size();
   plan.motion = aovs.has(kMotion);
-  plan.wetness = aovs.has(kWetness);
+  for (const SurfaceAov& aov : surface_aovs())
+    if (aovs.has(aov.name)) plan.surface.push_back(&aov);
   for (const AovAttribute& attribute : aovs.attributes) plan.attributes.push_back(attribute.name);
   for (size_t colour = 0; colour < aovs.groups.size(); ++colour)
     for (uint32_t group = 0; group < scene_groups.size(); ++group)

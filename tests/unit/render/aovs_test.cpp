@@ -1,8 +1,11 @@
 // Relations between AOVs.
 #include <vug/base/error.h>
 #include <vug/render/film/aovs.h>
+#include <vug/render/film/surface_aov.h>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "scenes.h"
 
@@ -26,6 +29,18 @@ Scene corner() {
 
 double sum_of(const image::Image& picture, const std::string& channel) {
   return mean_of(picture, channel).value;
+}
+
+TEST(Aovs, SurfaceAovsAreListedOnceAndHaveUpToThreeChannels) {
+  for (const SurfaceAov& aov : surface_aovs()) {
+    EXPECT_EQ(std::count_if(aovs().begin(), aovs().end(),
+                            [&](const AovInfo& info) { return info.name == aov.name; }),
+              1)
+        << aov.name;
+    EXPECT_FALSE(aov.doc.empty()) << aov.name;
+    EXPECT_GE(aov.channels.size(), 1u) << aov.name;
+    EXPECT_LE(aov.channels.size(), 3u) << aov.name;
+  }
 }
 
 TEST(Aovs, ComponentsSumToTheBeauty) {

@@ -1,6 +1,7 @@
 #include <vug/base/diagnostics.h>
 #include <vug/render/film/aovs.h>
 #include <vug/render/film/cryptomatte.h>
+#include <vug/render/film/surface_aov.h>
 #include <vug/render/scene.h>
 
 #include <fmt/format.h>
@@ -95,8 +96,10 @@ ColourAov colour_aov(const AovPlan& plan, const std::string& name) {
     if (kLight + group == name) return {index};
     ++index;
   }
-  if (name == kWetness) return {index, 1, true};
-  if (plan.has(kWetness)) ++index;
+  for (const SurfaceAov& aov : surface_aovs()) {
+    if (aov.name == name) return {index, aov.channels.size(), true};
+    if (plan.has(aov.name)) ++index;
+  }
   for (const AovAttribute& attribute : plan.attributes) {
     if (kAttribute + attribute.name == name) return {index, attribute.arity, true};
     ++index;
@@ -163,8 +166,8 @@ const std::vector<AovInfo>& aovs() {
                     "upwards.",
                     {"motion.X", "motion.Y"},
                     false});
-    list.push_back(
-        {kWetness, "Fraction of the first surface that is covered by water.", {kWetness}, false});
+    for (const SurfaceAov& aov : surface_aovs())
+      list.push_back({aov.name, aov.doc, aov.channels, false});
     list.push_back(
         {kCryptoObject, "Cryptomatte of objects.", crypto_channels(kCryptoObject), false});
     list.push_back(
@@ -196,7 +199,8 @@ std::vector<std::string> AovPlan::channels() const {
 FilmLayout AovPlan::layout() const {
   FilmLayout layout;
   layout.colours = (has_components() ? component_names().size() : 0) + groups.size() +
-                   (has(kWetness) ? 1 : 0) + attributes.size() + (has(kMotion) ? 1 : 0);
+                   attributes.size() + (has(kMotion) ? 1 : 0);
+  for (const SurfaceAov& aov : surface_aovs()) layout.colours += has(aov.name) ? 1 : 0;
   layout.coverage = has(kCryptoObject) || has(kCryptoMaterial);
   return layout;
 }

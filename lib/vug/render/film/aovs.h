@@ -24,8 +24,6 @@ struct AovInfo {
 };
 const std::vector<AovInfo>& aovs();
 
-inline constexpr const char* kWetness = "wetness";
-
 /// A mesh attribute that has an AOV.
 struct AovAttribute {
   std::string name;

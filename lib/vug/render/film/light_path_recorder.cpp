@@ -1,4 +1,5 @@
 #include <vug/render/film/light_path_recorder.h>
+#include <vug/render/film/surface_aov.h>
 #include <vug/render/light.h>
 #include <vug/render/materials/material_input.h>
 #include <vug/render/prepared_scene.h>
@@ -22,7 +23,7 @@ void LightPathRecorder::clear() {
 
 void LightPathRecorder::read_surface(const Surface& surface, const Material& material) {
   size_t next = plan_.lights();
-  if (plan_.wetness) colours_[next++] = Rgb(material.wetness(surface), 0, 0);
+  for (const SurfaceAov* aov : plan_.surface) colours_[next++] = aov->read(surface, material);
   if (plan_.attributes.empty()) return;
   const SurfacePoint point(surface);
   for (const std::string& name : plan_.attributes) {

@@ -13,6 +13,7 @@ namespace vug::render {
 class Material;
 class PreparedScene;
 struct Surface;
+struct SurfaceAov;
 
 /// The components that sum to the beauty: directly visible emission, and for all other light the
 /// last scattering event before the camera, and whether the light arrived there directly from its
@@ -33,12 +34,12 @@ enum class LightComponent : size_t {
 const std::vector<std::string>& component_names();
 
 /// The values of a recorder, in order: all LightComponents or none; one colour per light group;
-/// then values read at the first surface, which are not light but are summed like it: wetness and
-/// mesh attributes.
+/// then values read at the first surface, which are not light but are summed like it: surface AOVs
+/// and mesh attributes.
 struct LightPathPlan {
   bool components = false;
   size_t groups = 0;
-  bool wetness = false;
+  std::vector<const SurfaceAov*> surface;
   std::vector<std::string> attributes;  ///< Attribute names.
   /// From the indices of LightSet::groups() to colours; groups without an AOV are not included.
   std::unordered_map<uint32_t, size_t> group_of;
@@ -48,7 +49,7 @@ struct LightPathPlan {
   size_t lights() const {
     return (components ? static_cast<size_t>(LightComponent::count) : 0) + groups;
   }
-  size_t colours() const { return lights() + (wetness ? 1 : 0) + attributes.size(); }
+  size_t colours() const { return lights() + surface.size() + attributes.size(); }
 };
 
 /// The light of one path. An integrator records what each light contributes at a vertex, before the

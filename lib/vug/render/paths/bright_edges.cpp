@@ -1,6 +1,6 @@
+#include <vug/raytree/path_scheduler.h>
 #include <vug/render/paths/bright_edges.h>
 #include <vug/render/paths/vertex.h>
-#include <vug/raytree/path_scheduler.h>
 
 #include <algorithm>
 
@@ -20,8 +20,8 @@ struct Range {
 
 }  // namespace
 
-BrightEdges::BrightEdges(const PreparedScene& world, const Region& region, const Vec2i& width_height,
-                         uint32_t looks, uint64_t seed,
+BrightEdges::BrightEdges(const PreparedScene& world, const Region& region,
+                         const Vec2i& width_height, uint32_t looks, uint64_t seed,
                          const std::function<Ray(const SampleId&)>& camera_ray, Progress& progress)
     : region_(region) {
   const Region wide = Region{region.x0 - 1, region.y0 - 1, region.x1 + 1, region.y1 + 1}.overlap(
