@@ -137,7 +137,7 @@ vug.load_plugin({str(self.lens)!r})
 try:
     vug.load_plugin({str(self.cooling)!r})
 except vug.Error as error:
-    print("late" if "comes too late" in str(error) else error)
+    print("late" if "loaded too late" in str(error) else error)
 """
         environment = {**os.environ, "PYTHONPATH": f"{BUILD}/python", "VUG_PLUGIN_PATH": ""}
         done = run(PYTHON, "-c", program, cwd=self.room, env=environment)
