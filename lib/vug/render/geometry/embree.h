@@ -1,4 +1,4 @@
-// Embree's part of the geometry: only for geometry.cpp and geometry_grid.cpp.
+// Embree's part of the geometry: only for geometry.cpp, geometry_grid.cpp and embree.cpp.
 #pragma once
 
 #include <vug/raytree/embree_device.h>
@@ -22,6 +22,10 @@ struct PreparedScene::Geometry::RayContext : RTCIntersectContext {
   float time;
   Crossing crossing;  ///< The last crossing with a level set.
 };
+
+std::shared_ptr<std::vector<std::array<Vec3f, 3>>> corners_of(const mesh::Mesh& mesh);
+Box3f box_of(const mesh::Mesh& mesh);
+Box3f box_of(const volume::SurfaceBricks& surface);
 
 struct PreparedScene::Geometry::Embree {
   /// The BVH of a mesh or a level set, shared by instances.
