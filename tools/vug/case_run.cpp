@@ -125,7 +125,7 @@ void update(const ImageCase& image_case, const CaseOptions& options, const fs::p
   throw Error(
       ErrorCode::bad_input,
       fmt::format("its reference '{}' is missing", image_case.reference.filename().string()), {},
-      look + ", then: vug test --update --reason \"...\"");
+      look + ", then: vug test FOLDER --update --reason \"...\"");
 }
 
 void run_case_in(const fs::path& room, const CaseFolder& folder, const CaseOptions& options,

@@ -307,9 +307,9 @@ Verb render_verb() {
                      "frames");
         app.add_option("--part", options->part,
                        "Write a partial render for `vug merge` instead of a picture");
-        app.add_option("--tile", options->tile, "Render only band I of N of the picture, I/N");
+        app.add_option("--tile", options->tile, "Band of the picture for --part, I/N: band I of N");
         app.add_option("--samples", options->samples,
-                       "Render only samples A to B-1 of each pixel, A..B");
+                       "Samples of each pixel for --part, A..B: samples A to B-1");
         options->work.add_to(app);
         return [options] { return run(*options); };
       }};
