@@ -13,9 +13,11 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 find_program(VUG_CCACHE ccache)
 if(VUG_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # ccache supports precompiled headers only with these settings.
+  # ccache supports precompiled headers only with the first two settings; with the third, a build in one folder finds
+  # what was compiled in another.
   set(CMAKE_CXX_COMPILER_LAUNCHER
-    ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_PCH_EXTSUM=1 ${VUG_CCACHE})
+    ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_PCH_EXTSUM=1
+    CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} ${VUG_CCACHE})
 endif()
 
 # Shared libraries that are loaded on first use, and the run path by which programs of the build find them.
