@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plugin with one primitive, written like those in lib/vug/field/primitives:
 //   volume glass = level_set(lens(radius: 2m, thickness: 1m), voxel: 5cm)
 #include <vug/field/primitive.h>

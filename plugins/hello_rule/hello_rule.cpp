@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A plugin with one rule of cells, written like those in lib/vug/cells/rules:
 //   cells skin on wall { spacing 2cm  run sprinkle("heat", share: 1%), cooling(rate: 5%) }
 #include <vug/cells/rule.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page: its data, the panels next to the model, and keyboard shortcuts.
 import { showPanels } from './panels.js';
 import { Viewer } from './viewer.js';

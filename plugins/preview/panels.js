@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The panels next to the model. Texts are inserted as text nodes, so that nothing in a scene becomes markup.
 
 function make(tag, options = {}, ...children) {

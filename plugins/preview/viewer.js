@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The model view: orbit controls, the scene's cameras and lights, uniform light, and a cutting plane.
 import * as three from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Views of the library's memory as numpy arrays, and conversion of arrays from Python.
 #pragma once
 

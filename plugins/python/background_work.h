@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs long work on a separate thread while the calling thread waits for events without holding the
 // interpreter's lock. Callbacks therefore run on the calling thread (possibly the only one that may
 // access Blender's data or a window), Ctrl-C stops work within a tenth of a second, and working

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Declarations shared by the files of the Python module, each of which binds one subject.
 #pragma once
 

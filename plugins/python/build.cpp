@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Products of a scene: level sets, meshes, cells, pictures, files.
 #include "build.h"
 

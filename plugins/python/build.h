@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Builds of a scene, as seen from Python.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kinds of the scene language, from their schemas.
 #include "binding.h"
 

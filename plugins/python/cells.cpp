@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cells on a surface: their positions and attributes as arrays that share memory.
 #include "cells.h"
 

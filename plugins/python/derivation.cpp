@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Derivations of grammars: trees as text, data and drawings.
 #include "scene.h"
 

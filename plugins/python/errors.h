@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors and warnings in Python: vug.Error, vug.Cancelled, vug.SceneWarning.
 #pragma once
 

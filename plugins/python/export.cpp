@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Export for other programs.
 #include "build.h"
 #include "errors.h"

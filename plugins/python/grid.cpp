@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Grids: their properties, and their voxels as arrays.
 #include "grid.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Grids, as seen from Python.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures: layers as arrays that share memory, and files.
 #include "image.h"
 

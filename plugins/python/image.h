@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rendered pictures, as seen from Python.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Meshes: arrays that share memory, files, metrics, and construction from arrays.
 #include "mesh.h"
 

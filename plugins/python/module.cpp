@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The extension module vug._vug, which the Python package `vug` imports.
 #include "binding.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes: loading, overrides and declarations.
 #include "scene.h"
 

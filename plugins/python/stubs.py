@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Writes vug/_vug.pyi, the type stubs of the compiled module, from its signatures.
 
     stubs.py FOLDER_OF_THE_PACKAGE

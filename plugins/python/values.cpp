@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversion of scene values from and to Python.
 #include "scene.h"
 

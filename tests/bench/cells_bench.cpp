@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cells: the speed of building a network, and the speed of rules relative to the memory bandwidth.
 // The bound is the number of bytes that a step must move (links, attributes read and written) at
 // the speed of a triad, a[i] = b[i] + s * c[i], which is measured in alternation with the rules.

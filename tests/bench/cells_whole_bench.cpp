@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cells from end to end: scattered, relaxed, linked, rewritten and written as points, with the
 // memory used; then read back and compared. Prints a table.
 //   bench_cells_whole [millions]      default: 10

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sampler of facades on a facade of 500 x 700 pixels: proposals per second on one thread, from
 // the full tree, with each likelihood; then the guarantees for whole searches: the duration of
 // eight chains, and the time until a tree is as good as the final one. Prints a table, and a line

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A hectare of bamboo whose culms are instances of a few plants: built and rendered with one sample
 // per pixel. Measures the peak memory of the process; the limit is 500 MB.
 //   bench_hectare [WIDTHxHEIGHT]      default: the scene's size

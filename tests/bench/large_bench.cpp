@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Throughput and memory as functions of the grid size: ten thousand solids of every bounded kind,
 // rotated and displaced by noise, at about 10 and 100 million active voxels. Each size runs in a
 // process of its own, so that the peak memory (VmHWM) belongs to it alone.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cost of many lights: samples per second of the same room with 10, 100, ... 10,000 lights of the
 // same total power, and the cost of one choice by the tree and of a uniform choice. The benefit of
 // the tree is measured as the mean squared error of the light at points of the room for equal time.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One prototype for a grove: a moso culm with branches, twigs and leaves, from its L-system to a
 // mesh of stems and an instance for each leaf. The limit is 50 ms on one thread.
 #include <benchmark/benchmark.h>

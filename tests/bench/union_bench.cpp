@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A thousand spheres united into one level set: the field expression compared with OpenVDB's
 // method, which builds the operand grids in parallel and unites them with csgUnion one after the
 // other. Both run alternately in this process; the best round counts. Prints a table, or JSON with

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rewriting parametric words: modules per second with one thread and with two, in alternation, and
 // the speed-up of two; compared with handwritten loops for a single rule and with copying the
 // bytes.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Values of options: parsed as in scenes, and rejected with a specific message."""
 import unittest
 

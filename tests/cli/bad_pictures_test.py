@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Unusable pictures, textures and light profiles: an error that names the file, and exit code 2."""
 import math
 import random

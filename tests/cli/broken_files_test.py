@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Truncated and invalid files: an error that names the file and exit code 2, never a crash."""
 import json
 import os

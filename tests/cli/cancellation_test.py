@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A killed build leaves the complete old file or none; a cancelled build reports it."""
 import pathlib
 import signal

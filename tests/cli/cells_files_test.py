@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Files of cells: the outputs, other programs that read them, and killed runs that are resumed."""
 import csv
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Cells in a scene: errors with their locations, outputs, the same bytes for any number of threads."""
 import json
 import unittest

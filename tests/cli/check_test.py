@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """`vug check` reports, without building, all errors of the text that `vug render` would report later."""
 import json
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Systems of The Algorithmic Beauty of Plants (prusinkiewicz1990), each compared with the oracle: the hash
 of the whole word that `vug derive` prints after the given number of steps."""
 import hashlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Working spaces in files, and PNGs through views by name and through OpenColorIO configurations."""
 import os
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """`vug derive` prints words; those of the teaching scenes equal those of the book, letter by letter."""
 import hashlib
 import json

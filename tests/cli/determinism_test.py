@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The same bytes for any number of threads and for two runs: grids, meshes, pictures, trees."""
 import unittest
 

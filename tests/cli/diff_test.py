@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """vug diff: exit codes, symmetry, masks, limits, the significance test, and reports."""
 import base64
 import html.parser

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Objects that are traced without a mesh: the same picture in less memory, and their restrictions."""
 import re
 import unittest

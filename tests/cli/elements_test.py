@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Meshes of carved facades carry the element of each vertex: in files, in exports and in pictures."""
 import json
 import unittest

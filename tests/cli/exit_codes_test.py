@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Exit codes of every verb: 0 done, 1 the answer is no, 2 unusable input, 3 failure."""
 import json
 import resource

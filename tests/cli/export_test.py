@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """vug export writes files for other programs; vug recipe prints the scene that rebuilds a file."""
 import json
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A reader of OpenEXR files for tests, written from the file layout document without any library: parts,
 lines, deep lines or tiles, channels of half and float, no compression or ZIP."""
 import struct

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """`vug facade fit`: recovers a known facade from a picture that is rendered with depth."""
 import json
 import unittest

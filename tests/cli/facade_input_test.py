@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Facade verbs with unreadable input: a message, exit code 2, no partial files. After a full disk or a cancellation,
 existing results are kept."""
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """`vug facade scan` finds a synthetic facade in its points; `vug facade rectify` rectifies an oblique photo."""
 import json
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """`vug facade train`: pixel classifiers from synthetic labelled pictures."""
 import json
 import struct

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """An independent FLIP, from the formulas of Andersson et al. 2020 and 2021: plain, with full convolutions
 in two dimensions, in double precision. It shares no code and no decomposition with lib/vug/image."""
 import numpy as np

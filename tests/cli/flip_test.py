@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """FLIP of the command against an independent implementation in numpy, within 1e-3."""
 import json
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Sequences of pictures: vug render --frames."""
 import re
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """vug test: cases, updates of references, runs with other seeds, reports."""
 import json
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """No verb overwrites its inputs under any name, and two outputs never share a file."""
 import os
 import unittest

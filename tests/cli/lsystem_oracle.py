@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A slow and simple rewriter of L-systems in Python, with which `vug derive` is compared.
 
 It follows the book and docs/reference/lsystems.md, not the program. A system's rules are rows of text,

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """--max-memory: checked before the work starts, enforced, and accurate compared with the actual memory."""
 import os
 import re

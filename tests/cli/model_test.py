@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """`vug facade model`: interactive modelling sessions."""
 import json
 import re

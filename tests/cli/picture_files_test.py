@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Picture files as read by other programs: those of OpenImageIO and OpenEXR, and readers written
 from the specifications alone."""
 import ctypes

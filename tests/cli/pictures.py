@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Writes small pictures for tests without any library: Radiance HDR and EXR (linear), PNG (sRGB)."""
 import math
 import random

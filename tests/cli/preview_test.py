@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """vug preview writes one self-contained page, and no text of a scene becomes markup."""
 import base64
 import html

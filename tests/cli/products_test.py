@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Output and files of the verbs list, info, tree, format, sweep, measure and build."""
 import json
 import math

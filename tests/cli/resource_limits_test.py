@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """L-systems that never end, grow without bound or compute invalid numbers: each stops soon, in little
 memory, with a message that names the rule and its location."""
 import resource

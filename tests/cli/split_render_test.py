@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Long renders: merged partial renders and resumed renders are identical to uninterrupted ones."""
 import json
 import random

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Commands that touch no picture load none of the libraries for pictures; what happens if that library is missing."""
 import os
 import pathlib

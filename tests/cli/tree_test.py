@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """`vug tree` on facades: text, JSON, the notation of the paper, the table of elements, drawings."""
 import json
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs the built vug command in tests and examines its output and files.
 
 VUG in the environment names the program; VUG_SLOW says that a sanitizer makes it slow and large.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Creates a sphere by name, checks its distances at three points and its level set, then writes and
 // reads a picture, which requires that the installed library of picture formats is found.
 #include <vug/field/registry.h>

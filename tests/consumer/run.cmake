@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake -DBUILD=... -DSOURCE=... -DCOMPILER=... -DTYPE=... -P run.cmake: installs BUILD into a
 # temporary prefix, then configures, builds, runs and tests the consumer project against it.
 set(place ${BUILD}/tests/consumer)

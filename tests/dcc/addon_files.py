@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Checks of the add-on in Blender: saving, reopening and cleaning up files, and memory."""
 import gc
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Shared code for the checks of the add-on in Blender."""
 import os
 

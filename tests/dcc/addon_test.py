@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The add-on in the real Blender: installs its zip and uses it from a script. in_addon.py runs inside
 Blender. Two processes of Blender run; the second opens the file that the first has saved."""
 import os

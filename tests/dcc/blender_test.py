@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The real Blender imports the files that vug export writes for it, and finds the scene in them."""
 import json
 import math

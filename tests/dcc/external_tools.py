@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The vug command of tests/cli, and the external programs that read its files."""
 import json
 import os

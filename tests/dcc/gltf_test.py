@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The Khronos validator reports no problems in the output of vug export."""
 import unittest
 

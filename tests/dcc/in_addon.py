@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs inside Blender: installs the add-on's zip and uses it.
 
 blender --background --factory-startup --python in_addon.py -- use|again FOLDER ZIP

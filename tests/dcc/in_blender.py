@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs inside Blender: imports a set of vug export and prints the resulting data as JSON.
 
 blender --background --factory-startup --python in_blender.py -- FOLDER NAME VOLUME

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs inside Blender: imports same.vug with the add-on and renders it with Cycles.
 
 blender --background --factory-startup --python in_same_light.py -- FOLDER ADDON WIDTH HEIGHT SPP RUNS BOUNCES

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs inside a Blender with a window: uses the add-on by a user's clicks and keys.
 
 blender --factory-startup --enable-event-simulate --python in_window.py -- FOLDER ADDON

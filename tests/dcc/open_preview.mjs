@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // open_preview.mjs CHROMIUM PAGE PICTURE: opens a page of vug preview in a browser without a network,
 // takes a screenshot, and prints the contents of the page as JSON.
 import { pathToFileURL } from 'node:url';

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The page of vug preview, opened in Chromium: it shows the model and every panel, without network requests
 and console messages."""
 import os

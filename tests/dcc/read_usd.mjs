@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints the contents of a USD file as read by two readers, as JSON: the prims with their attributes
 // as parsed by tinyusdz, and the scene that three.js builds from the file.
 import fs from 'fs';

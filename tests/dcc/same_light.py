@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Renders one scene with Vug and, through the add-on, with Blender's Cycles, and compares the light.
 
     PYTHONPATH=build/release/python tests/dcc/same_light.py cave out.png [--size 320x180] [--spp 256] [--runs 4]

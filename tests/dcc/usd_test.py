@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Two readers of USD, tinyusdz and three.js, find everything that a scene shows, in the right place."""
 import math
 import re

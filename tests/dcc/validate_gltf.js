@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Prints the report of the Khronos glTF validator on a file, as JSON.
 const fs = require('fs');
 const validator = require('gltf-validator');

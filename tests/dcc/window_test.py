@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The add-on in a Blender with a window on a virtual screen (Xvfb): its event loop, Esc and undo, which a headless
 Blender lacks. in_window.py runs inside Blender."""
 import os

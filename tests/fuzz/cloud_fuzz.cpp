@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For any bytes, the reader returns a cloud of finite points with lists of matching lengths, or
 // fails.
 #include "require.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any block of a facade is rejected with error messages or derived twice to the same tree, whose
 // parts lie within their parents; it is also derived by a plan that leaves all choices open.
 #include "require.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes the bytes of a fuzzer to a file, for readers that take a path.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For any bytes, the IES reader returns a profile whose intensities are finite and do not exceed
 // its peak, or fails with bad_input.
 #include <vug/base/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For any bytes, the reader returns a pixel classifier that yields probabilities, or fails.
 #include "require.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For any block of an L-system: it is rejected with error messages, or it is derived for a few
 // steps with matching brackets, and formatting keeps its meaning and is idempotent.
 #include "require.h"

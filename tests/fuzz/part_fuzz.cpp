@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For any bytes, the reader of partial renders and checkpoints returns one that can be developed
 // into a picture, or fails with bad_input (too_large if it exceeds any memory).
 #include "file_of_bytes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For any bytes, the picture reader returns the number of values stated in the header, or fails
 // with bad_input (too_large if the picture exceeds any memory). The system's OpenEXR and
 // OpenImageIO, which it calls, are not instrumented: report findings in them to their projects.

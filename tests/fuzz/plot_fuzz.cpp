@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For any corners: a polygon that is not simple is rejected as bad input; a simple polygon has an
 // area, contains points, and its sides are at the given positions.
 #include "require.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For any bytes, the PLY reader returns a valid mesh or fails with bad_input.
 #include <vug/base/error.h>
 #include <vug/mesh/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For any bytes, reading a file's provenance returns texts or fails with bad_input, and a recipe
 // becomes a scene text that yields the same recipe when it is taken apart again.
 #include <vug/base/error.h>

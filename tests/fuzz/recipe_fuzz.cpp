@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any recipe of cells is rejected with error messages, or its cells run for a few steps on a box.
 #include <vug/base/error.h>
 #include <vug/building/cell_layer.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs a fuzz target over the files of a folder, without libFuzzer: the corpus as a test.
 #include <cstdint>
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The assertion of fuzz targets, which aborts the process.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For any bytes: parses, reports errors and evaluates expressions without objects. Formatting a
 // text without errors must keep its meaning and be idempotent.
 #include "require.h"

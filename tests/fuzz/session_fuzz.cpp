@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Any session file is rejected as bad input or replayed completely; then its text yields the same
 // tree and the same text again, and so does undoing and redoing all edits.
 #include "require.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For any word, including unmatched brackets, huge numbers and NaN: the turtle rejects it as bad
 // input or draws finite axes with orthogonal frames, whose stems have a finite surface.
 #include "require.h"

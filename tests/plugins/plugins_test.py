@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The plugins of plugins/hello_*: built against an installed Vug, loaded, refused."""
 import json
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Arrays share the memory of the objects that they view, keep them alive, and are read-only."""
 import gc
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The package in the real Blender, which has loaded its own TBB, OpenVDB, Embree and OpenImageIO."""
 import hashlib
 import os

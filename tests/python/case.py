@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Shared code for tests of the Python package: a temporary folder and the command for comparison."""
 import os
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The catalogue agrees with `vug list`."""
 import json
 import unittest

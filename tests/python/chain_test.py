@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """From text to files: Python writes the same bytes as the command."""
 import json
 import unittest

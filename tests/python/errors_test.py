@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Errors as exceptions with source locations; invalid arguments; warnings."""
 import pickle
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The package as installed by `cmake --install`, without the build folder."""
 import os
 import pathlib

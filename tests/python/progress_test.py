@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Callbacks, cancellation, Ctrl-C, and other Python threads during the work."""
 import os
 import signal

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The type stubs agree with the module, and everything is documented."""
 import ast
 import inspect

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Builds every scene of data/scenes, compares its meshes with known facts, and checks the
 // guarantees for all scenes: closed surfaces on the field, valid level sets.
 #include "facts.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Known facts about the scenes of data/scenes, from tests/data/scene_facts.json, and their
 // comparison with meshes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The figures of the SG+M paper (zawadzki2012) on smaller ranges; docs/explanation/theory/sgm.md
 // has all of them.
 #include "facts.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The checks of tools/dev/check: a small correct tree passes, and faulty trees are reported."""
 import pathlib
 import subprocess

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The documentation site builds strictly: every link leads somewhere, and every page is in the navigation.
 
     docs_test.py BUILD    the build folder whose vug command the generated pages come from

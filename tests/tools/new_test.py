@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """tools/dev/new on a copy of the tree: the files it writes are listed, in order, and compile.
 
     new_test.py BUILD    the build folder whose compile_commands.json says how to compile

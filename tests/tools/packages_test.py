@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """tools/dev/packages is well formed, and the installer does nothing if all packages are installed."""
 import pathlib
 import re

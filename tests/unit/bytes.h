@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Binary files made by hand, for tests of readers.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # All dependencies, one per line. This file is used by this project, which requires all of them, and by
 # the installed VugConfig.cmake, which requires only those of the libraries.
 if(CMAKE_FIND_PACKAGE_NAME)

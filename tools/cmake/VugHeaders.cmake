@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Precompiled headers that most sources include, which saves half of the compile time of a small file.
 # Sources still include everything they need; the presets clang and tidy disable precompiled headers
 # (CMAKE_DISABLE_PRECOMPILE_HEADERS) and thus detect missing includes.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Image tests for a project that uses an installed Vug: pictures are compared with references.
 #
 #   find_package(Vug REQUIRED)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Installation and the CMake package: targets Vug::field etc. for single modules, Vug::Vug for all.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -15,8 +16,8 @@ install(TARGETS vug_contract vug_all ${modules} EXPORT VugTargets
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/lib ${PROJECT_SOURCE_DIR}/lib/vug/*.h)
 set(internal "")
 foreach(header ${headers})
-  file(STRINGS ${PROJECT_SOURCE_DIR}/lib/${header} first LIMIT_COUNT 1)
-  if(first MATCHES "^// (Internal|Inside) ")
+  file(STRINGS ${PROJECT_SOURCE_DIR}/lib/${header} first LIMIT_COUNT 2)
+  if(first MATCHES "(^|;)// (Internal|Inside) ")
     string(REPLACE "." "[.]" header ${header})
     list(APPEND internal REGEX "/lib/${header}$" EXCLUDE)
   endif()

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # vug_module(NAME [FOLDERS folders...] [DEPENDS modules...] [PUBLIC libs...] [PRIVATE libs...]
 #            [OPTIONS of the compiler...] [DEFINITIONS...] [HEADERS to precompile...])
 # A module is the folder lib/vug/NAME. All .cpp files at its top level and in FOLDERS are compiled. Folders

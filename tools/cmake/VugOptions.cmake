@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Build options and the compile flags shared by all targets.
 option(VUG_TESTS "Build the tests" ON)
 option(VUG_BENCH "Build the benchmarks" OFF)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Plugins for projects that use an installed Vug (docs/guides/plugins.md).
 #
 #   find_package(Vug REQUIRED)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Functions that define tests: vug_test, vug_fuzz and vug_bench.
 include(GoogleTest)
 

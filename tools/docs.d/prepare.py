@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Prepares the documentation for mkdocs: writes FOLDER/pages and FOLDER/mkdocs.yml.
 
     prepare.py --vug FILE --out FOLDER

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Validators for option values, and errors for invalid arguments.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reports of a run of image cases: JUnit for build servers, an HTML index for people.
 #include "case_run.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs the cases of an image test and reports their outcomes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ends the program with an error if the processor lacks an instruction set that the build requires.
 // The check runs before static objects are constructed, because their code may use those
 // instructions. This source is compiled for plain x86-64.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A case of an image test: a folder with case.json, a reference picture and an optional mask.
 // docs/guides/image_tests.md describes the format.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The vug program: caves and terrain from grammars. Parses the arguments and runs the chosen verb.
 #include "arguments.h"
 #include "error_report.h"

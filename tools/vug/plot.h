@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Line plots as SVG, for `vug sweep`.
 #pragma once
 

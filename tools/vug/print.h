@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Printing of structured reports, for people and for programs.
 #pragma once
 

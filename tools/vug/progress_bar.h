@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Progress bar on a terminal, and cancellation by signals.
 #pragma once
 

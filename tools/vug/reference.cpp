@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reference pictures of image cases and their histories.
 #include "image_case.h"
 

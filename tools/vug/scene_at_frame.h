@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene at one frame of a sequence, with its builder.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Options shared by all verbs that take a scene.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SHA-256 as computed by sha256sum and Python's hashlib, for hashes that other programs also
 // compute.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A verb of the command, `vug VERB ...`. Each verb is a file in verbs/ and a line in
 // CMakeLists.txt.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Atomic file output: a temporary file next to the target, renamed when complete. Checks of input
 // and output files.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cubic Bezier curves, evaluated by parameter and by arc length.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/cpu_support.h>
 
 #include <cpuid.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Detection of the instruction sets that this build requires, x86-64-v3. The source is compiled for
 // plain x86-64 and uses no inline functions of other headers, so that it runs on any processor.
 #pragma once

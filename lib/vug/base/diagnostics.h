@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors and warnings found while reading a user's text, collected so that one run reports them
 // all.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The library's exception type and locations in a user's text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rotation-minimizing frames along a curve, used for sweeping tubes.
 // A Frame is right-handed and orthonormal: tangent x normal = binormal. A turtle's heading, left
 // and up are the tangent, normal and binormal.

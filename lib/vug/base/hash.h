@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Content hashes (XXH3, 128 bits) that identify grids, files and cached products.
 #pragma once
 

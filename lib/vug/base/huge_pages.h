@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memory for large arrays, backed by huge pages (see uninitialized_vector.h).
 #pragma once
 

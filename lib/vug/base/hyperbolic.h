@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hyperbolic functions with bit-identical results on every machine, like those of maths.h.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closed intervals [lo, hi] of doubles, used to bound a formula over a region.
 // Bounds are rounded to nearest, not outwards: callers add a relative slack where it matters.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kinds: named factories whose parameters are described by a schema. Everything that a scene can
 // name is a kind (a torus, a light, a mask). Each kind is one file and one line of a list.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Coefficients: the minimax polynomials of the Cephes library (S. L. Moshier, 1989), double
 // precision; argument reduction by Cody and Waite (1980).
 #include <vug/base/maths.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Transcendental functions with bit-identical results on every machine, so that geometry is
 // reproducible: the C library selects different code paths on different processors. All are correct
 // to about 1 ulp of the result for |x| up to 1e5 (sin, cos) and over the whole range (exp, log).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memory sizes as text, the memory of the machine, and checks of memory estimates against a limit.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parallel loops and reductions on TBB with results that do not depend on the number of threads.
 #pragma once
 

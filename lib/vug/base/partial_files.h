@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hidden names of partially written files, which contain the writing process, detection of stale
 // ones, and creation of folders that can be undone.
 #pragma once

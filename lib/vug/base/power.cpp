@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Powers with an error of at most 0.55 units in the last place: they are printed in texts and
 // compared digit by digit with results of other programs. The logarithm and the remainder of the
 // exponent are represented as sums of two numbers (dekker1971).

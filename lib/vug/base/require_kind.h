@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lookup of a kind by a name that a user typed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counter-based random numbers: the same key and counter give the same number on any machine and in
 // any thread. A key is derived from the seed and a path of names and indices, so adding a sibling
 // elsewhere in a scene does not change existing random choices.

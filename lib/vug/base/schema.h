@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The schema of a kind: name, documentation, source and parameters. Everything that refers to kinds
 // (binding of a scene's arguments, diagnostics, `vug list`, manuals, sweep tests) reads it;
 // base/kind.h makes a kind from it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Template definitions of schema.h.
 #pragma once
 

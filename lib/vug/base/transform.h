@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Affine maps of world space. Vectors are columns in the docs: q = A p + t.
 #pragma once
 

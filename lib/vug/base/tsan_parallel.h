@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parallel loops on plain threads, for builds with ThreadSanitizer only. TBB is not instrumented,
 // so every synchronization through it looks like a race, and suppressing those reports would also
 // hide races of this library. See tests/sanitizers/tsan.supp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // std::vector variant whose new elements stay uninitialized, for arrays that are overwritten at
 // once.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of scene expressions, before they are bound to a kind's parameters.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversion between Values and the members of a parameter struct.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors, boxes and matrices: aliases of Imath types.
 // World space is in metres, right-handed, y up; index space has its own types in volume/.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Escaping of text for SVG, HTML and XML.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Transfers the cells' attributes and displacement to a mesh.
 #pragma once
 

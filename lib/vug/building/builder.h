@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Computes the products of a shot: grids, meshes, surfaces and cell layers, each once and on
 // demand.
 #pragma once

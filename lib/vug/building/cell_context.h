@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Attributes that describe the surroundings of cells, computed only if a rule or mask uses them.
 #pragma once
 

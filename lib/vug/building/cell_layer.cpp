@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/building/cell_context.h>
 #include <vug/building/cell_layer.h>
 #include <vug/building/cell_points.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cell layers: a network of cells on meshes with the state after its rules have run.
 #pragma once
 

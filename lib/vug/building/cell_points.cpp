@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/building/cell_points.h>
 #include <vug/volume/io.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversion of cells to grids of points, and back.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/hash.h>
 #include <vug/building/cell_points.h>
 #include <vug/building/cells_checkpoint.h>

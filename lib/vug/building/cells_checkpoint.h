@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checkpoints of long runs of cells: a killed run continues from its file and yields the same
 // bytes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/memory.h>
 #include <vug/building/flat_scene.h>
 #include <vug/building/instance_source.h>

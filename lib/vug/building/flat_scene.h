@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Flattens a shot into a list of objects and lights, with the contents of placed scenes as
 // instances.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sources of instance transforms: a pose, a list, a file, a scatter.
 #pragma once
 

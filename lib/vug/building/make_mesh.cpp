@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/memory.h>
 #include <vug/building/make_mesh.h>
 #include <vug/building/memory_estimate.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Builds the mesh of a plan from a level set or from a file.
 #pragma once
 

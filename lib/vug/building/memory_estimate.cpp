@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/building/memory_estimate.h>
 #include <vug/volume/surface_bricks.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memory estimates for building a scene's products, made before the work starts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Merges the copies inside a scene into single meshes, so that a grove can instance the scene
 // efficiently.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The attributes of cells: named columns of numbers, vectors or integers, with one value per cell.
 #pragma once
 

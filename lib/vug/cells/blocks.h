@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tracks which blocks of cells need work, so that inactive cells cost nothing.
 #pragma once
 

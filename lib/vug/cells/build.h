@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Construction of a network from a surface: scattering, relaxation, linking and orientation of
 // cells.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diffusion of moisture through rock in one step: iterations of explicit diffusion, each
 // numerically stable.
 #pragma once

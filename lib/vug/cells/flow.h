@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Flow directions of water: the distribution of a cell's outflow among its lower neighbours.
 // Several neighbours receive water (Freeman 1991), so the flow follows slopes between the
 // directions of links.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tangent frame for every cell, so that rules can access the neighbour in a direction, such as
 // above. The paper leaves this open (gobron2006, section 4.4): its cells know their neighbours but
 // not their directions.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A grid: the initial pattern of cells and their number of neighbours (gobron2006, sections 3 and
 // 4.3). Lengths are in spacings.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/cells/lattice.h>
 #include <vug/cells/network.h>
 

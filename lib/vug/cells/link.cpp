@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/cells/link.h>
 #include <vug/cells/surface_distance.h>
 #include <vug/mesh/point_grid.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Adjacency of cells in compressed sparse rows.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The neighbours of a cell that are visible to a rule, that is, those that distribute. The types
 // below have the same interface; the required checks determine which one a rule receives.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A cellular network: points on surfaces with a common spacing, each linked to its neighbours
 // [@gobron2006]. Rules (cells/rule.h) change the attributes of cells; positions and links are
 // constant.

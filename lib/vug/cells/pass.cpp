@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/cells/pass.h>
 #include <vug/mesh/point_grid.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One pass of a rule over the cells: access to attributes, and the loops that run its kernel.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pass::run_on_sums. Neighbours are scattered in memory, and two attributes of a cell are in two
 // places. Therefore a block copies its surroundings as pairs that fit into the second-level cache,
 // and sums those.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Relaxation: cells repel each other on the surface until they are evenly distributed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A rule: the transition from the current state of a cell and its neighbours to its next state. All
 // cells are updated synchronously; values written are read in the next pass.
 #pragma once

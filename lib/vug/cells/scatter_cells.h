@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Initial placement of cells: a grid's pattern on each facet of a surface, joined along the seams.
 #pragma once
 

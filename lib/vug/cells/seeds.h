@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeds of growth: a random density of cells per square metre, independent of the spacing of cells.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random selection of a fraction of the cells.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Simulation of rules on a network: attributes, states and the step counter.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The surface that carries cells: the triangles of one or several meshes.
 #pragma once
 

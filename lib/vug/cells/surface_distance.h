@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distance between two points along a surface, estimated from their normals.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
 #include <vug/cells/transfer_to_mesh.h>
 #include <vug/mesh/normals.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Transfer of cell attributes to the vertices of a mesh by smooth interpolation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/building/flat_scene.h>
 #include <vug/delivery/assembly.h>
 #include <vug/delivery/bake.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts a shot to an exchange::Assembly, the plain data for other programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bakes the material of an object to vertex attributes of its mesh.
 #pragma once
 

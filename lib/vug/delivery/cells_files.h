@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes cells to files: grids next to the level set, and tables.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
 #include <vug/delivery/cutout_mesh.h>
 #include <vug/delivery/material_probe.h>

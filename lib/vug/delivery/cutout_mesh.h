@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts an opacity mask to holes in a mesh.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/cells/quality.h>
 #include <vug/delivery/describe_cells.h>
 #include <vug/shot/queries.h>

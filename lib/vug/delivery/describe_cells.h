@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Statistics of the spacing and the links of cells, as data.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Describes the contents of a product file, as data.
 #pragma once
 

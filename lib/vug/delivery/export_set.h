@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exports a shot as a set of files for another program.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/memory.h>
 #include <vug/delivery/export_volume.h>
 #include <vug/delivery/write_products.h>

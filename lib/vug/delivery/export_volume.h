@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts volumes to the grids that other programs expect.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/delivery/material_probe.h>
 #include <vug/mesh/normals.h>
 #include <vug/render/geometry/instance_transform.h>

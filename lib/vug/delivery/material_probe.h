@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluates an object's material at points of its mesh, viewed from outside.
 #pragma once
 

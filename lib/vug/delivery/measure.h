@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Metrics of the meshes of a scene or of a file.
 #pragma once
 

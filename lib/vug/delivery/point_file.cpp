@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/delivery/point_file.h>
 #include <vug/mesh/byte_writer.h>
 #include <vug/mesh/file.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes points as a mesh file without triangles, for programs that cannot read points in .vdb
 // files.
 #pragma once

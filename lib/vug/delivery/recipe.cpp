@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/delivery/describe_file.h>
 #include <vug/delivery/recipe.h>

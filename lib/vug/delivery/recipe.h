@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads from a file the recipe with which it was made.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The export data model: everything that a scene shows, as plain data with names, units, axes and
 // provenance.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The properties of a look that may vary over a mesh, and the attributes that store them.
 #pragma once
 

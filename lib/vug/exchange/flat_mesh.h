@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene as a single mesh for simple formats.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // File formats for a whole assembly. Each is a kind, named by its extension.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to exchange/: the binary buffer of a glTF file with its views and accessors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/exchange/gltf_extras.h>
 #include <vug/exchange/gltf_material.h>
 #include <vug/exchange/trs.h>

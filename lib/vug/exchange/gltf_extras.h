@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to exchange/: data that glTF cannot express, stored as extras for programs that know
 // Vug.
 #pragma once

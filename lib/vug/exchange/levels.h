@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Levels of detail: simplified meshes with their distances from the originals.
 #pragma once
 

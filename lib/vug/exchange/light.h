@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A light as plain data for files of other programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The look of a surface in terms of other programs: a base with metallic-roughness shading, a
 // dielectric interface and a coat of water. Fractions are 0 to 1, colours linear Rec.709.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A participating medium as plain data: the meaning of the grids of a volume.
 #pragma once
 

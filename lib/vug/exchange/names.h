@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names that every program accepts: unique, with letters, digits and underscores only.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/require_kind.h>
 #include <vug/exchange/program.h>
 

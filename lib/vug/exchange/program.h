@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Target programs with their preferred formats and units. Each is a kind; docs/guides/export.md
 // gives the reasons.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to exchange/: environment maps next to the files that refer to them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decomposition of affine maps into translation, rotation and scale, as required by other programs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to exchange/: USD cameras and lights.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Template definition of blocks.h.
 #pragma once
 

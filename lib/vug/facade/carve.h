@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Carving of facades: the solids that a facade removes from a wall or cliff and adds to it.
 #pragma once
 

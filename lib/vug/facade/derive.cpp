@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversion of rules into productions of the shared engine: each part of a split becomes an item
 // of the successor whose count is the number of its cells. A split inside a split becomes a
 // separate symbol with one production.

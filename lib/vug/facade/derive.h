@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Derivation of facades: rules are selected as in every grammar, and splits subdivide rectangles.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Elements of facades: windows, doors and other solids in a rectangle that is not split further.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Free numbers of a split: counts, sizes and positions that the text does not specify. A derivation
 // draws them at random; a model fixes some of them, and the others have defaults that depend on the
 // size.

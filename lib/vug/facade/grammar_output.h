@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Output of a derived facade as the text of a deterministic grammar, to be edited, included and
 // carved.
 #pragma once

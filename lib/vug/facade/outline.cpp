@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed distance to a polygon: for a nearest edge the signed distance to the edge's line, for a
 // nearest corner the distance with the sign of the crossing number (quilez2008distance). On the
 // surface the nearest feature is almost always an edge, so gradients are correct there.

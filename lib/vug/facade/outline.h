@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids from outlines: mouldings, gables, shafts of columns.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plans: derivations that are specified instead of random: the rule that divides each node and the
 // free numbers of its text. Plain data, shared and immutable: a modified plan shares everything
 // except the path to the modification.

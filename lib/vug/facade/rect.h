@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rectangles on a facade's plane and placements of their copies: metres, x to the right, y up.
 #pragma once
 

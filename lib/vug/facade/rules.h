@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of a facade's grammar as a table: symbols, their splits and parts. The table is static;
 // sizes are only known during a derivation.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to facade/: the payload of a facade's symbols during the derivation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to facade/: evaluation of a rule's expressions in a scope: splits with their cells, and
 // elements with their arguments.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Semantic labels of carved facades: the node to which each point of a surface belongs, stored as
 // mesh attributes.
 #pragma once

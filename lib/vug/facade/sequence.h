@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sequences of sizes: absolute lengths, fractions of the whole, and proportions of the rest.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The result of a facade's derivation: rectangles, splits with their numbers, elements. It is made
 // by derivations and samplers and read by everything that is built from facades.
 #pragma once

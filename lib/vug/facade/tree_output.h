@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Output of facades: JSON, the notation of ripperda2009, SVG over a picture, and a list of elements
 // as CSV. The same tree gives the same bytes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planes at irregular distances along an axis: bed boundaries and joints.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stack of layered rock, shared by the noise `beds` and the detail `strata`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Blends between solids: smooth minima of compact support. All have the form
 //   smin(a, b) = min(a, b) - k g(h),  h = max(0, 1 - |a - b| / k),
 // so operands that differ by more than k do not affect each other, and 1-Lipschitz operands give a

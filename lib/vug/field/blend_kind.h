@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kinds of blends, which are values of the `blend` parameter of operators.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One node serves union, intersection and difference: sign * smin(sign_i * child_i), by De Morgan.
 // Children fold from left to right, so an n-ary blend has a defined order.
 #include <vug/field/boolean.h>

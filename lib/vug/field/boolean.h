@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Union, intersection and difference of any number of fields, with one blend profile.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nodes that transform the point before they evaluate the child: f(p) = scale * child(map(p)).
 #pragma once
 

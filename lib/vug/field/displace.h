@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Displaces a surface along its normal by a noise: value - amount * weight * noise.
 #pragma once
 

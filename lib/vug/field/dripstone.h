@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dripstone in caves: the positions of drips and the speleothems that grow there.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bounds around deformed solids, shared by twist, taper and bend.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A parameter that is one number or a vector of three: scale factors, noise scales.
 #pragma once
 

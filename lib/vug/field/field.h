@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The handle to a field expression: a cheap, immutable value that can be shared between threads.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Heights over a rectangle, interpolated from the samples of an image.
 #pragma once
 

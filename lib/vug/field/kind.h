@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Definitions for the source file of a field kind: the schema types and the macro that exports the
 // kind.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/field/lattice.h>
 #include <vug/field/lattice_lanes.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random values on the integer lattice and gradient noise between them, over doubles and packs.
 // Everything is a hash of (cell, seed): no tables, no state, the same on every machine.
 #pragma once

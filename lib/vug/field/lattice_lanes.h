@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Integer lanes for the number types, used by the hashes of lattice.cpp.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nodes that modify a child's value at each point: offset, shell, complement, displacement.
 #pragma once
 

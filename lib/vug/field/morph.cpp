@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The SG+M morph: a weighted sum of two unclipped fields (zawadzki2012, eq. 5).
 #include <vug/field/boolean.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Noise: a bounded scalar function of space for displacement, warping and colour.
 #pragma once
 

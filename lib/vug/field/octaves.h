@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums of gradient noise at decreasing scales, shared by the fractal kinds of noise/.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nodes of fields that have samples but no formula: meshes, grids, images.
 #pragma once
 

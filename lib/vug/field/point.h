@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A point with coordinates of any number type, the argument of formulas.
 #pragma once
 

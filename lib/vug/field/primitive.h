@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Node and kind of a primitive's formula.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distances in the plane and their extension to solids, shared by the primitives with flat faces or
 // faces of revolution about the y axis (quilez2008distance; hart1996). Each formula uses the signed
 // distance to a face's line wherever that face is nearest, and a square root only at edges, so the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All field kinds by folder, generated from the lists in CMakeLists.txt.
 #pragma once
 

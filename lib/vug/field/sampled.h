@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fields sampled on a lattice, e.g. the level sets of .vdb files. This module knows only the
 // interface; a module that can read such files (volume) supplies the loader.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Working memory for batch evaluation: a stack of aligned arrays, one per thread.
 #pragma once
 

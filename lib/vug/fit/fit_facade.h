@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Facade reconstruction from a picture, from evidence to tree, with good defaults.
 #pragma once
 

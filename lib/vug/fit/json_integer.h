@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Validated integers from user-supplied JSON.
 #pragma once
 

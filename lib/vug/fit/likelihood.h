@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Likelihoods: the bits that the pixels of a region cost if the model treats them as one region.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interface of the sampler's moves. A move changes a tree and scores the reverse move; see
 // inference/choices.h.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names of elements whose type does not affect the code length.
 #pragma once
 

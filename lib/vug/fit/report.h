@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diagnostics of a facade fit: scores, posterior and convergence. Plain data; nothing is written to
 // files here.
 #pragma once

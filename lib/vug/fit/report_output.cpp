@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Output of reports as JSON and SVG.
 #include <vug/fit/report.h>
 

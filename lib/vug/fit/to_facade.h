@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversion of fitted trees from pixels to facade trees in metres.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cluster point processes: clumps with Poisson-distributed centres and stems around each.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sections of plants between two cuts across their culms.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Spatial distributions of plants in a plot: point processes in the plane.
 #pragma once
 

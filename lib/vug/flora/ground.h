@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ground queries for planting: the surface of a field or mesh below a point of the plan.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stems of a grove: a point process in a plot, projected onto the ground and filtered by growing
 // conditions.
 #pragma once

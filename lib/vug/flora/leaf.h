@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bamboo leaves as meshes: a lanceolate blade, folded along its midrib and bent by its weight, and
 // sprays of leaves at the end of a twig.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inside flora/ only: parameters shared by the kinds of leaves.
 #pragma once
 

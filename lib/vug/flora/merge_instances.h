@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Merges many instances of a few meshes into one mesh, such as a crown of leaves that a grove
 // instances as a whole.
 #pragma once

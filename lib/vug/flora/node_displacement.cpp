@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/vec.h>
 #include <vug/flora/node_displacement.h>
 

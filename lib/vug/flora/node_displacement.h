@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Radial displacement of a swept tube at the nodes of bamboo: a sheath scar, the nodal ridge above
 // it, and a groove in the internode above each branch (displacement mapping of luo2010bamboo,
 // section 2.2). All lengths are relative to the stem's radius at the node, so that one set of

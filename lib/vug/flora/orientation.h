@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact orientation predicate for three points.
 #pragma once
 

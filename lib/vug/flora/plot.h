@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plots: simple polygons in the plane in which plants are placed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangle meshes of the polygons that a turtle draws.
 #pragma once
 

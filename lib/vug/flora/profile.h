@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inside flora/ only: the outline of a tube's solid in a section along its middle line.
 #pragma once
 

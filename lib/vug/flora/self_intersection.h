@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Detection of self-intersecting polygons, in a plane or in space.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Swept stems as a field, for hero culms that are carved or joined with rock.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Swept stems as meshes: closed, 2-manifold, oriented outwards, one component for each stem and
 // each closed chamber, with vertices on the surface of sweep_field.h. Stems intersect their
 // parents. Every vertex carries attributes about its position on the plant for materials; see

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stem as a solid: a generalised cylinder swept along an axis with rotation-minimising frames,
 // with its radius, the displacement at its nodes, and the chambers of a hollow culm. One
 // parametrisation serves the field (sweep_field.h) and the mesh (sweep_mesh.h), so that both show

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inside flora/ only: creates the cross-sections of a tube from the stations of an axis.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Value of a tube and its gradient by the chain rule through coordinates().
 #include <vug/flora/tube.h>
 

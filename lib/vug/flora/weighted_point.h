@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The particle distribution of Luo et al. 2010 (cite luo2010bamboo).
 #pragma once
 

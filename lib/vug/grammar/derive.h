@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Derivation of grammars: sequentially, depth first, or in parallel, generation by generation.
 //
 // Random choices are keyed by path: an occurrence's key is derived from its parent's key, its own

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Selection and application of a production, shared by all orders of derivation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Symbols, productions and grammars, shared by all grammar dialects. The engine is independent of
 // geometry; a symbol's payload is opaque to it and is read only by callables.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Derivation trees: all occurrences of symbols with their provenance.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Output of derivation trees as text, JSON and SVG. The same tree always gives the same bytes.
 #pragma once
 

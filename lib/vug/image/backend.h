@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to image/: the functions that use OpenImageIO and OpenColorIO. They are in a shared
 // library of their own, which is loaded on first use
 // (docs/explanation/decisions/0031-image-libraries-on-first-use.md).

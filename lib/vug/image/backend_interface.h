@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to image/: what the library of backend.h and its caller must agree on.
 #pragma once
 

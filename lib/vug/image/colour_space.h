@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Linear working spaces and conversion between them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Deep images: samples with depth for each pixel, so that other programs can composite objects
 // between them.
 #pragma once

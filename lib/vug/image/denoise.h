@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Denoising of a rendered image with the help of its feature layers, for previews.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Comparison of two images of one scene: measures for every layer, limits on them, and a
 // significance test if the noise is known.
 #pragma once

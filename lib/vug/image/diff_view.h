@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Comparison of one view; `diff` combines the views.
 #pragma once
 

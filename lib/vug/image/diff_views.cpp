@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Comparison of stereo images: each view is compared by itself, and both have to be the same.
 #include <vug/base/error.h>
 #include <vug/image/diff_view.h>

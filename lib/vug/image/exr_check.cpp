@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layout follows "OpenEXR file layout" (openexr.com): magic number, version, then for each part
 // a list of attributes (name, type, size, value) terminated by an empty name.
 #include <vug/image/exr_check.h>

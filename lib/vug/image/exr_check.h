@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Validation of EXR headers before OpenImageIO reads the file.
 #pragma once
 

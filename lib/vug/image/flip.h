@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FLIP: the difference that an observer perceives when alternating between two images.
 //   LDR: Andersson et al. 2020, HDR: Andersson et al. 2021 (docs/references.bib: andersson2020flip,
 //   andersson2021flip).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Images as plain data: float pixels with named channels.
 #pragma once
 

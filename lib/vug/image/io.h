@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reading and writing of image files. Equal content gives equal bytes: neither time stamps nor host
 // names are written.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Layers of an image, by EXR's naming convention: "albedo.R" is channel R of the layer "albedo".
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measures of the difference between two images, as a number and as a map.
 #pragma once
 

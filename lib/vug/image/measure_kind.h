@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Definitions for the source file of a measure. The macro opens its one exported definition,
 // outside of any namespace:
 //   VUG_MEASURE(rmse) { return lower_is_better("rmse", "...", "", measure); }

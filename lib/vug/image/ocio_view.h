@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Display views through OpenColorIO, from a user's configuration or a built-in one.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // HTML frame of the report pages, self-contained without external resources.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planes with one number per pixel, and separable filters.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layout follows the PNG specification (W3C, third edition): a signature, then chunks of
 // length, type, data and a CRC-32 of type and data, IHDR first and IEND last.
 #include <vug/image/png_check.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Validation of a PNG before libpng reads the file.
 #pragma once
 

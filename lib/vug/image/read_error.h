@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to image/: errors of pictures that cannot be read.
 #pragma once
 

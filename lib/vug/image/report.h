@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reports on a comparison of two images, for people and programs. The same verdict gives the same
 // bytes, without times or machine names.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A significance test, with a chosen false-alarm rate, for the question whether two rendered images
 // differ by more than their noise.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Filtered texture lookups through OpenImageIO's texture system, which loads tiles and MIP levels
 // on demand and keeps them in a cache shared by all textures.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversion from scene-linear light to display values.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The views of a stereo image, derived from its channel names: "right.albedo.R".
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Projective transformation of images.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Base-2 logarithms. Code lengths are in bits; probabilities are natural logarithms.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reversible-jump Markov chain (cite green1995): the Metropolis-Hastings rule over states of
 // variable size. States consist of integers only, so no Jacobian is needed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Convergence diagnostics of Markov chains, based on one scalar per state.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Discrete distribution over integer positions that can be sampled in any window.
 #pragma once
 

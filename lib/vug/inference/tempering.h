@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parallel tempering (cite geyer1991): chains at several temperatures swap their states, so hot
 // chains carry cold ones over energy barriers. The temperatures can adapt, with diminishing steps,
 // until all neighbours swap equally often (cite vousden2016).

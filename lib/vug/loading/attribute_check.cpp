@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/cells/transfer_to_mesh.h>
 #include <vug/facade/semantics.h>
 #include <vug/flora/merge_instances.h>

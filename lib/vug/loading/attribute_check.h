@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Checks the names of attributes that masks, paints and AOVs read.
 #pragma once
 

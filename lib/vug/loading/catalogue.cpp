@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/exchange/program.h>
 #include <vug/facade/split.h>
 #include <vug/image/measure.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The catalogue of all kinds and their parameters as data, for `vug list`, the manual and tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Folders of the scene libraries that are installed with Vug.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files on which a scene depends.
 #pragma once
 

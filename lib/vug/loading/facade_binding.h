@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Binds a `grammar NAME: facade { ... }`, which is derived at once into rectangles and elements.
 #pragma once
 

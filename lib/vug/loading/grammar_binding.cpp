@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts scene rules to productions whose callables evaluate expressions of the scene. The leaves
 // contain SG+M steps, which sgm::interpret performs.
 #include <vug/field/kind.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Derives a grammar block of a scene into a field.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/loading/instance_source_kinds.h>
 
 namespace vug::loading {

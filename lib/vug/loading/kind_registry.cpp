@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/cells/kind.h>
 #include <vug/facade/carve.h>
 #include <vug/field/blend_kind.h>

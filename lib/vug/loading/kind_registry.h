@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The registries of all kinds that a scene can call, with type-erased products, for the resolver
 // and `vug list`.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Loads a scene file and evaluates it to a shot.
 #pragma once
 

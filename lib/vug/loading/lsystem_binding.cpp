@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/loading/lsystem_binding.h>
 #include <vug/lsystem/compile.h>
 #include <vug/lsystem/turtle_environment.h>

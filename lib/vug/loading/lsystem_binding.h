@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Binds a `grammar NAME: lsystem { ... }`, which other declarations derive and draw.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kinds of fields that are made from the drawing of an L-system, such as stems.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/atomic_file.h>
 #include <vug/loading/plugin.h>
 #include <vug/loading/plugin_kinds.h>

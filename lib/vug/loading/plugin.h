@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interface of plugins: shared libraries whose kinds a scene can use like the built-in ones. A
 // plugin is compiled against the headers of one version of Vug and entered through two C functions,
 // so that an incompatible plugin is rejected before any of its code is used:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inside loading only: adds the kinds of plugins to the registries.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interface of the readers of declarations; each kind has one file in declarations/.
 #pragma once
 

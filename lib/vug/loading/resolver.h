@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The resolver of all kinds and all declarations of a document.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/loading/validate.h>
 #include <vug/render/render.h>
 #include <vug/shot/queries.h>

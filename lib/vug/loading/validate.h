@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Validates a shot for rendering before anything is built.
 #pragma once
 

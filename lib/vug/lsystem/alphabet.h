@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The symbols of an L-system, identified by name and number of parameters, as small ids.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/lsystem/compile.h>
 #include <vug/lsystem/expressions.h>
 #include <vug/lsystem/nontermination.h>

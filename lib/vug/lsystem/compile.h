@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compilation of an L-system's text into a System.
 #pragma once
 

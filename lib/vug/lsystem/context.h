@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Context matching in words with branches (prusinkiewicz1990, section 1.8).
 #pragma once
 

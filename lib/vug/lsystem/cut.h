@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cut symbol "%", which removes the rest of its branch.
 #pragma once
 

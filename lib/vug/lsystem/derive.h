@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Derivation of a system to a word, by steps or by time, and its interpretation for the turtle.
 #pragma once
 

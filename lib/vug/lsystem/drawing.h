@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The output of a turtle: axes of stems with their nodes, polygons, and instances of named objects
 // such as leaves. This is the representation between words and geometry, in metres and radians,
 // right-handed. Value types.

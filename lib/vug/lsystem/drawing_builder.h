@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to the turtle: builds axes, polygons and instances of a Drawing.
 #pragma once
 

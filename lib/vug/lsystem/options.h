@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Options of an L-system's block, in addition to its axiom and rules. For the turtle's options see
 // turtle.h.
 #pragma once

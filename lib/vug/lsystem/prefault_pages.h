@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to rewriting: page faults on new memory before several threads write to it.
 #pragma once
 

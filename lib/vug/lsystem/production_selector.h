@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to rewriting: selection of the production of each module.
 #pragma once
 

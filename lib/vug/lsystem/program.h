@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expressions of productions as programs for a small stack machine of doubles: compiled once, run
 // for every module.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random numbers of modules, generated in batches.
 //
 // A module's key is derived from its path from the axiom, so a branch keeps its numbers whatever

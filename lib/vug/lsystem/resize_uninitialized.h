@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resizing of the buffers of words with spare capacity for the next steps.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One parallel rewriting step: all modules of a word are replaced at once.
 //
 // The step makes two passes over fixed chunks of the word, so that the result does not depend on

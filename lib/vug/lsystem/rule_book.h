@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rule books: rules in the order in which they are tried, and the selection method of each symbol.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A compiled L-system: immutable, shared, independent of its text.
 #pragma once
 

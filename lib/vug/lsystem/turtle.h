@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The turtle interpretation of words by [@prusinkiewicz1990] (chapter 1, in three dimensions).
 // The turtle starts at the origin, heads along +y, its left is -x and its up +z: planar drawings
 // lie in the xy plane, seen from +z. The same word gives the same drawing, bit for bit.

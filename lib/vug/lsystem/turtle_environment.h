@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An environment that answers the queries of a word from the turtle's pose and a field.
 #pragma once
 

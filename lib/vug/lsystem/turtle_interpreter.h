@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to the turtle: interprets a word module by module.
 #pragma once
 

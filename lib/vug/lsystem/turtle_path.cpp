@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Motion of the turtle: straight, along a guide, and bending of stems by tropism.
 #include <vug/base/error.h>
 #include <vug/base/maths.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Detection of rules that are never applied, whatever the word.
 #pragma once
 

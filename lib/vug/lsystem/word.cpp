@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/lsystem/resize_uninitialized.h>
 #include <vug/lsystem/word.h>

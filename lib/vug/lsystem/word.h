@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Words: strings of modules, each a symbol with numeric parameters. Brackets, cuts and polygons are
 // modules like all others, named as in ABOP: "[", "]", "%", "{", "}", ".".
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A binary bounding volume hierarchy over numbered items such as triangles, with nearest-first
 // traversal and overlap queries. Nodes are split at the median centre along the widest axis, so the
 // tree is the same for any number of threads.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A buffered writer for the bytes of a mesh file, which passes them to the sink in large chunks.
 #pragma once
 

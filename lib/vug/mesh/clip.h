@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clips a mesh along an isoline of values at its vertices.
 #pragma once
 

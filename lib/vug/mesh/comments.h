@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Information stored in the comments of a mesh file.
 #pragma once
 

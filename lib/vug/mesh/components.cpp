@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/mesh/components.h>
 #include <vug/mesh/topology.h>
 #include <vug/mesh/weld.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Removes small connected components from a mesh.
 #pragma once
 

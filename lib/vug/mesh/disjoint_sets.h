@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Union-find over 0..n-1 with the smallest member of each set as its root, so that results do not
 // depend on the order of joins.
 #pragma once

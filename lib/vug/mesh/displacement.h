@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares two meshes with the same triangles, before and after their vertices moved.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed distance to a closed triangle mesh, exact up to rounding. A bounding volume hierarchy
 // finds the nearest triangle; the angle-weighted pseudonormal of the nearest feature
 // (baerentzen2005) gives the sign, which is correct for any closed, outward-oriented mesh. A mesh

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mesh file formats. Coordinates in files are in metres. Data that a format cannot hold is dropped
 // on writing (see the documentation of each format). The error for an unknown extension lists the
 // known extensions.

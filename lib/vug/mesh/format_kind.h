@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Definitions for the source file of a mesh format. The macro opens its one exported definition,
 // outside of any namespace:
 //   VUG_MESH_FORMAT(ply) { return mesh_format("ply", "...", "...", read, write); }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangle meshes as plain data, shared by the mesher, the renderer and the file formats. Positions
 // are in metres in world space, right-handed, y up. Triangles are anticlockwise seen from outside,
 // so (b - a) x (c - a) points out of the solid.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vertex normals from the adjacent triangles.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Readers for the numbers that follow the header of a PLY file, in any of the three encodings.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/mesh/ply_header.h>
 #include <vug/mesh/text_scanner.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points sorted into cubic cells, so that neighbours in space are close in memory. All points
 // within one cell edge of a point lie in 27 cells, which are nine contiguous runs of the sorted
 // order.

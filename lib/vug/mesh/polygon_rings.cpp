@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constrained Delaunay triangulation in the plane of the polygon, by CGAL.
 #include <vug/base/error.h>
 #include <vug/mesh/polygon.h>

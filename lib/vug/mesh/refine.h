@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Refinement of a mesh into smaller triangles of the same shape.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parallel greedy sample elimination: removes points until no two are too close, with the same
 // result as visiting the points one by one in order of rank.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Poisson-disk samples on the surface of a mesh.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small closed meshes with known measures, for tests, examples and placeholders. All are oriented
 // outwards.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Adds a new vertex between two existing ones.
 #pragma once
 

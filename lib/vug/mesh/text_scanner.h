@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scanner for words and numbers in the text of a mesh file, with line numbers for messages.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
 #include <vug/mesh/disjoint_sets.h>
 #include <vug/mesh/topology.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Connectivity of a triangle mesh: edges with their faces, components, boundaries and genus.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The nearest point on a triangle and the feature that it lies on.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moves vertices to their targets without folding a polygon.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluation of one field at many points, grouped by position, so that each group sees only the
 // operands that matter there.
 #pragma once

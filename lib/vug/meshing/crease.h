@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fits a point of a crease or corner to the surrounding tangent planes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The polygons between OpenVDB's mesher and the final triangles. Quads are kept until their
 // vertices have moved, because the better diagonal is known only then.
 #pragma once

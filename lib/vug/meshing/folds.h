@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tests for folded polygons after their vertices moved.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Polygonization of a level set into a triangle mesh with its vertices on the sampled field.
 // OpenVDB's volume-to-mesh gives a closed surface with one vertex per cell, but cuts creases by up
 // to 0.67 voxel and places vertices by trilinear interpolation. Newton steps move the vertices onto

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Projection of points near a field's surface onto it, in batches.
 #pragma once
 

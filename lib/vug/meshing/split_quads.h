@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Splits quads into triangles along the diagonal that follows the surface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Target positions for the vertices of the raw polygons.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The volume measure of the paper: cells of the sampling lattice with all eight corners inside.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/metrics/report.h>
 #include <vug/metrics/self_intersections.h>
 #include <vug/metrics/surface.h>

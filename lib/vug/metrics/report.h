@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report of `vug measure` on a solid, as a table and as JSON.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Self-intersections: pairs of triangles of one mesh that intersect.
 #pragma once
 

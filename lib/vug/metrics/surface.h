@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Area, volume and convexity of a triangle mesh.
 #pragma once
 

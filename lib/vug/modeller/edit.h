@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Edits as data: the form in which sessions store them, a GUI sends them and command lines spell
 // them.
 #pragma once

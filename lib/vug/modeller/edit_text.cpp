@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parsing and formatting of edits as lines of text.
 #include <vug/modeller/edit.h>
 

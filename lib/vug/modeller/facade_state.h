@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The state of a facade being modelled: the decisions so far and the resulting tree.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/modeller/history.h>
 
 #include <fmt/format.h>

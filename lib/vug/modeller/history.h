@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A history of states with undo, redo and checkpoints. All states are kept, since they share
 // unchanged data.
 #pragma once

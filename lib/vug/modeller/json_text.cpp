@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/diagnostics.h>
 #include <vug/base/json_file.h>
 #include <vug/modeller/json_text.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inside modeller/ only: JSON values that know their position in the text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draggable lines of a node.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Paths of nodes, with child indices or names.
 #include <vug/base/diagnostics.h>
 #include <vug/modeller/facade_state.h>

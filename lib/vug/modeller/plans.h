@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inside modeller/ only: operations on plans that several edits share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queries for user interfaces: applicable rules and actions, and the node under the mouse.
 #pragma once
 

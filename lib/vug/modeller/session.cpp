@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/pluralize.h>
 #include <vug/modeller/json_text.h>
 #include <vug/modeller/session.h>

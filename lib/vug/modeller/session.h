@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Modelling sessions: the complete history of a facade, stored as a file.
 #pragma once
 

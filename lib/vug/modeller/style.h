@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The grammar used for modelling: its rules by name, and the actions derived from them.
 #pragma once
 

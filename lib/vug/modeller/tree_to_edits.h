@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversion of existing trees, such as fitted ones, into edits that reproduce them.
 #pragma once
 

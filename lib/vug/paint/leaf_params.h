@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal header of paint/: parameters shared by the leaf masks.
 #pragma once
 

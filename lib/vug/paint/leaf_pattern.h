@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Outline and veins of a lanceolate leaf in leaf coordinates, shared by leaf meshes and leaf
 // pictures.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
 #include <vug/paint/leaf_pattern.h>
 #include <vug/paint/leaf_picture.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Picture of a leaf for programs that show leaves as cards with an alpha channel: masks and paints
 // evaluated over the flattened strip of leaf(card: true).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Procedural masks and paints: functions of position, normal, fields and attributes, without UVs. A
 // mask returns a number between 0 and 1, a paint a linear Rec.709 colour (an albedo).
 #pragma once

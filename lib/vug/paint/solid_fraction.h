@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solid fraction of the space around a point: the volume integral invariant, which distinguishes
 // convex from concave regions at a chosen scale without derivatives of the surface (pottmann2007).
 #pragma once

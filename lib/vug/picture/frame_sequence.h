@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frame ranges and file names of image sequences.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/picture/motion.h>
 #include <vug/render/cameras/moving_camera.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Motion while the shutter is open, and from frame to frame.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/atomic_file.h>
 #include <vug/image/denoise.h>
 #include <vug/image/views.h>

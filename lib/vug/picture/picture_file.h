@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes a rendered picture: the EXR with its AOVs, and the PNG next to it.
 #pragma once
 

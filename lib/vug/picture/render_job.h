@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rendering with checkpoints, previews and partial renders for a farm.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Renders the views of a picture: one view, or both views of a stereo camera.
 #pragma once
 

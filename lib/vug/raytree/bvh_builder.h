@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The build plan of a WideBvh: which quads share a leaf, and which boxes share a node.
 #pragma once
 

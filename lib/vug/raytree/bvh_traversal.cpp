@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/raytree/bvh_traversal.h>
 #include <vug/raytree/simd.h>
 
@@ -123,8 +124,7 @@ inline void BvhTraversal::step() {
   } while (!any && distances_[stack_size_] > far);
   next_ = children_[stack_size_];
   const bool is_leaf = (next_ & WideBvh::kLeaf) != 0;
-  const void* const node = &bvh_.node(next_);
-  const void* const memory = is_leaf ? static_cast<const void*>(&bvh_.leaf(next_)) : node;
+  const void* const memory = bvh_.address(next_);
   __builtin_prefetch(memory);
   __builtin_prefetch(static_cast<const char*>(memory) + 64);
   stage_ = static_cast<Stage>((is_leaf ? leaf_closest : node_closest) + (any ? 1 : 0));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Resumable ray queries on a WideBvh, and batches of them that advance in turn.
 #pragma once
 

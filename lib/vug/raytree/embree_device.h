@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An Embree device: only for render/geometry/ and bvh_builder.h.
 #pragma once
 

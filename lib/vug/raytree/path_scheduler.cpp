@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
 #include <vug/raytree/path_scheduler.h>
 #include <vug/raytree/sanitizer_fiber.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scheduler that interleaves the paths of one thread to hide memory latency: while the memory for
 // one path's ray is fetched, other paths continue.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/raytree/quads.h>
 #include <vug/raytree/ray.h>
 

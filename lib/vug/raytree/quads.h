@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs of adjacent triangles: two triangles that share an edge are stored in one box and with four
 // corners instead of six.
 #pragma once

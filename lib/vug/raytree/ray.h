@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rays and the vector operations that ray tracing needs. Single precision.
 #pragma once
 

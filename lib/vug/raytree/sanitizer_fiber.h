@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Announces stack switches of a thread to sanitizers. Without sanitizers all of it is empty.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Helpers for eight lanes of AVX2 that compilers do not find on their own.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/raytree/bvh_builder.h>
 #include <vug/raytree/quads.h>
 #include <vug/raytree/wide_bvh.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bounding volume hierarchy (BVH) of triangles with eight children per node, for rays that are
 // traced several at a time.
 #pragma once
@@ -52,6 +53,12 @@ class WideBvh {
   bool empty() const { return nodes_.empty(); }
   const Node& node(uint32_t number) const { return nodes_[number]; }
   const Leaf& leaf(uint32_t number) const { return leaves_[number & ~kLeaf]; }
+  /// The memory of a node or leaf, to prefetch it.
+  const void* address(uint32_t child) const {
+    const bool is_leaf = (child & kLeaf) != 0;
+    return is_leaf ? static_cast<const void*>(leaves_.data() + (child & ~kLeaf))
+                   : static_cast<const void*>(nodes_.data() + child);
+  }
   /// The largest absolute coordinate of all corners.
   float extent() const { return extent_; }
   size_t bytes() const { return nodes_.size() * sizeof(Node) + leaves_.size() * sizeof(Leaf); }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interface of BSDFs: how a surface scatters light at one point, seen from one side.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interface of cameras: maps a film position to a ray.
 #pragma once
 

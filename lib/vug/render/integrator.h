@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interface of integrators: computes the radiance along a camera ray.
 #pragma once
 

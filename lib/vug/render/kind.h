@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Includes and macro for the source file of a kind: the schema, and the export of its factory.
 #pragma once
 

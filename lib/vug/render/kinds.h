@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Catalogue of all kinds of cameras, samplers, materials, lights, media and integrators with their
 // schemas. The lists are in this module's CMakeLists.txt.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interface of lights. Lights do not block rays: a ray that hits one adds its emission and
 // continues, so that a light is visible through others in every renderer alike.
 #pragma once

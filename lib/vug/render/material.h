@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interface of materials: provides the BSDF at a point on a surface.
 #pragma once
 

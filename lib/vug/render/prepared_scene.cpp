@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/render/geometry/geometry.h>
 #include <vug/render/prepared_scene.h>
 

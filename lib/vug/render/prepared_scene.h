@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene prepared for ray tracing: acceleration structures and light selection.
 #pragma once
 

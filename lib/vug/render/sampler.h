@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interface of samplers: the uniform numbers in [0, 1) of a path, addressed by dimension.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mappings from uniform numbers in [0, 1)^2 to directions, in single precision and with the same
 // bits on every machine.
 #pragma once

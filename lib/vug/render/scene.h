@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scene to be rendered, as plain data. Objects are shared and immutable.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reductions of the eight lanes of an AVX2 register, and the lane helpers of raytree.
 #pragma once
 

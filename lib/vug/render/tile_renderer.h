@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene prepared for sampling any pixel of the picture.
 #pragma once
 

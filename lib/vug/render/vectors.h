@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vector, colour and frame helpers of the renderer. Single precision; colours are linear Rec.709.
 #pragma once
 

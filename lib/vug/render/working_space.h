@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Converts a scene to a working colour space with primaries other than those of Rec.709.
 #pragma once
 

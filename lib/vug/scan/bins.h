@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sparse square bins for points in a plane.
 #pragma once
 

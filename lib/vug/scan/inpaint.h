@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inpainting of the pixels between the points of a sparse cloud.
 #pragma once
 

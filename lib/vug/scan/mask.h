@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Binary masks and their morphology with square structuring elements [@serra1982].
 #pragma once
 

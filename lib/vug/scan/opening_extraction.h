@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Steps shared by both methods of opening detection.
 #pragma once
 

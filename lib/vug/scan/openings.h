@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Detection of windows and doors in a scanned facade without a grammar: rectangles without returns
 // or set back behind the wall (section 3 of [@ripperda2009]).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fitting of a facade's plane to a point cloud, and the frame on the plane.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/mesh/ply_body.h>
 #include <vug/mesh/ply_header.h>
 #include <vug/scan/read.h>

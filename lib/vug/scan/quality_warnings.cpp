@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/scan/quality_warnings.h>
 
 #include <fmt/format.h>

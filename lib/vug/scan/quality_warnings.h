@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plausibility checks of a fitted plane: is it a facade?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Range images: depths of a point cloud over a plane, in an orthographic view.
 #pragma once
 

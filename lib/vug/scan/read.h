@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Readers of point clouds: PLY in any encoding, text files of numbers, and pictures made by `vug
 // render`.
 #pragma once

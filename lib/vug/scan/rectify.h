@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Perspective rectification of photos, and photos resampled onto range images.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reports of a scan as JSON, SVG and pictures.
 #pragma once
 

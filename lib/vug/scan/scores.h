@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Agreement of detected rectangles with the ground truth.
 #pragma once
 

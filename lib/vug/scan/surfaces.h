@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Classification of the pixels of a scanned facade: wall, set back behind the wall, or without a
 // return.
 #pragma once

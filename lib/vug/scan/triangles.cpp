@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/median.h>
 #include <vug/scan/opening_extraction.h>
 #include <vug/scan/openings.h>

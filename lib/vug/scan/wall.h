@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The surface of a wall as a reference for set-backs: facades bulge and lean, and scans drift.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/scene/cursor.h>
 #include <vug/scene/units.h>
 #include <vug/scene/utf8.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The parser's position in the tokens of one file, error reporting and error recovery.
 #pragma once
 

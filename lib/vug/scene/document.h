@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The syntax tree of a scene text: parameters, lets, declarations, whose kinds are not interpreted
 // here, and grammar blocks. Every element has its source location.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluation of expressions: parameters, lets and seeded random choices; objects are provided by a
 // Resolver.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expression trees of a scene: immutable, shared, with source locations.
 #pragma once
 

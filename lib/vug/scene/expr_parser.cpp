@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/rng.h>
 #include <vug/scene/expr_parser.h>
 

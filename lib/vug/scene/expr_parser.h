@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parser of expressions; docs/reference/language.md has the EBNF.
 #pragma once
 

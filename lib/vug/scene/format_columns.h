@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Column alignment of the lines of a formatted text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Classification of the tokens in L-system blocks, where signs are modules instead of operators.
 #pragma once
 

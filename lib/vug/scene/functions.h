@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Built-in functions of the scene language on numbers, vectors and lists.
 #pragma once
 

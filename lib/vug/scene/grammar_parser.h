@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parser of grammar blocks of shapes and facades; for L-systems see lsystem_parser.h.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/scene/evaluator.h>
 #include <vug/scene/keys.h>
 

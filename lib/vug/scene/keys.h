@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Keyframe interpolation of parameters.
 #pragma once
 

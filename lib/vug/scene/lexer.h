@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lexer: text to tokens with locations and spacing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/scene/lsystem_check.h>
 #include <vug/scene/units.h>
 

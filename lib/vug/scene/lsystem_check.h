@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Static checks of an L-system's text.
 #pragma once
 

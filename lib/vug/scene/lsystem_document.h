@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The syntax tree of an L-system's block: words, productions and tables.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parser of L-system blocks: the dialect of `grammar NAME: lsystem { ... }`.
 #pragma once
 

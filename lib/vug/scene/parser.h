@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parser of scene texts. All syntax errors of a text are found in one run: after an error the
 // parser continues with the next statement, entry or rule.
 #pragma once

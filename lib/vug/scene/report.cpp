@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/scene/parser.h>
 #include <vug/scene/report.h>
 #include <vug/scene/utf8.h>

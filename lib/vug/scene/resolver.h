@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interface through which the evaluator resolves names, calls and operators of objects.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lookahead for the start of the next rule in a grammar's block.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/scene/grammar_parser.h>
 #include <vug/scene/statement_parser.h>
 #include <vug/scene/units.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Units of numbers in scene texts.
 #pragma once
 

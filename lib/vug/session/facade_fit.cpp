@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/median.h>
 #include <vug/facade/grammar_output.h>
 #include <vug/fit/evidence/cluster_image.h>

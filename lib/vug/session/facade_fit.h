@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fits a facade grammar to a picture or a laser scan; the result is a tree and a scene.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/facade/grammar_output.h>
 #include <vug/loading/data_folders.h>
 #include <vug/loading/resolver.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files of facades modelled by hand: the grammars of modelling sessions, and scenes of carved
 // walls.
 #pragma once

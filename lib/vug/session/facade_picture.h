@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The input of facade fitting: colours, and the depth behind the plane of the wall.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A self-contained HTML page that displays a scene in a browser.
 #pragma once
 

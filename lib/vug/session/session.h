@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Umbrella header of the public interface: loading a scene, building it, rendering pictures,
 // delivering files.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bonds and labels, which define where and how two shapes can be joined (zawadzki2012, definitions
 // 4 and 5).
 #pragma once

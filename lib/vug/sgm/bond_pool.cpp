@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/sgm/bond_pool.h>
 #include <vug/sgm/probe.h>
 

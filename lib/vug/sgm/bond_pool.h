@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The free and consumed bonds of a growing base.
 #pragma once
 

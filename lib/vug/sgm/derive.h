@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Derivation of a cave from a grammar, or from the paper's six parameters (zawadzki2012, section
 // 2).
 #pragma once

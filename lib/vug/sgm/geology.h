@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Material-driven morphing (proposed as future work in zawadzki2012, section 5): the geological
 // component at a point limits the amount of a morph.
 #pragma once

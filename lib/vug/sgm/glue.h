@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Gluing: moves a shape such that one of its bonds and a bond of another shape make a label.
 #pragma once
 

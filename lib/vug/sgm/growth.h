@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The base shape under a sequence of productions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queries on a field without a grid: first hit of a ray, extreme points, any inner point.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One production of an SG+M derivation, the payload of the leaves of its tree.
 #pragma once
 

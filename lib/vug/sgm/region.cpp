@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/sgm/region.h>
 
 #include <vug/field/boolean.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Local variants of intersection and morph: they act only near the new shape, so no production can
 // remove distant parts of a cave.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The paper's experiment as a grammar.
 #include <vug/sgm/derive.h>
 

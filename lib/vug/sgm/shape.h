@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A solid with its bonds.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The attributes that the cells of a plan will have, determined before any work.
 #pragma once
 

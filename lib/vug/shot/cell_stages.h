@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cell rules as called in a scene, with their steps and masks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The plan of a `cells NAME on MESH { ... }` declaration.
 #pragma once
 

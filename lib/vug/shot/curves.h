@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Named curves of a scene, which guide turtles.
 #pragma once
 

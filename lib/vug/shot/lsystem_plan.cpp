@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/field/kind.h>
 #include <vug/lsystem/turtle_environment.h>
 #include <vug/shot/curves.h>

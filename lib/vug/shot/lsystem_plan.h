@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The plan of a `grammar NAME: lsystem { ... }`: the L-system, its turtle settings and its drawing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/field/kind.h>
 #include <vug/flora/polygon_mesh.h>

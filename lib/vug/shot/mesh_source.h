@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sources of meshes that need no grid: stems, the polygons of an L-system, and leaf shapes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/shot/plan_values.h>
 
 namespace vug {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Value conversions for the plans of volumes and meshes in scene expressions.
 #pragma once
 

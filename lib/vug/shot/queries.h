@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Queries on a shot: its declared and shown products, and look-up by name.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The evaluated scene before anything is built: plain data between the scene text and its products.
 #pragma once
 

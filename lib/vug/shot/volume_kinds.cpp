@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/field/kind.h>
 #include <vug/shot/volume_kinds.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The kinds of volumes, as listed in CMakeLists.txt.
 #pragma once
 

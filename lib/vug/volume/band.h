@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Grids of colours and numbers that accompany a level set, with one value for each voxel of its
 // band.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values that are not distances are repaired to first order, d = v / |grad v| (taubin1994, section
 // 3): the zero set is unchanged, and near it d is the distance up to O(d^2 curvature).
 #include <vug/volume/block.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to volume/: the values of one block of 8^3 voxels.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Digest of a grid's content: little-endian bytes of the tree in its own sorted order.
 #include <vug/base/parallel.h>
 #include <vug/volume/grid_access.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversion of grids to the coordinates of other programs.
 #pragma once
 

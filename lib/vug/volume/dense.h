@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dense copies of sparse grids.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A fog volume's values in plain blocks, for fast lookups along rays.
 #pragma once
 

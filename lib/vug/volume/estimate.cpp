@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // On average, a surface of area A meets A * w / size^3 cubes of edge `size`, where w is the width
 // of the slab that must contain the cube's centre: the band plus the cube's mean extent along the
 // normal, 3/2 of its edge (Cauchy's mean projection of a cube).

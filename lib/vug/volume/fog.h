@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fog volumes: density 0 outside a solid, rising to 1 inside.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A handle to a sparse grid with its name, class and metadata, as stored in files.
 #pragma once
 

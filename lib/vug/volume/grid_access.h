@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to volume/: access to the OpenVDB grid of a handle. Uses forward declarations, so that
 // OpenVDB's headers stay in .cpp files.
 #pragma once

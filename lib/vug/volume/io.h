@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reading and writing .vdb files. Files are written completely or not at all, with the same bytes
 // for the same content.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to volume/: cubes of the voxel lattice and their bounding balls.
 #pragma once
 

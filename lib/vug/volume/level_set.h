@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Narrow-band level sets: signed distances in metres, negative inside, stored near the surface.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Level sets as sampled fields, for the field kind `grid`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bounds of a density in bricks of one size, for traversal along rays.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
 #include <vug/volume/octree.h>
 #include <vug/volume/tree_builder.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to volume/: the octree traversal from a cube of the lattice down to the blocks that
 // contain the surface.
 #pragma once

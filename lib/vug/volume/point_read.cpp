@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads points from grids of any origin.
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points with attributes, as plain arrays and as grids of .vdb files.
 #pragma once
 

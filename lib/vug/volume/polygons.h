@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The raw polygons of a level set from OpenVDB's volume-to-mesh.
 #pragma once
 

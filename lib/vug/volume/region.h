@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to volume/: the region of a field that is voxelized.
 #pragma once
 

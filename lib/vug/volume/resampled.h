@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Functions resampled onto the voxels of another grid.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The surface of a level set for ray tracing: bricks of samples near the surface instead of a mesh.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Removes small components from a surface without a mesh. Lattice points on one side of the surface
 // that are neighbours along an axis are connected; small sets change sides, so that the remaining
 // surface is still watertight.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/volume/tree_builder.h>
 
 #include <openvdb/openvdb.h>

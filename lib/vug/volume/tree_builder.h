@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to volume/: builds an OpenVDB tree from nodes that many threads fill. The result does
 // not depend on their order.
 #pragma once

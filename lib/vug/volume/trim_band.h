@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to volume/: trims a level set outside its band, because the first-order distances of a
 // steep field are too short far from its surface.
 #pragma once

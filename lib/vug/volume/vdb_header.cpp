@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Layout as written by OpenVDB since format 222: magic (8 bytes), format version (4), library major
 // and minor (4 + 4), offsets flag (1), identifier (36), metadata, number of grids (4), and for each
 // grid its name, type, parent name and three offsets: start, voxel data, end.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to volume/: the header and grid offsets of a .vdb file, read with all lengths checked.
 // OpenVDB trusts these numbers, so they are validated before it opens a file.
 #pragma once

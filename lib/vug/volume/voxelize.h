@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversion of a field expression to a sparse level set. Blocks that the surface cannot touch are
 // skipped by means of the expression's bounds, and every remaining block is evaluated with only the
 // operands that can matter in it (after barbier2025, keeter2020).

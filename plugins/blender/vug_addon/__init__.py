@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Vug in Blender: .vug scenes with their parameters as sliders, and export of meshes as fields."""
 bl_info = {
     "name": "Vug",

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Atomic replacement of files. This module does not use bpy."""
 import contextlib
 import os

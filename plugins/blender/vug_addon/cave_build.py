@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The build of a cave: a worker job and the import of its result. Blender's file does not change before the
 job has succeeded."""
 import json

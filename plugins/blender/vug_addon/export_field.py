@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Exports closed meshes of Blender as fields of a scene, e.g. blocked-out shapes that a grammar details."""
 import os
 

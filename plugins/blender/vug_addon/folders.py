@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Folders of the files that Blender references: next to the .blend or, while it is unsaved, in a folder in the
 user's data.
 

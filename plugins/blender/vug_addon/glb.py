@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Reads the binary glTF that vug export writes. Blender's own importer omits vertex attributes other than
 colours and rounds colours to 8 bits. The results use Blender's conventions: z up, and the units of the
 scene."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Imports the output of a worker into a cave's collection. Existing data-blocks are updated in place if they
 have changed, so that materials, modifiers and transforms added by an artist are preserved."""
 import hashlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """A running worker process, its messages and its cancellation. This module does not use bpy."""
 import json
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Lights and cameras equivalent to Vug's. Blender's watts are those of a light that emits in all directions as
 it does along its axis. docs/guides/export.md describes the lights in exported files.
 

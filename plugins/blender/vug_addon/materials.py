@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Materials for Cycles and Eevee. Varying properties come from mesh attributes, the others are constants."""
 CHANNELS = ("Cd", "roughness", "wetness", "metallic", "transmission", "opacity", "through", "emission")
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Operators: add, update and cancel caves, reset parameters, and export a mesh as a field."""
 import os
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Objects that a cave has added to Blender's file. Objects that an artist has deleted are restored by an update."""
 import json
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The sidebar panel of the 3D view with a cave's parameters."""
 import textwrap
 

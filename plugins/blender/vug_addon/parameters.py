@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Parameters of a scene as custom properties of a cave's collection: sliders that Blender saves, animates and
 displays, with the scene's ranges and docs. Lengths are in metres, regardless of Blender's unit scale."""
 import json

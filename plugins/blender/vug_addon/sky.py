@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Environment lights as Blender's world: all domes of a scene in one world that belongs to the cave."""
 import os
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Metres and Blender's units: Vug uses metres, a scene of Blender has a unit scale."""
 import bpy
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Runs in a separate Python process: builds a scene and writes the files that the add-on imports.
 
 The first line of its input is the order, in JSON: `source`, `params` (changed parameters by name), `seed`

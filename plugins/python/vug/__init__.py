@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Vug grows film-grade caves from grammars.
 
     import vug

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The kinds of the scene language, with documentation from their schemas."""
 from __future__ import annotations
 

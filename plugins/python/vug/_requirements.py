@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Checks the requirements of the package: the Python version and numpy. Raises an ImportError that states the
 remedy."""
 import importlib.machinery

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
 """Writes the reference caves of docs/performance.md: meshes, a fog volume and the scene files that name them.
 
     tests/bench/reference_caves/make.py FOLDER [--voxel 0.049]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """Counts the alarms of `vug diff`: renders of one scene that differ only by their samples must pass; a
 picture that is one percent darker and one with another material must fail.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "bench_scene.h"
 
 #include <vug/base/atomic_file.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The reference caves: JSON with binary PLY files, so that other renderers can read them.
 #pragma once
 

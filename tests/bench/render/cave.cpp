@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Renders a bench scene (JSON with a binary PLY) and prints samples per second. Cycles renders the
 // same scenes for comparison, see docs/performance.md.
 //   bench_cave [SCENE.json OUT.exr] [--size WxH] [--spp N] [--threads N] [--seed N] [--portal]

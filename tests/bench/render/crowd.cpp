@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A large scene: 40 million triangles in world space and 2,000 instances of stones. Prints the
 // estimated memory and time, and the actual ones.
 //   bench_crowd [millions of triangles] [instances] [samples per pixel]

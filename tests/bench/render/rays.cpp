@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rays per second of a render compared with those of a bare loop over the same rays. The linker
 // redirects the renderer's rays to this file (--wrap), which records them in order. The loop then
 // traces them one after the other with Embree's BVH of the same triangles. One thread.

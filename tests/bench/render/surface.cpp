@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memory of a scene's rocks as meshes and as level sets (`object { direct true }`), and rays per
 // second on one thread. One run for each, because the peak is that of the process.
 //   bench_surface SCENE.vug mesh|direct [NAME=VALUE ...]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The list of missing instruction sets.
 #include <vug/base/cpu_support.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The loops visit every index once and propagate exceptions, with TBB and with plain threads.
 #include <vug/base/parallel.h>
 #include <vug/base/parallel_sort.h>

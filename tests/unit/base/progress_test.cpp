@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stages are reported to a watcher in order; overlapping workers share a Progress without a
 // watcher.
 #include <vug/base/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cell layers are products: built once, cached, counted, and rejected for their size before the
 // work.
 #include <gtest/gtest.h>

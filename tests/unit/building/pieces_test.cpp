@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `smallest_piece` of a mesh: which components it removes, and that the rest is unchanged.
 #include <gtest/gtest.h>
 #include <vug/building/builder.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Instances of `place` declarations: transforms, names, materials and lights.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recipes of cell rules in scenes: named lists of rules, files of data/recipes, and attributes of
 // the surroundings.
 #include <vug/building/builder.h>

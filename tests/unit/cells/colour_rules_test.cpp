@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rules of table 1 for spreading and drawing: colours, Voronoi patches, cracks, melting, water.
 #include "run.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The counting rules of table 1: corrosion, life, maze, regrouping; and Gray-Scott.
 #include "run.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Growth on rock and its erosion: moss, lichens, crusts, erosion; and cells that freeze.
 #include "run.h"
 

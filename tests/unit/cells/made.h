@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Networks and surfaces shared by several tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Masks on cells: by position once, by attributes in every step.
 #include "run.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes that must not affect a network, and input that is rejected.
 #include "made.h"
 

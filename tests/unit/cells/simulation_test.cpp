@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The step counter: which cells are updated, which are visible, and the order of rules.
 #include "run.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Transfer of attributes to vertices: constants are reproduced, linear functions nearly so, and the
 // sides of walls do not mix.
 #include "run.h"

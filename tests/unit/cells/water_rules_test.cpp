@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Effects of water on rock: it runs, seeps in, dries and leaves salt; and dust, which moves
 // similarly.
 #include "run.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Conversion of scenes to plain data for other programs.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files of cells, and continued runs: from a checkpoint, from a frame, from points.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

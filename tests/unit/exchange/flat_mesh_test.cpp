@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/scratch_folder.h>
 #include <vug/exchange/flat_mesh.h>
 #include <vug/exchange/program.h>

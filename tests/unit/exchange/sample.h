@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An assembly with known numbers.
 #pragma once
 

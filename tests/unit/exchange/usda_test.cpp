@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Content of the text by plain search; tests/dcc reads it with third-party readers.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Derivations by plans.
 #include "derived.h"
 

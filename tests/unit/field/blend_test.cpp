@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Blends: compact support, depth, slope, and the shapes of the profiles.
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Deformers compared with closed forms and with explicit copies or maps.
 #include <vug/base/maths.h>
 #include <vug/base/rng.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dripstone follows water: vertical, attached, inside its box, and only below drips.
 #include <vug/base/parallel.h>
 #include <vug/base/rng.h>

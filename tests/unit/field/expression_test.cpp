@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The core of expressions: evaluation modes agree, and restriction changes nothing inside its ball.
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>

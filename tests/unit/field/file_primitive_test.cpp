@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids from files: meshes, images and level sets, compared with closed forms; bad files are
 // rejected.
 #include "fixtures.h"

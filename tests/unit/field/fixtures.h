@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small files for tests of kinds with a `file` parameter, created on first use.
 #pragma once
 

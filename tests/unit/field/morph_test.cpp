@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The morph against its closed forms (SG+M eq. 5).
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every noise: its bounds, slopes and evaluation modes; the statistics of gradient noise.
 #include <vug/base/rng.h>
 #include <vug/field/lattice.h>

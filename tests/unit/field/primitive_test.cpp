@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distances of each primitive at points where they can be calculated by hand.
 #include <vug/field/registry.h>
 

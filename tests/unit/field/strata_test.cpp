@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Displacement and strata: the range of the surface, and the properties of beds.
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>

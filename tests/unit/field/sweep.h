@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fields for property tests: every kind of the registry with its defaults and with random
 // parameters from its schema. A new kind is included by its line in the list of kinds.
 #pragma once

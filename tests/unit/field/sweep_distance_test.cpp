@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values as distances: exact ones equal the distance to the surface, bounds never exceed it. Sphere
 // tracing from all sides finds the surface.
 #include "sweep.h"

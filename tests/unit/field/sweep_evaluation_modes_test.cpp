@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The evaluation modes of a formula agree: batch and scalar, value and gradient, gradient and
 // differences; and none of them ever yields NaN.
 #include "sweep.h"

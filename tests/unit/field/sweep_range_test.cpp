@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Statements of a field about a region hold for every point in it: intervals, restrictions,
 // Lipschitz constants, bounds.
 #include "sweep.h"

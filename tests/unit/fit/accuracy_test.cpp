@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Accuracy of trees and pixel classifiers on photographed facades with labelled pixels; see
 // docs/explanation/theory/facades.md. Uses a part of the pictures unless VUG_ACCURACY=all is set.
 #include "../scan/external_data.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sampler visits states with the right frequencies: tested over all trees of small grammars,
 // with all moves together and with each alone.
 #include "enumeration.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Round trip: random facades of the published grammar are painted, degraded with noise and fitted.
 #include "random_facade.h"
 

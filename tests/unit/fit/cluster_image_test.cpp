@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Downsampled pictures, and the cluster images that trees are fitted to.
 #include "painted.h"
 

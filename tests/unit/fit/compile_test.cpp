@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compilation of the published grammar for the sampler.
 #include <vug/base/error.h>
 #include <vug/base/scratch_folder.h>

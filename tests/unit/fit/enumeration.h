@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Enumeration of all trees of tiny grammars.
 #pragma once
 

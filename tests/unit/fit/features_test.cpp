@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Features, random forests and clusters on synthetic pictures.
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Figure 5 of the paper: models of one facade ordered by complexity. Two of them have one split and
 // differ by a bit, like 0.15 and 0.16 in the paper: a middle has a width, a ground floor a height,
 // and the picture is slightly higher than wide.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The complete pipeline from evidence to tree.
 #include "enumeration.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reading of labelled pictures and its error messages.
 #include "painted.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Code lengths compared with closed forms.
 #include "enumeration.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every move is reversible by the choices it scores, with the probabilities it reports, bit for
 // bit.
 #include "enumeration.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Synthetic facades: sky, stone with noise, rows of glass windows, a shop below.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pixel classifiers trained on synthetic facades.
 #include "painted.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random facades of the published grammar as pictures with known trees.
 #pragma once
 

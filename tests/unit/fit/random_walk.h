@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random walks through the trees of a model, for tests that need large trees.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeds and chains on pictures with known windows.
 #include "enumeration.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cluster processes compared with their theoretical K functions.
 #include "stands.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Guarantees of all distributions, and the statistics of those without interaction.
 #include "stands.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stems on the ground, filtered by growing conditions.
 #include "stands.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plots and samples shared by tests of point processes.
 #pragma once
 

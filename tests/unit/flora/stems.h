@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stems for tests of sweeps.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The field and the mesh of a swept stem show the same surface and keep their guarantees.
 #include "stems.h"
 

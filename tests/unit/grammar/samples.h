@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small grammars shared by several tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Working spaces and views. OpenColorIO's own transforms and published numbers serve as reference.
 #include <vug/base/error.h>
 #include <vug/base/scratch_folder.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Artefacts that the denoiser must avoid; the tests of the renderer measure its noise reduction.
 #include <gtest/gtest.h>
 #include <vug/image/denoise.h>

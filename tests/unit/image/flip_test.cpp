@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closed forms of FLIP. tests/cli/flip_test.py compares whole images with another implementation.
 #include <vug/image/flip.h>
 

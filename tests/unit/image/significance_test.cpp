@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Calibration and power of the significance test on images with known noise.
 #include <vug/base/error.h>
 #include <vug/base/rng.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A chain over lists of numbers of variable length with known probabilities.
 #include <vug/base/error.h>
 #include <vug/inference/tempering.h>

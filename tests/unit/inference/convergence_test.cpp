@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Convergence diagnostics compared with processes of known values.
 #include <vug/base/rng.h>
 #include <vug/inference/convergence.h>

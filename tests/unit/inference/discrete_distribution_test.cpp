@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Samples of a discrete distribution match its probabilities in every window.
 #include <vug/base/error.h>
 #include <vug/inference/choices.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The species of data/bamboo compared with measurements, for many seeds.
 #include <vug/building/flat_scene.h>
 #include <vug/flora/sweep_field.h>

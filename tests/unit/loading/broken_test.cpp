@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every scene in tests/data/broken/scenes is reported exactly as in its .expected file. These
 // scenes parse but are invalid; tests/data/broken/syntax has scenes that do not parse. A first line
 // "# run: -D NAME=EXPR" is an override. With VUG_UPDATE=1 in the environment the expected files are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bump mapping by a vertex attribute bends normals like the same height as a function of position.
 #include <gtest/gtest.h>
 #include <vug/base/rng.h>

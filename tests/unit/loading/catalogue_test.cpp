@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The catalogue of `vug list` matches what a scene may contain.
 #include <gtest/gtest.h>
 #include <vug/loading/catalogue.h>

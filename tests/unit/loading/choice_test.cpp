@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a choice is expected, its word means the choice even if the text declares something of that
 // name.
 #include <gtest/gtest.h>

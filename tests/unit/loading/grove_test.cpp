@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // grove(...) in scenes: the positions of its plants, and the reports of faults.
 #include <vug/base/scratch_folder.h>
 #include <vug/building/flat_scene.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every ```vug example in the documentation of the language, cells, groves, L-systems, facades,
 // bamboo and the first cave is a valid scene, including names of kinds and parameters, which the
 // parser does not check.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The masks by which materials are layered, compared with analytic values; and the presets in
 // data/materials with their wet variants.
 #include <gtest/gtest.h>

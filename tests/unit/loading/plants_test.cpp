@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Products of an L-system's drawing: a field, meshes, instances.
 #include <gtest/gtest.h>
 #include <vug/building/flat_scene.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A clipped mesh has a boundary on the contour and no gap anywhere else.
 #include <vug/base/error.h>
 #include <vug/mesh/clip.h>

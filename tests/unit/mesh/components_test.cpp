@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/mesh/components.h>
 #include <vug/mesh/normals.h>
 #include <vug/mesh/shapes.h>

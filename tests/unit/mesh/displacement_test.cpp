@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/mesh/displacement.h>
 #include <vug/mesh/shapes.h>
 

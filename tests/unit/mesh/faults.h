@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A table of texts that a format rejects, with the line and a part of each message.
 #pragma once
 

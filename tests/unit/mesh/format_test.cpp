@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of every mesh format, in a loop over the registry.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Edges of a box with a box removed: the distance of its true edges from the mesh, with and without
 // polish.
 #include "solids.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "solids.h"
 
 #include <vug/base/parallel.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids with known area and volume, and their conversion to meshes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Batched evaluation and projection of points, compared with single evaluations in double
 // precision.
 #include "solids.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Facades and helpers for tests of the modeller.
 #pragma once
 

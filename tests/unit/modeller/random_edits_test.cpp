@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random sequences of edits: each edit yields a valid state or is rejected without effect, undo
 // restores the previous bytes, and replaying the edits reproduces the bytes.
 #include "desk.h"

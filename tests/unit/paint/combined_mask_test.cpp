@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Masks that combine masks: their values, and the attributes that they read.
 #include <vug/base/maths.h>
 #include <vug/paint/kind.h>

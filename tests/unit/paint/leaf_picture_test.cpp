@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Leaf pictures: leaves as cards with an alpha channel, for other programs.
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>

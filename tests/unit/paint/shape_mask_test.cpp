@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The masks of edges and cavities use true distances, whatever the field's values.
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Animated scenes: static products are built once, and files are named by their frame.
 #include <gtest/gtest.h>
 #include <vug/base/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The camera of a render without a camera of its own.
 #include <gtest/gtest.h>
 #include <vug/loading/load.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Warnings: valid but probably unintended input is reported with its location, and the work
 // continues.
 #include <gtest/gtest.h>

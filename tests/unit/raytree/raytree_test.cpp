@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rays through a WideBvh against a loop over all triangles, and interleaved paths.
 #include <vug/base/parallel.h>
 #include <vug/base/rng.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Adaptive sampling: as bright as sampling everything, with less work.
 #include <vug/image/view.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Relations between AOVs.
 #include <vug/base/error.h>
 #include <vug/render/film/aovs.h>

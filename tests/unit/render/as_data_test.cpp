@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cameras, lights and materials as data for the files of other programs.
 #include <vug/base/error.h>
 #include <vug/exchange/camera.h>

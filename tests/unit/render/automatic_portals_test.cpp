@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Automatic portals are found where the sky is visible, and change only the noise.
 #include "scenes.h"
 

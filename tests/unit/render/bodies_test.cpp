@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies that light enters and leaves, in scenes with known results.
 #include "scenes.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Additional camera rays at bright edges reduce the noise and leave everything else unchanged.
 #include "scenes.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "chi2.h"
 
 #include <vug/base/error.h>

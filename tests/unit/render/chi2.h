@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pearson's chi-square test of directions against a density.
 #pragma once
 

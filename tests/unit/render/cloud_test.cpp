@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clouds against haze, quadrature and furnaces.
 #include "scenes.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cryptomatte: hashes of the specification, and coverage equal to that of the samples.
 #include <vug/render/film/aovs.h>
 #include <vug/render/film/cryptomatte.h>

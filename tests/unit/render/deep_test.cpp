@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A deep picture composited from front to back equals the picture.
 #include <vug/base/rng.h>
 #include <vug/render/film/deep.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The denoiser on a rendered picture: closer to the converged picture, with edges and means kept.
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>

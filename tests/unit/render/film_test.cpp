@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compares the film's sums with exact arithmetic, and its variance with repeated renders.
 #include <vug/base/rng.h>
 #include <vug/render/film/film.h>

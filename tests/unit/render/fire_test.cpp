@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Grids of colour, temperature and flame in addition to a density, against quadrature. fire.vdb was
 // written with pyopenvdb: blocks of 4 x 4 voxels of 50 cm about the y and z axes, constant except
 // for the temperature, which rises along z by 100 K per voxel from 1600 K; the flame begins 3

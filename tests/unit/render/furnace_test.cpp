@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // White furnace tests: the sum of all reflections is known.
 #include "scenes.h"
 

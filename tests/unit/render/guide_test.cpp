@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The guide: its densities are normalized, and it recovers the light distribution that it was
 // trained with.
 #include "chi2.h"

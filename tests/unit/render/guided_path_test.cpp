@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Guiding makes paths find light sooner, but does not change the expected result.
 #include "scenes.h"
 

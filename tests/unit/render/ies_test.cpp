@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // IES files: their contents, and the messages for invalid ones.
 #include <vug/base/error.h>
 #include <vug/render/lighting/ies_profile.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An instance behaves like the mesh with transformed vertices.
 #include "scenes.h"
 

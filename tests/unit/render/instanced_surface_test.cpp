@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A level set without a mesh: as an instance, in motion, and in pictures compared with its mesh.
 #include "surface_scenes.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Direct light on a white floor against closed forms: radiance = irradiance / pi.
 #include "scenes.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The choice of lights changes the noise, but not the expected picture.
 #include "scenes.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The light tree: the choice is unbiased, its probabilities are as reported, and it pays off.
 #include "chi2.h"
 #include "scenes.h"

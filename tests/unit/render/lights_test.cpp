@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Kinds of lights against closed forms, their colours and powers, and light linking.
 #include "scenes.h"
 

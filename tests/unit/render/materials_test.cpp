@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of every material in the registry: samples have their density, the BSDF is reciprocal,
 // and white conserves energy. Cases are the kind's defaults, and each fraction in 0..1 set to 1, so
 // that a new kind or lobe is tested as soon as it is listed.

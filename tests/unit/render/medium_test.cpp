@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Haze against quadrature and furnaces.
 #include "scenes.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Motion blur against closed forms.
 #include <vug/base/error.h>
 #include <vug/render/cameras/moving_camera.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Openness with known closed forms.
 #include <vug/base/parallel.h>
 #include <vug/mesh/shapes.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Holes and partial coverage: what camera and shadow rays hit, in closed form.
 #include "scenes.h"
 

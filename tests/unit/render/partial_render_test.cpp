@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Partial render files: round trips, errors of damaged files, and merging.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>

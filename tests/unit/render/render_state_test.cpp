@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures rendered in slices, in passes and adaptively.
 #include <vug/base/error.h>
 #include <vug/render/film/render_state.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Properties of whole pictures: determinism, AOVs, convergence, errors.
 #include "scenes.h"
 

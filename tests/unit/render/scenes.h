@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small scenes with known answers, and statistics of pictures.
 #pragma once
 

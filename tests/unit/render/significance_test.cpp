@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Significance tests on real renders, as in a user's regression test.
 #include "scenes.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ray tracing of a level set's surface without a mesh, against closed forms.
 #include "surface_scenes.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Level sets to be ray traced: smooth, rough, hollow.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Coarse meshes with smooth normals are lit like the smooth surface that they approximate.
 #include "scenes.h"
 #include "surface_scenes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sheets without a body: lit from behind, in furnaces, and as panes.
 #include "scenes.h"
 

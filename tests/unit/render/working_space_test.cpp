@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene in another rendering colour space is the same scene: it emits the same light in other
 // numbers, and reflects the same of white light.
 #include "scenes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scanned facades with ground truth in their file names: one file per door, group of windows, or
 // wall.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "building.h"
 #include "clouds.h"
 #include "external_data.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every text in tests/data/broken/syntax is reported exactly as its .expected file says.
 // A first line "# run: -D NAME=EXPR" gives an override. With VUG_UPDATE=1 in the environment the
 // expected files are rewritten; review the difference before committing it.

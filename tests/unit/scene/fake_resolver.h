@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A resolver that knows the names of a few shapes only.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Formatting keeps the meaning and is idempotent.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values that depend on the frame.
 #include <vug/scene/keys.h>
 

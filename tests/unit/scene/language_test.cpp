@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every ```vug example of docs/reference/language.md is a scene without errors.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>

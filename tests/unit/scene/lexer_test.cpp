@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 #include <vug/scene/lexer.h>
 #include <vug/scene/utf8.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The dialect of L-systems: parsing, errors with their locations, and formatting.
 #include <gtest/gtest.h>
 #include <vug/scene/format.h>

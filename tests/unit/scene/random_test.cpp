@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeded random choices and their dependence on seed and path.
 #include <cmath>
 #include <map>

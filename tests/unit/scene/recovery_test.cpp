@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An error neither hides other errors nor causes further ones.
 #include "parsing.h"
 

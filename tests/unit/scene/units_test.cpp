@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Valid combinations of dimensions and their results.
 #include <vug/scene/arithmetic.h>
 #include <vug/scene/units.h>

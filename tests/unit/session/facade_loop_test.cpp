@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The whole loop: a random facade of the published grammar is carved, rendered with its depth,
 // fitted again and compared with itself. VUG_LOOPS is the number of facades, VUG_LOOP_FIRST the
 // first seed.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Equation (5) compared with closed forms, on the unclipped fields that productions use.
 #include "samples.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Invariants of every derivation, over a thousand seeds with all operations and all sides.
 #include "samples.h"
 

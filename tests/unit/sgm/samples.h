@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids in closed form and the paper's experiment, for several tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values that accompany a level set: at its voxels, and found again by position.
 #include "solids.h"
 

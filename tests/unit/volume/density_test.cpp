@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The data for ray traversal of fog: values, stochastic samples, and bounds.
 #include "solids.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cost is estimated before the work starts, with sufficient accuracy for planning.
 #include "solids.h"
 

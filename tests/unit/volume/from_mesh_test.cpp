@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A level set of a mesh has its distances, bounds the unreachable region, and rejects open meshes.
 #include "solids.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files: the content survives a round trip, the bytes are reproducible, and no damage goes
 // unnoticed.
 #include "solids.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A level set as a field: in its band it equals the original field.
 #include "solids.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points survive a round trip, within the precision of 16 bits.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Products of level sets: fog volumes, samples, polygons, statistics.
 #include "solids.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values that are not distances: the zero set is preserved, and the band gets first-order
 // distances.
 #include "solids.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solids and lattice loops shared by the tests of this folder.
 #pragma once
 

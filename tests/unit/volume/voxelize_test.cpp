@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Direct evaluation: the level set is the field, clamped to the band, for any number of threads.
 #include "solids.h"
 

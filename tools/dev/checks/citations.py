@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Every cited source is in docs/references.bib, and every entry is cited at least once.
 
 A kind cites with .cite("key"), comments and documents with [@key].

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The sources contain none of the constructs that the project forbids."""
 import re
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """All C++ sources are formatted by clang-format 14."""
 import concurrent.futures
 import os

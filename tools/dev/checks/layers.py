@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Includes point downwards only: layers, wrappers of large libraries, no cycles, no heavy public headers.
 
 The layers are the lines of the module list in lib/CMakeLists.txt, lowest first: a file may include
@@ -116,7 +117,7 @@ def check_heavy(tree, graph):
 
 def check_internal(tree):
     internal = {name for name in tree.select(".h", under="lib/vug/")
-                if re.match(r"// (Internal|Inside) ", tree.text(name))}
+                if re.match(r"// SPDX.*\n// (Internal|Inside) ", tree.text(name))}
     for name in tree.sources():
         for line, path, _ in tree.includes(name):
             header = "lib/" + path

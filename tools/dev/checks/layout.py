@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Files are in their designated folders, and every kind is listed once, in alphabetical order."""
 import re
 

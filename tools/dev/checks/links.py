@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Links between Markdown files refer to existing files and headings."""
 import posixpath
 import re

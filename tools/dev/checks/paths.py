@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Files, folders and names that documents mention in backquotes exist.
 
 Paths such as `loading/load.cpp` may be relative to the top level, to lib/vug, to tests/unit or to the

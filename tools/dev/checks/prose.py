@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Comments, messages and documents avoid the phrases that docs/style.md rejects.
 
 Each line of the table tools/dev/phrases.txt holds a pattern and its advice. The check reads comments and string

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """docs/reference/scenes.md lists every scene with the first sentence of its comment."""
 import posixpath
 import re

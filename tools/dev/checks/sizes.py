@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Files are small: a note above 400 lines (150 for headers), a finding above 600."""
 import statistics
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """codespell finds no misspelt words; exceptions are in tools/dev/spelling.txt."""
 import shutil
 import subprocess

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """The checked tree with its files and their texts, and the type of findings."""
 import dataclasses
 import functools

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """Names that gave way to the field's standard terms do not come back.
 
 Each line of tools/dev/retired_names.txt holds a retired name and its replacement; docs/glossary.md explains the terms.

@@ -1,4 +1,5 @@
 //@ lib/vug/field/deformers, name unique in the module
+// SPDX-License-Identifier: Apache-2.0
 // STUB: the map from a point to the child's space, and its Lipschitz constant.
 #include <vug/field/deformer.h>
 

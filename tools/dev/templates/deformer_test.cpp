@@ -1,4 +1,5 @@
 //@ tests/unit/field
+// SPDX-License-Identifier: Apache-2.0
 // Oracles of new_kind in closed form; the tests of every kind loop over the registry by themselves.
 #include <vug/field/registry.h>
 

@@ -1,4 +1,5 @@
 //@ lib/vug/mesh/formats
+// SPDX-License-Identifier: Apache-2.0
 // STUB: the format, and the data of a mesh that it cannot store.
 #include <vug/mesh/byte_writer.h>
 #include <vug/mesh/format_kind.h>

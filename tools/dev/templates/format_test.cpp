@@ -1,4 +1,5 @@
 //@ tests/unit/mesh
+// SPDX-License-Identifier: Apache-2.0
 // Tests of new_kind alone; the tests of all formats loop over the registry by themselves.
 #include <vug/mesh/format.h>
 

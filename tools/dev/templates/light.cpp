@@ -1,4 +1,5 @@
 //@ lib/vug/render/lights
+// SPDX-License-Identifier: Apache-2.0
 // STUB: the shape of the light, the sampling of directions towards it, and the source.
 #include <vug/render/kind.h>
 #include <vug/render/sampling.h>

@@ -1,4 +1,5 @@
 //@ tests/unit/render
+// SPDX-License-Identifier: Apache-2.0
 // Closed-form tests of new_kind; the tests of all kinds loop over the registry by themselves
 // (chi-square of the samples, furnace).
 #include <vug/render/kinds.h>

@@ -1,4 +1,5 @@
 //@ lib/vug/render/materials
+// SPDX-License-Identifier: Apache-2.0
 // STUB: the model and its source.
 #include <vug/render/kind.h>
 #include <vug/render/sampling.h>

@@ -1,4 +1,5 @@
 //@ lib/vug/field/noise, name unique in the module
+// SPDX-License-Identifier: Apache-2.0
 // STUB: the formula and its source.
 #include <vug/field/octaves.h>
 

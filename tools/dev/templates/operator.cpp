@@ -1,4 +1,5 @@
 //@ lib/vug/field/operators, name unique in the module
+// SPDX-License-Identifier: Apache-2.0
 // STUB: the formula, and how exact the resulting distance is.
 #include <vug/field/modifier.h>
 

@@ -1,4 +1,5 @@
 //@ lib/vug/field/primitives, name unique in the module
+// SPDX-License-Identifier: Apache-2.0
 // STUB: the formula of the distance and its source, e.g. |p| - r.
 #include <vug/field/primitive.h>
 

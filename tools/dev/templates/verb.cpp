@@ -1,4 +1,5 @@
 //@ tools/vug/verbs
+// SPDX-License-Identifier: Apache-2.0
 // vug new_kind. STUB: its purpose, in one sentence.
 #include "verb.h"
 

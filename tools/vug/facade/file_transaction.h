@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes several files as one transaction: either all of them appear, or none.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // vug facade model: interactive modelling sessions on the command line. A graphical user interface
 // would use the module modeller in the same way.
 #include "arguments.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Output files and warnings shared by the verbs of `vug facade`.
 #pragma once
 

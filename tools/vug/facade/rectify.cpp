@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // vug facade rectify: removes the perspective from an oblique photo of a facade.
 #include "arguments.h"
 #include "output_files.h"

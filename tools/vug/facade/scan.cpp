@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // vug facade scan: finds the plane, the range image, the windows and the doors of a laser scan.
 #include "arguments.h"
 #include "file_transaction.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `vug facade VERB ...`: each verb is a file in facade/ and a line in CMakeLists.txt.
 #include "arguments.h"
 #include "verb.h"

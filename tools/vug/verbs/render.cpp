@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "arguments.h"
 #include "progress_bar.h"
 #include "scene_at_frame.h"

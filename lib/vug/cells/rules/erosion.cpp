@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Water erodes rock in proportion to its power (discharge times slope) up to its transport
 // capacity, and deposits what exceeds the capacity. All cells count as equally large.
 #include <vug/cells/flow.h>

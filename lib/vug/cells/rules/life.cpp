@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/cells/rules/life_like.h>
 
 namespace vug::cells {

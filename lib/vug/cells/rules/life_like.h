@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Life-like automata: the number of living neighbours determines whether a cell survives or is
 // born.
 #pragma once

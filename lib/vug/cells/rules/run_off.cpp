@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // In a steady flow, water equals the rain on all the rock above, per metre of width: the specific
 // catchment area of hydrology.
 #include <vug/base/maths.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // glTF 2.0 in one binary file, by tinygltf.
 #include <vug/base/atomic_file.h>
 #include <vug/base/maths.h>

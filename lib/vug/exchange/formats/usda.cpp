@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // USD as text: a layer that can be written without a library.
 #include <vug/base/atomic_file.h>
 #include <vug/exchange/format.h>

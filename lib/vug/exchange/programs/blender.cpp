@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Blender 3.4 and later: its importer converts glTF to z up, but reads .vdb and .ply unchanged.
 #include <vug/exchange/program.h>
 

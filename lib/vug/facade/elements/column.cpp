@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A column: a shaft with entasis between base and capital. Proportions are relative to the
 // diameter, as in the classical orders.
 #include <vug/base/maths.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/facade/blocks.h>
 #include <vug/facade/outline.h>
 

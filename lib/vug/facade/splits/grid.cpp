@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cells in columns and rows with margins and gaps. Of the four grids of ripperda2009, a regular
 // grid has equal distances between cells, and an identical grid has identical cells.
 #include <vug/facade/sequence.h>

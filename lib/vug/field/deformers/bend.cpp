@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bar along x is wound about the line x = 0, y = 1/rate, parallel to z (barr1984). The inverse
 // map is (theta / rate, 1/rate - rho). It stretches by 1 / (rate * rho), which is largest at the
 // solid's innermost radius; values are divided by this factor. Inside that radius there is no

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A union of rotated copies: correct wherever the solid lies, even across the borders of its
 // sector, and pruning keeps only the few copies that matter at a point.
 #include <vug/field/affine.h>

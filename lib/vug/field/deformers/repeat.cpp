@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Copies on a lattice. A surface point q of the solid has its nearest copy at the integer nearest
 // to (p - q) / spacing. With the box's half extent e a point p therefore needs only the copies m
 // with |m - p / spacing| <= 1/2 + e / spacing, p relative to the box's centre. For an exact field

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Slices across the axis scale linearly with their height (barr1984), between the ends of the
 // solid's box. At radius R of the child the inverse map stretches by the norm of ((1/s, R m/s), (0,
 // 1)), where s is the factor and m its slope; values are divided by the maximum.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Slices across the axis rotate in proportion to their height (barr1984). A point at radius r moves
 // by rate * r per metre of height, so the map stretches by s/2 + sqrt(1 + s^2/4), s = rate * r.
 // Values are divided by that, and points beyond the solid's radius are first projected onto it.

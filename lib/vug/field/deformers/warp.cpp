@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // f(p) = child(p + amount * (n1, n2, n3)(p)). Values are not scaled down: a warped surface keeps
 // slopes of about 1, so later offsets and displacements have their nominal size; the worst slope is
 // stated as the Lipschitz constant.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exposed beds: a displacement by the noise `beds` with direct access to its parameters.
 #include <vug/field/beds.h>
 #include <vug/field/displace.h>

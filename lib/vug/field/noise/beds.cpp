@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Layered hardness: the weathered profile of a stack of beds. A hard bed protrudes as a ledge,
 // sharp below and worn on top; a soft bed recedes as a round notch; every boundary is a parting at
 // 0. Thin laminae repeat the pattern within the beds with less strength.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A set of joints: nearly parallel cracks at irregular distances, each with its own depth.
 #include <vug/base/rng.h>
 #include <vug/field/bedding.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ridges where the noise crosses zero, (1 - |n|)^2, each octave weighted by the previous one, so
 // that fine ridges appear on coarse ones and valleys stay smooth (musgrave1989). The weight is the
 // previous octave's own height, not the running product, which keeps the slope bounded.

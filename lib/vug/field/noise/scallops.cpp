@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scallops: hollows that turbulent water dissolves into a wall, modelled as a paraboloid about each
 // of many points, meeting in sharp crests and steep on the upstream side (curl1974). The asymmetry
 // results from moving each point along the flow by its own depth before the hollow is evaluated

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cellular noise (worley1996) from the distances F1 <= F2 to the two nearest random points, with
 // one point per cell.
 #include <vug/base/rng.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A value with its derivatives along x, y and z, for the gradient mode of a formula, over doubles
 // or packs. Forward mode: the point's coordinates are seeded with unit derivatives.
 #pragma once

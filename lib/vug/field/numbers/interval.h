@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interval evaluation of a formula: bounds of its value over a box of points (Moore 1966).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Eight single-precision numbers in one AVX register, for the batch mode of a formula. Every
 // operation is exactly rounded or a fixed polynomial, so all lanes agree on all machines.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The vocabulary of field formulas for doubles. A formula is a template over a number type T and
 // uses only these names; pack.h, dual.h and interval.h define the other evaluation modes.
 #pragma once

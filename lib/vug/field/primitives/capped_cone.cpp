@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exact distance to a truncated cone: a trapezoid rotated about the y axis
 // (quilez2008distance).
 #include <vug/field/primitive.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exact distance to a ball swept along a straight line (quilez2008distance).
 #include <vug/field/primitive.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exact distance to a cone: a triangle rotated about the y axis (quilez2008distance).
 #include <vug/field/primitive.h>
 #include <vug/field/profile.h>

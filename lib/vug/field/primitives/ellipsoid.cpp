@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The distance to an ellipsoid, which has no closed form: the nearest point is x_i = e_i^2 y_i / (t
 // + e_i^2), where t solves sum_i (e_i y_i / (t + e_i^2))^2 = 1 (eberly2013ellipsoid). Three details
 // differ. t results from Newton steps on 1 - 1/sqrt(sum), which is concave and almost straight, so

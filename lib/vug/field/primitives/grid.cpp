@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A level set read from a file; see sampled.h.
 #include <vug/field/kind.h>
 #include <vug/field/sampled.h>

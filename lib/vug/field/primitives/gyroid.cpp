@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A sheet along Schoen's gyroid (schoen1970), in its usual approximation
 //   g = sin x cos y + sin y cos z + sin z cos x.
 // By Cauchy's inequality (cos x cos y - sin z sin x)^2 <= cos^2 y + sin^2 z, and the three parts of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // n . p - offset: the half-space behind a plane.
 #include <vug/field/primitive.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Terrain with the heights of an image: (y - H(x, z)) / sqrt(1 + s^2), where s is the maximum
 // slope, never exceeds the distance to the ground; cut to a block with four walls.
 #include <vug/field/heightmap.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exact distance to a closed mesh of triangles; see mesh/distance.h.
 #include <vug/field/opaque.h>
 #include <vug/mesh/distance.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exact distance to a regular prism: the farthest side of the polygon, or the nearest corner.
 #include <vug/base/maths.h>
 #include <vug/field/primitive.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exact distance to a square pyramid. Its mirror symmetries fold space to x >= z >= 0, where
 // only one slanted face, its edge to the tip and the base can be nearest.
 #include <vug/field/primitive.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // |n . p| - thickness / 2: the region between two parallel planes.
 #include <vug/field/primitive.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // |p| - r: the distance to a ball centred at the origin.
 #include <vug/field/primitive.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exact distance to the convex hull of two balls (a "round cone", quilez2008distance). The
 // nearest surface point lies on the normal through p; the normals of the slanted part leave the
 // axis at a fixed slope, so the projection of p onto the axis along that slope decides which of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exact distance to a torus: a disc rotated about the y axis (hart1996, appendix A).
 #include <vug/field/primitive.h>
 

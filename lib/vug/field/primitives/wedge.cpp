@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The exact distance to a ramp: a right-angled triangle in x and y, extruded along z.
 #include <vug/field/primitive.h>
 #include <vug/field/profile.h>

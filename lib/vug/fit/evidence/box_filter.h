@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Box filters over image planes, computed with summed area tables (cite crow1984).
 #pragma once
 

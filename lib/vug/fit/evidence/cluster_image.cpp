@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/base/median.h>
 #include <vug/fit/evidence/cluster_image.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cluster image that a tree is fitted to when no pixel classifier has been trained.
 #pragma once
 

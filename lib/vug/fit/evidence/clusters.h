@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clusters of pixels with similar colour and depth.
 #pragma once
 

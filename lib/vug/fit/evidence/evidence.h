@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evidence about a picture's pixels with constant-time sums over rectangles.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Features of a pixel and its surroundings for a classifier.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/fit/evidence/folded_integral.h>
 #include <vug/inference/bits.h>
 

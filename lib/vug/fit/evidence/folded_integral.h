@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How much better windows explain the pixels of an area than wall, over areas with several
 // instances in the picture.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/fit/evidence/grid_gains.h>
 
 namespace vug::fit {

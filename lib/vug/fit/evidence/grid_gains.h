@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Gain of windows in the cells of a grid.
 #pragma once
 

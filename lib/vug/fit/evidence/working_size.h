@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Downsampling before analysis: a few pixels per window suffice, and a scan of 100 megapixels
 // should cost no more than a snapshot.
 #pragma once

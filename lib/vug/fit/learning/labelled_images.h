@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Training pictures whose pixels carry class labels.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pixel labels from probability maps and the tree fitted to them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pixel classifiers for facades, trained on labelled pictures, and the evidence derived from them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random forests (cite breiman2001): decision trees with thresholds that vote on a pixel's class.
 #pragma once
 

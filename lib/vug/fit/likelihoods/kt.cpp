@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Krichevsky and Trofimov's adaptive code: pixels n_1 .. n_k of k clusters, n in total, cost
 //   -log2 [ G(k/2) / G(n + k/2) * prod G(n_i + 1/2) / G(1/2) ]
 // bits, for example log2(128 / 5) for (3, 1).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The published data term: log2(clusters) bits for each pixel outside of the region's main cluster.
 // With colour alone it hardly separates windows from walls (docs/explanation/theory/facades.md).
 #include <vug/base/kind.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Code lengths under each region type, from the maps of a trained pixel classifier.
 #include <vug/base/error.h>
 #include <vug/base/kind.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Layout of a tree's areas and validation of its parameters.
 #include <vug/fit/model/model.h>
 

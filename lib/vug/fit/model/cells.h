@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Columns and rows of a grid's cells while lines are inserted and removed.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Translation of a facade grammar's text into rules for the sampler.
 #pragma once
 

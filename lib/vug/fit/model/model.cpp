@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Code length of a tree: c(T) = nodes * log2(symbols) + bits of all parameters (cite ripperda2009),
 // plus the bits of the pixels. Counts take 4 bits; positions and sizes take as many as the
 // picture's width or height needs.

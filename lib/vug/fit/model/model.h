@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The model of facade trees: validity, layout of the areas, and code length in bits.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A facade grammar as the sampler sees it: productions whose sizes and counts are free.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Choice of a few window sizes for many cells, and of the size of each cell.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parameters of the nodes that a production creates: sampled, or scored for fixed values.
 #pragma once
 

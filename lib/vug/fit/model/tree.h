@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Derivation trees with integer parameters, the state space of the sampler.
 #pragma once
 

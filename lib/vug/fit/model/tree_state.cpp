@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/fit/model/tree_state.h>
 
 namespace vug::fit {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tree with cached results: the areas of its nodes and the bits that each node costs.
 #pragma once
 

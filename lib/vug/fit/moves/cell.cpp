@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes the content of one cell, or of a whole column or row of cells, in a grid whose windows
 // differ.
 #include <vug/fit/model/cells.h>

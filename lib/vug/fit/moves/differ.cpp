@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Splits the windows of one kind in a column or row off as a new kind, or merges the last kind with
 // another one.
 #include <vug/fit/model/cells.h>

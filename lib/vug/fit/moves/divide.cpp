@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moves the line between two parts: the ground floor and the part above it, two elements, or the
 // sides and the middle of a symmetric part.
 #include <vug/fit/move.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Adds a door to a grid, or removes it.
 #include <vug/fit/move.h>
 

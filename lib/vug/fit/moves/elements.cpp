@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Splits an undivided element in two, or merges two undivided neighbours.
 #include <vug/fit/move.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes the type of a grid. Lines of a regular grid are jittered when it becomes irregular; the
 // reverse requires lines close to evenly spaced ones.
 #include <vug/fit/move.h>

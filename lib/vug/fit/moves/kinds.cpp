@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Adds a window kind to a grid whose windows may differ, or removes the last kind if no cell uses
 // it.
 #include <vug/fit/model/cells.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moves one column or row of an irregular grid by a few pixels, or to a position that the picture
 // hints at.
 #include <vug/fit/move.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inserts or deletes a column or row: anywhere in an irregular grid, at either end of a regular
 // one.
 #include <vug/fit/model/cells.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes the spacing of a regular grid's lines; the first or the last line stays in place.
 #include <vug/fit/move.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moves one edge of windows, or of a free-standing element, to a position that the picture hints
 // at.
 #include <vug/fit/move.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Folds a grid that repeats a part of itself into a repetition, or unfolds it.
 #include <vug/fit/search/symmetry.h>
 

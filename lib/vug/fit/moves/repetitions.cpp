@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes the number of repetitions of a part.
 #include <vug/fit/move.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moves one edge of the windows of a grid, or of a free-standing element, by a few pixels.
 #include <vug/fit/move.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Applies a production to an undivided node, or reverts one whose children are undivided.
 #include <vug/fit/move.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Moves a grid, or a free-standing element, in its area by a few pixels.
 #include <vug/fit/move.h>
 

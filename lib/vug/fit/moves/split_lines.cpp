@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Splits and merges columns or rows: in a regular grid all of them, at half the spacing; in an
 // irregular grid one line becomes two, or two neighbours become one.
 #include <vug/fit/model/cells.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Folds a grid with mirror symmetry into one half, or unfolds it.
 #include <vug/fit/search/symmetry.h>
 

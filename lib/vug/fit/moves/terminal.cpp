@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Changes the content of an element: for example from a window to a door or a shop.
 #include <vug/fit/move.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Applies two productions at once, from an area to a grid and from the grid to its windows, or
 // reverts both, since the state in between is rarely worth its bits.
 #include <vug/fit/move.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Local refinement of a tree to pixel accuracy: optimises its numbers and removes parts, but adds
 // none.
 #pragma once

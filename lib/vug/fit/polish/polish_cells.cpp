@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines of a grid whose windows may differ: moving a line may only pay off if its cells change
 // their kinds with it and the sizes of the kinds adapt.
 #include <vug/fit/evidence/grid_gains.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Refinement of grids with a table of each line's gain per position: lines that must not touch are
 // placed by dynamic programming, lines of a regular grid by searching first lines and spans.
 #include <vug/fit/evidence/folded_integral.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Window kinds of a grid: for each number of kinds the sizes with the largest gain, and the kind of
 // each cell. The bits of cells grow only when the number of kinds passes a power of two, a barrier
 // that chains, which take single steps, rarely cross even if further kinds would be free.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/fit/likelihood.h>
 #include <vug/fit/search/edge_hints.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Likely positions of edges in the picture, used as proposal distributions.
 #pragma once
 

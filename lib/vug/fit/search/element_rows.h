@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows of unequal elements, found by dynamic programming over the edges of the picture.
 #pragma once
 

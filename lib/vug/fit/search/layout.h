@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Columns and rows of windows in an area by alternating dynamic programming, and the resulting
 // grids.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Top-down search for trees: each area is tried with every production, and recursively its parts,
 // as far as the evidence promises a gain.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Markov chain Monte Carlo over facade trees.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Start trees for the chains.
 #pragma once
 

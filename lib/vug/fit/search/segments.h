@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The best disjoint segments along a line, by dynamic programming.
 #pragma once
 

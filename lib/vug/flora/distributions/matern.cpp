@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Matern's cluster process: stems distributed uniformly over a disk about the centre of their clump
 // (cite matern1960; its K function: illian2008, 6.3).
 #include <vug/base/maths.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Superposition of several independent processes in one plot.
 #include <vug/flora/distribution.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random weighted means of the corners, the paper's random distribution in a convex polygon. It is
 // not uniform: points crowd in the middle.
 #include <vug/flora/distribution.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Maximal Poisson-disk sampling (cite ebeida2012): dart throwing with a minimum distance until the
 // requested number is reached or no room is left. Squares that may still be free are quartered
 // until a disk covers each of them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Thomas process: stems normally distributed about the centre of their clump. Its K(r) = pi r^2
 // + (1 - exp(-r^2 / (4 spread^2))) / clumps per area (cite illian2008, 6.3).
 #include <vug/flora/cluster_process.h>

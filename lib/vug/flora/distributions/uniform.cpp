@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Independent uniform points: the binomial process for a fixed number of points, the Poisson
 // process for a random one.
 #include <vug/flora/distribution.h>

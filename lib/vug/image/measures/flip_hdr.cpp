@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // HDR-FLIP. The paper derives the range of exposures from the reference; the default here is the
 // union of both images' ranges, so that the measure is symmetric.
 #include <vug/image/flip.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A difference is relative to the larger of the two values, or to the mean of the layer if both are
 // smaller: rounding losses in dark regions do not count.
 #include <vug/image/measure_kind.h>

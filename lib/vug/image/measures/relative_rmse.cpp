@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Relative to the content of both images, not to the reference alone, so that the measure is
 // symmetric.
 #include <vug/image/measure_kind.h>

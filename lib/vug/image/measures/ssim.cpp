@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Structural similarity (wang2004ssim, eq. 13 with its constants) of the displayed luminance, in
 // [0, 1]. The window is a Gaussian of 11 x 11 pixels, sigma 1.5. As in the paper's own programs the
 // mean is taken where the whole window lies inside the image; for an image too small for that, over

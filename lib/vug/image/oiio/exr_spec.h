@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Internal to image/: headers and output shared by all EXR writers. Includes OpenImageIO.
 #pragma once
 

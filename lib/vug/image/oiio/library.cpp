@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The two functions that the shared library exports.
 #include <vug/image/backend.h>
 #include <vug/image/backend_interface.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/image/backend.h>
 #include <vug/image/oiio/exr_spec.h>

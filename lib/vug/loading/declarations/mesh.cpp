@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/facade/carve.h>
 #include <vug/loading/reader.h>
 #include <vug/mesh/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/loading/reader.h>
 #include <vug/render/lighting/light_output.h>
 #include <vug/shot/cells_plan.h>

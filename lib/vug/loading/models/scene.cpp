@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A whole scene as a model that another scene can place.
 #include <vug/loading/instance_source_kinds.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A grove: plants of a point process in a polygon of the ground plan, placed on the ground and
 // scaled by their diameters.
 #include <vug/base/maths.h>

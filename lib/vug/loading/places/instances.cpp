@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Instances placed by the turtle of an L-system, such as leaves on twigs.
 #include <vug/loading/instance_source_kinds.h>
 #include <vug/loading/lsystem_binding.h>

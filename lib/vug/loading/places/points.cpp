@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Instances from a table: a .csv with one line per instance, as written by other programs.
 #include <vug/base/atomic_file.h>
 #include <vug/loading/instance_source_kinds.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A single instance with rotation and scale.
 #include <vug/loading/instance_source_kinds.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Instances scattered over a mesh with a minimum spacing, thinned by a mask, with random rotation
 // and size.
 #include <vug/base/maths.h>

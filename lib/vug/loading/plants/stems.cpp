@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stems drawn by the turtle of an L-system, as a solid.
 #include <vug/flora/cut.h>
 #include <vug/flora/sweep_field.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wavefront OBJ: text, with indices from 1, or negative ones relative to the newest.
 #include <vug/mesh/byte_writer.h>
 #include <vug/mesh/format_kind.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stanford PLY: reads properties in any order, writes little-endian binary.
 #include <vug/mesh/byte_writer.h>
 #include <vug/mesh/format_kind.h>

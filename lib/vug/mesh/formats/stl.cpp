@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // STL: independent triangles without shared vertices.
 #include <vug/mesh/byte_writer.h>
 #include <vug/mesh/format_kind.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Actions: rules combined as in the modeller of ripperda2009 (section 5). The name of the symbol
 // does not matter, and if a rule passes its rectangle to a symbol that only ends in elements, a
 // rule of that symbol is applied as well.

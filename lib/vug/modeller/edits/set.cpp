@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sets numbers. Lists whose length is a count are reset to their defaults when the count changes,
 // unless they are set too.
 #include <vug/modeller/plans.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Concave regions of the painted solid, where more than half of the surrounding ball is solid.
 #include <vug/paint/kind.h>
 #include <vug/paint/solid_fraction.h>

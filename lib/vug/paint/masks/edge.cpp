@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Convex edges of the painted solid, which weather first: less than half of the surrounding ball is
 // solid.
 #include <vug/paint/kind.h>

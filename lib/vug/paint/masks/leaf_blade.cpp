@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/paint/leaf_params.h>
 
 namespace vug::paint {

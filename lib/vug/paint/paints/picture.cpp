@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures without UVs: triplanar mapping (projection along the axes, blended by the normal), or
 // projection along one axis.
 #include <vug/base/error.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Position, orientation, shutter and stereo parameters shared by all kinds of cameras.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Thin lens with an aperture: a disk, or a regular polygon between straight blades.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Camera motion while the shutter is open.
 #pragma once
 

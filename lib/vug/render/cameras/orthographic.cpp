@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Orthographic camera, for plans and sections.
 #include <vug/exchange/camera.h>
 #include <vug/render/cameras/camera_frame.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Panoramic camera (equirectangular): longitude to the right, latitude upwards, both evenly spaced.
 // The centre of the picture looks at the target.
 #include <vug/render/cameras/camera_frame.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Perspective camera with a pinhole or a thin lens.
 #include <vug/exchange/camera.h>
 #include <vug/render/cameras/camera_frame.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Adaptive sampling: decides where a picture has enough samples.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The AOVs of a picture, and their computation from a film's sums.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cryptomatte: ids and coverage of the objects, materials and elements in each pixel, for
 // compositing programs. Friedman and Jones 2015, "Fully automatic ID mattes with support for motion
 // blur and transparency" (cite friedman2015cryptomatte), and version 1.2 of its specification.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/render/film/deep.h>
 #include <vug/render/film/fixed_point.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Deep pixels: merges the samples of a pixel into a few samples with depth.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The film accumulates samples: exact sums per pixel that any number of threads, passes or machines
 // may fill in any order, with the same bits.
 #pragma once

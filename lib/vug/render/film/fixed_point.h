@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fixed-point sums that do not depend on the order of their terms: numbers are rounded to a fixed
 // unit once, then added as integers (a superaccumulator, Kulisch 2013, cite kulisch2013arithmetic,
 // restricted to the range of light).

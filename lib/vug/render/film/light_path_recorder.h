@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Splits the light of a path by light component and light group, for pictures with such AOVs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Motion from one frame to the next, for the AOV `motion`.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Partial renders as files: render farms write them and `merge` combines them; interrupted renders
 // resume from them (checkpoints).
 #pragma once

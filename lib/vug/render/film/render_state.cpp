@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/render/film/adaptive.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // AOVs whose values are read at the first surface. Each is one file in surface_aovs/ and one line
 // in this module's CMakeLists.txt.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/render/geometry/attribute_gradients.h>
 
 namespace vug::render {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Gradients of mesh attributes, for bump mapping.
 #pragma once
 

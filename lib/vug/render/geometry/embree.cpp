@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/render/geometry/embree.h>
 
 #include <tbb/task_arena.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Embree's part of the geometry: only for geometry.cpp, geometry_grid.cpp and embree.cpp.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ray intersection with all surfaces of a scene. Only this folder and raytree use Embree.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surfaces of level sets without a mesh: Embree finds the bricks, and the bricks the crossing.
 #include <vug/render/geometry/embree.h>
 #include <vug/render/geometry/grid_surface.h>

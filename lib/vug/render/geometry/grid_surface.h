@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ray intersection with the surface of a level set, without a mesh, and its normals.
 #pragma once
 

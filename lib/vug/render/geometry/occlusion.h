@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Openness of surface points: the share of unoccluded directions above them.
 #pragma once
 

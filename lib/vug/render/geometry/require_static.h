@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Check that emissive objects do not move.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clusters of surfaces that are much brighter than average: shaft walls under an opening, rock next
 // to a light. They act as virtual area lights, which paths would otherwise find only by chance.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/render/guiding/cone_mixture.h>
 #include <vug/render/sampling.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A density over directions: a mixture of a few cones, each uniform inside.
 #pragma once
 

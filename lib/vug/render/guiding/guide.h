@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Guiding towards bright surfaces: the scene's bright clusters, and the visibility of each from
 // every region.
 #pragma once

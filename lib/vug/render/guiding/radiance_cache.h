@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Luminance reflected by surfaces, by region and by the direction they face.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Radiance samples recorded by training paths.
 #pragma once
 

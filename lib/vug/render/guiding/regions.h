@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cubic regions of a scene's bounding box; points in the same region share their training data.
 #pragma once
 

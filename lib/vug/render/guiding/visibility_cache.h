@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Visibility of lights or clusters, estimated region by region.
 #pragma once
 

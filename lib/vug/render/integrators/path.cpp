@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Unidirectional path tracing with next-event estimation and path guiding.
 #include <vug/render/kind.h>
 #include <vug/render/paths/trace_path.h>

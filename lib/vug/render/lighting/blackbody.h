@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colour and radiance of black bodies.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Emissive meshes: every triangle is a light. Triangles of uniform emission need no memory of their
 // own; the others store one number for the light tree.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Environment map in lat-long layout with importance sampling by luminance; the base of image and
 // model skies. Marginal and conditional tables as in Pharr, Jakob, Humphreys 2023, "Physically
 // based rendering", section 12.5.

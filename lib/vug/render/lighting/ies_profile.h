@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measured light distributions from ANSI/IES LM-63 files (cite ies2002lm63).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Adapter that forwards to another light every function that a derived class does not override.
 #pragma once
 

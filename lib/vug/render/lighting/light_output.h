@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Brightness and colour of a light: the parameters that all lights of finite size share.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parameters and result of the choice of lights for next-event estimation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All lights of a scene that can be sampled, and the choice between them.
 #pragma once
 

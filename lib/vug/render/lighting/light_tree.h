@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Light BVH: whole branches are weighted at once, so one of n lights is chosen in O(log n) steps.
 // Conty Estevez and Kulla 2018, "Importance sampling of many lights with adaptive tree splitting"
 // (cite conty2018lights); branch bounds as in Pharr, Jakob, Humphreys 2023, "Physically based

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rectangles as seen from a point: the shape of rectangle lights and portals.
 #pragma once
 

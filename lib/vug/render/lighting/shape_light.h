@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A light made of a shape, a radiance and an angular profile: the base of rectangle, disk, sphere,
 // spot and measured lights.
 #pragma once

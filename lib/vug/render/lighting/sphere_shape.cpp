@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/exchange/light.h>
 #include <vug/render/lighting/sphere_shape.h>
 #include <vug/render/sampling.h>

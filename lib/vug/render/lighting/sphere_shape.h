@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Spheres as seen from a point: the shape of sphere, spot and measured lights.
 #pragma once
 

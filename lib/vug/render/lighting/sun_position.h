@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Position of the sun and its irradiance after atmospheric extinction.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lights of instanced scenes, transformed to the scene that contains the instance.
 #pragma once
 

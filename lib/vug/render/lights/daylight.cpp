@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clear sky: Preetham, Shirley, Smits 1999, "A practical analytic model for daylight", with the
 // luminance distribution of Perez et al. Valid for a sun above the horizon and turbidities of 2 to
 // 8. Towards sunset and for very clear air its horizon is too bright and too yellow. It has no

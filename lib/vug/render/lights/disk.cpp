@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One-sided disk light. Points are sampled uniformly by area, so the density over solid angle is
 // distance^2 / (area * cosine at the light).
 #include <vug/render/kind.h>

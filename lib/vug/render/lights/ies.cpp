@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Light with a measured distribution: a small sphere whose radiance in each direction is the
 // measured intensity over its cross section.
 #include <vug/base/maths.h>

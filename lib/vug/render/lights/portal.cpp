@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Portal: a rectangle that directs samples to the visible part of the sky and adds no light itself.
 // The idea is that of Bitterli, Novak, Jarosz 2015, "Portal-masked environment map sampling"; here
 // the rectangle's solid angle is sampled without regard to the sky behind it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One-sided rectangle light.
 #include <vug/render/kind.h>
 #include <vug/render/lighting/rectangle_shape.h>

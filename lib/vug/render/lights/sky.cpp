@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sky of constant radiance. No direction is better than another, so it samples none itself; BSDF
 // sampling and portals find it.
 #include <vug/exchange/light.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sky from a lat-long picture.
 #include <vug/base/error.h>
 #include <vug/image/io.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sphere light.
 #include <vug/render/kind.h>
 #include <vug/render/lighting/shape_light.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Spotlight: a small sphere that emits into a cone with a smooth edge.
 #include <vug/base/maths.h>
 #include <vug/render/kind.h>

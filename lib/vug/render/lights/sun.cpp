@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sun: an infinitely distant disk, in the same direction from every point.
 #include <vug/base/maths.h>
 #include <vug/exchange/light.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/render/lobes/albedo.h>
 #include <vug/render/lobes/microfacet.h>
 

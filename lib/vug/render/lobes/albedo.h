@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Directional albedo of single scattering on microfacets, tabulated on first use. The missing
 // energy is returned as multiple scattering (Kulla and Conty 2017, "Revisiting physically based
 // shading at Imageworks", cite kulla2017compensation). The tables are sums in a fixed order, with

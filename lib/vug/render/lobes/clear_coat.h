@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A clear dielectric interface over a diffuse base: polished rock, and rock under a film of water.
 // The light that the interface reflects, in single and multiple scattering, is missing from the
 // base; both are coupled such that the lobe conserves energy and is reciprocal (Kelemen and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rough dielectric interface of a clear body: water, ice, crystal. Facets reflect and refract
 // (Walter et al. 2007, cite walter2007ggx); multiple scattering leaves diffusely on both sides,
 // distributed such that the lobe is reciprocal and conserves energy (cite kulla2017compensation).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rough diffuse rock: the energy-preserving Oren-Nayar reflection of Portsmouth, Kutz and Hill
 // 2025, "EON: A practical energy-preserving rough diffuse BRDF" (cite portsmouth2025eon). Roughness
 // 0 is Lambertian.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A layer of fibres over a diffuse base: moss. The fibres have the slope distribution of Estevez
 // and Kulla 2017, "Production friendly microfacet sheen BRDF" (cite estevez2017sheen), scaled where
 // they would reflect more than they receive; the light that they reflect is missing from the base.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lobes: the components of surface materials. A lobe is a plain value, built for one viewing
 // direction `out` (local, z > 0). It has the functions below, conserves energy where its colours
 // are white, and is reciprocal, so that mixtures with fixed weights have both properties, too.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Metal: facets with Schlick's Fresnel approximation (Schlick 1994, cite schlick1994) and multiple
 // scattering (cite kulla2017compensation).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // GGX microfacets (Walter et al. 2007, cite walter2007ggx) with height-correlated masking (Heitz
 // 2014, cite heitz2014masking), sampled by visible normals (Dupuy and Benyoub 2023, cite
 // dupuy2023caps). Directions are local, `out` has z > 0.

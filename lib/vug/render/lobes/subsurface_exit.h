@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The inner side of an interface, for light that leaves a scattering body.
 #pragma once
 

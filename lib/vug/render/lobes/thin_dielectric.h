@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A clear sheet too thin to shift light sideways. Facets reflect at both interfaces and between
 // them, and the remaining light is transmitted straight on (Pharr, Jakob, Humphreys 2023, section
 // 9.5, cite pharr2023pbr) with the same spread as the reflection. Multiple scattering leaves

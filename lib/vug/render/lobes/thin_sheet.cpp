@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/render/lobes/thin_sheet.h>
 
 namespace vug::render {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A leaf or a curtain of calcite: an interface over a sheet so thin that light which enters leaves
 // on the far side at the same point, diffusely, through an equal interface. Coupled as in
 // ClearCoatLobe, so that it conserves energy and is reciprocal (cite kelemen2001coupled).

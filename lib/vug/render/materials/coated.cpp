@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diffuse rock under a clear film: wet stone, varnish, or with a rough interface plain dry rock.
 // See ClearCoatLobe: the rock reflects entering light several times below the interface, which
 // darkens it as water does.

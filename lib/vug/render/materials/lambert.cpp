@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lambertian reflection, the same on both sides.
 #include <vug/exchange/look.h>
 #include <vug/render/kind.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/mesh/mesh.h>
 #include <vug/render/geometry/attribute_gradients.h>
 #include <vug/render/geometry/instance_transform.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Inputs of materials: numbers and colours that are constant or vary over the surface by masks and
 // paints.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two materials mixed by a mask.
 #include <vug/base/error.h>
 #include <vug/exchange/look.h>

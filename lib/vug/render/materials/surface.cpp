@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // General surface material: a mixture of lobes with weights that may vary, in the spirit of OpenPBR
 // (Andersson et al. 2024, openpbr2024). Unlike there, lobes are mixed in fractions rather than
 // layered wherever that keeps the material reciprocal and energy conserving. Only the layers that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Traversal of the bricks of a density grid along a ray (Amanatides and Woo 1987, "A fast voxel
 // traversal algorithm for ray tracing", cite amanatides1987traversal).
 #pragma once

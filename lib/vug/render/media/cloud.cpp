@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Medium with a density grid: delta tracking samples collisions, residual ratio tracking estimates
 // transmittance (Novak, Georgiev, Hanika, Jarosz 2018, "Monte Carlo methods for volumetric light
 // transport simulation", novak2018volumes), with majorants and means per brick (Novak, Selle,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Homogeneous haze in a box, with the Henyey-Greenstein phase function.
 #include <vug/base/maths.h>
 #include <vug/render/kind.h>

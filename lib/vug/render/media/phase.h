@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Henyey-Greenstein phase function (henyey1941).
 #pragma once
 

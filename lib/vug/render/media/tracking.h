@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random numbers for tracking through media, which needs an unknown number of them.
 #pragma once
 

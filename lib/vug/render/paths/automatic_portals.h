@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Automatic portals: openings to the sky, found before rendering.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts where rays leave the scene's bounding box.
 #pragma once
 

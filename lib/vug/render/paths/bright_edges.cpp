@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/raytree/path_scheduler.h>
 #include <vug/render/paths/bright_edges.h>
 #include <vug/render/paths/vertex.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where in a picture something that shines ends: the rims of lights, of crystals, of holes to the
 // sky.
 #pragma once

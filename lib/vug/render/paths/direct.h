@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Next-event estimation at surfaces and in media.
 #pragma once
 

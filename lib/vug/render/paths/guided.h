@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A BSDF combined with path guiding.
 #pragma once
 

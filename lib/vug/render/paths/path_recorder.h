@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Records the radiance samples of a training path.
 #pragma once
 

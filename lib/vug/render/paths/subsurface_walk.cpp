@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/base/maths.h>
 #include <vug/render/paths/subsurface_walk.h>
 #include <vug/render/sampling.h>

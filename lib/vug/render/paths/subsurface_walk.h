@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Subsurface scattering by a random walk through the medium inside a body, from the point of entry
 // to the point of exit.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include <vug/render/film/light_path_recorder.h>
 #include <vug/render/paths/direct.h>
 #include <vug/render/paths/subsurface_walk.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Traces a path from the camera: next-event estimation at every vertex, Russian roulette, media,
 // subsurface scattering.
 #pragma once

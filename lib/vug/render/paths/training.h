@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Training of path guiding before rendering.
 #pragma once
 

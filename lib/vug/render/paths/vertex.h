@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Path vertices, and the MIS-weighted emission that the next ray of a path hits.
 #pragma once
 

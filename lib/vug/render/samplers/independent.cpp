@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Independent uniform random numbers: the reference for other samplers.
 #include <vug/base/rng.h>
 #include <vug/render/kind.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Owen-scrambled Sobol points: one (0,2)-sequence along a Morton curve over the whole picture, so
 // that neighbouring pixels have errors of opposite sign (blue noise).
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The AOV of the water on surfaces.
 #include <vug/render/film/surface_aov.h>
 #include <vug/render/material.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A cubic Bezier curve by its control points.
 #include <vug/shot/curves.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The Bezier curve of a stem that gravity bends.
 #include <vug/shot/curves.h>
 
