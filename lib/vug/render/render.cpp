@@ -2,8 +2,8 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/render/film/render_state.h>
-#include <vug/render/render.h>
-#include <vug/render/tile_renderer.h>
+#include <vug/render/prepare.h>
+#include <vug/render/render_tile.h>
 
 #include <algorithm>
 #include <atomic>
@@ -28,6 +28,12 @@ constexpr double kInstanceBytes = 1500;
 
 image::Image render(const Scene& scene, const Options& options, Progress& progress,
                     const RenderCallbacks& callbacks, image::DeepImage* deep) {
+  return render(prepare(scene, options, progress), progress, callbacks, deep);
+}
+
+image::Image render(const PreparedRender& prepared, Progress& progress,
+                    const RenderCallbacks& callbacks, image::DeepImage* deep) {
+  const Options& options = prepared.options;
   std::optional<ThreadLimit> limit;
   if (options.threads > 0) limit.emplace(options.threads);
   if (options.noise > 0 || callbacks.pass || callbacks.save) {
@@ -35,22 +41,22 @@ image::Image render(const Scene& scene, const Options& options, Progress& progre
       throw Error(ErrorCode::bad_input, "a deep picture needs all samples of a pixel at once", {},
                   "render it without noise, checkpoint and preview");
     RenderState state = begin_render(options);
-    continue_render(scene, options, state, callbacks, progress);
+    continue_render(prepared, state, callbacks, progress);
     return develop(state, options.aovs);
   }
   // Tiles are finished one by one, so that only the AOVs are kept, not the sums.
-  const TileRenderer renderer(scene, options, progress);
-  const Region& all = renderer.region();
+  const Region& all = prepared.region;
   if (callbacks.estimate)
-    callbacks.estimate(renderer.estimate_seconds(static_cast<double>(all.pixels()) * options.spp));
+    callbacks.estimate(
+        estimate_seconds(prepared, static_cast<double>(all.pixels()) * options.spp, progress));
   image::Image picture(all.width(), all.height(), options.aovs.channels());
   if (deep) *deep = image::DeepImage(all.width(), all.height());
   const int tile = std::max(options.tile_size, 1);
   std::atomic<uint64_t> invalid{0}, clamped{0};
   progress.begin("rendering", all.tiles(tile));
   parallel_for(all.tiles(tile), [&](size_t index) {
-    const Film film =
-        renderer.render_tile(all.tile(index, tile), 0, static_cast<uint32_t>(options.spp), deep);
+    const Film film = render_tile(prepared, all.tile(index, tile), 0,
+                                  static_cast<uint32_t>(options.spp), progress, deep);
     develop(film, options.aovs, all, picture);
     const auto invalid_samples = film.invalid_samples();
     invalid += invalid_samples.first, clamped += invalid_samples.second;

@@ -43,6 +43,7 @@ struct Options {
       0;  ///< Tiles whose noise is below this get no more samples; 0: `spp` samples everywhere.
 };
 
+struct PreparedRender;
 struct RenderState;
 
 /// Callbacks of a render. Each is called on a worker thread, one at a time, while nothing changes
@@ -69,6 +70,9 @@ struct RenderCallbacks {
 image::Image render(const Scene& scene, const Options& options,
                     Progress& progress = Progress::none(), const RenderCallbacks& callbacks = {},
                     image::DeepImage* deep = nullptr);
+/// Renders what `prepare` returned, with its options.
+image::Image render(const PreparedRender& prepared, Progress& progress = Progress::none(),
+                    const RenderCallbacks& callbacks = {}, image::DeepImage* deep = nullptr);
 
 /// Options::crop or the whole picture. Throws Error(bad_input) if the crop exceeds the picture.
 Region render_region(const Options& options);

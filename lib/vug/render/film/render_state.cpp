@@ -3,7 +3,7 @@
 #include <vug/base/parallel.h>
 #include <vug/render/film/adaptive.h>
 #include <vug/render/film/render_state.h>
-#include <vug/render/tile_renderer.h>
+#include <vug/render/render_tile.h>
 
 #include <fmt/format.h>
 
@@ -56,9 +56,9 @@ uint64_t all_samples(const RenderState& state) {
 /// Renders tiles into one state on all threads, which pause while it is saved.
 class StateRenderer {
  public:
-  StateRenderer(const TileRenderer& renderer, RenderState& state, const RenderCallbacks& callbacks,
-                Progress& progress)
-      : renderer_(renderer),
+  StateRenderer(const PreparedRender& prepared, RenderState& state,
+                const RenderCallbacks& callbacks, Progress& progress)
+      : prepared_(prepared),
         state_(state),
         callbacks_(callbacks),
         progress_(progress),
@@ -90,7 +90,7 @@ class StateRenderer {
   void render_tile(size_t tile, uint32_t count) {
     const Region region = state_.region().tile(tile, RenderState::kTileSize);
     const uint32_t begin = state_.done[tile];
-    const Film film = renderer_.render_tile(region, begin, count);
+    const Film film = vug::render::render_tile(prepared_, region, begin, count, progress_);
     {
       const std::shared_lock<std::shared_mutex> lock(saving_);
       state_.film.merge(film);
@@ -102,7 +102,7 @@ class StateRenderer {
     if (due()) save();
   }
 
-  const TileRenderer& renderer_;
+  const PreparedRender& prepared_;
   RenderState& state_;
   const RenderCallbacks& callbacks_;
   Progress& progress_;
@@ -166,15 +166,20 @@ RenderState begin_render(const Options& options, const RenderSlice& slice) {
 
 void continue_render(const Scene& scene, const Options& options, RenderState& state,
                      const RenderCallbacks& callbacks, Progress& progress) {
+  continue_render(prepare(scene, options, progress), state, callbacks, progress);
+}
+
+void continue_render(const PreparedRender& prepared, RenderState& state,
+                     const RenderCallbacks& callbacks, Progress& progress) {
+  const Options& options = prepared.options;
   std::optional<ThreadLimit> limit;
   if (options.threads > 0) limit.emplace(options.threads);
-  const TileRenderer renderer(scene, options, progress);
   if (callbacks.estimate)
-    callbacks.estimate(renderer.estimate_seconds(static_cast<double>(missing(state))));
+    callbacks.estimate(estimate_seconds(prepared, static_cast<double>(missing(state)), progress));
   const uint64_t all = all_samples(state);
   progress.begin("rendering", all);
   progress.advance(all - missing(state));
-  StateRenderer worker(renderer, state, callbacks, progress);
+  StateRenderer worker(prepared, state, callbacks, progress);
   try {
     for (const Stop& stop : stops(state, options, callbacks)) {
       // A state that was saved after this stop has already been evaluated here.

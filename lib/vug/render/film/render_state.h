@@ -45,6 +45,8 @@ RenderState begin_render(const Options& options, const RenderSlice& slice = {});
 /// Renders the missing samples. The film's bits depend only on the samples it finally contains.
 void continue_render(const Scene& scene, const Options& options, RenderState& state,
                      const RenderCallbacks& callbacks, Progress& progress);
+void continue_render(const PreparedRender& prepared, RenderState& state,
+                     const RenderCallbacks& callbacks, Progress& progress);
 
 /// The picture of the samples that are done.
 image::Image develop(const RenderState& state, const AovPlan& aovs);
