@@ -51,8 +51,7 @@ class Arguments(VugTest):
                              (["--view", "nope"], "--view: unknown view 'nope'"),
                              (["--display", "nope"], "--display: unknown display 'nope'"),
                              (["--eye", "left"], "--eye: the camera is not a stereo camera"),
-                             (["--denoise", "--layers", "beauty"], "--denoise: a picture without the layer 'variance'"),
-                             (["--deep", "--noise", "5%"], "--deep: a deep picture needs all samples")):
+                             (["--denoise", "--layers", "beauty"], "--denoise: a picture without the layer 'variance'")):
             error = self.refused("error: " + said, *render, *option)
             self.assertNotIn("s.vug", error)
         self.assertEqual(self.refused("", *render, "--view", "nope").count("filmic"), 1)

@@ -180,12 +180,24 @@ class PictureFiles(VugTest):
             self.assertIn("vug:recipe", told)
             self.assertIn("worldToCamera", told)
 
-    def test_deep_pictures_are_complete_or_rejected(self):
-        for args in (["--noise", "0.1"], ["--preview", "p.png"], ["--checkpoint", "c"]):
-            said = self.expect(2, "render", "s.vug", "-o", "no.exr", "--deep", *args).err
-            self.assertIn("a deep picture needs all samples of a pixel at once", said)
-        self.expect(2, "render", "s.vug", "--part", "no.part", "--deep")
-        self.assertFalse(any(name.startswith("no") for name in self.files()))
+    def test_deep_pictures_are_the_same_however_they_are_rendered(self):
+        deep = lambda name: (self.folder / f"{name}.deep.exr").read_bytes()
+        form = ("--layers", "all", *FORMS["deep"])
+        self.expect(0, "render", "s.vug", "-o", "again.exr", *form, "--preview", "p.png", "--checkpoint", "c")
+        self.assertEqual(deep("again"), deep("deep"))
+        for number, args in enumerate((["--tile", "2/2"], ["--tile", "1/2", "--samples", "9..16"],
+                                       ["--tile", "1/2", "--samples", "0..9"])):
+            self.expect(0, "render", "s.vug", "--part", f"part{number}", *form, *args)
+        said = self.expect(0, "merge", "part0", "part1", "part2", "-o", "merged.exr").out
+        self.assertEqual(said.split(), ["merged.exr", "merged.png", "merged.deep.exr"])
+        self.assertEqual(deep("merged"), deep("deep"))
+        self.expect(0, "render", "s.vug", "-o", "noisy.exr", "--deep", "--noise", "0.1")
+        said = self.expect(2, "render", "s.vug", "--part", "no.part", "--deep", "--spp", "65536",
+                           "--max-memory", "1G").err
+        self.assertIn("use a smaller --size", said)
+        self.assertFalse(any(name.startswith("no.") for name in self.files()))
+
+    def test_a_deep_picture_is_not_a_flat_image(self):
         self.assertIn("not a flat image", self.expect(2, "diff", "deep.deep.exr", "deep.deep.exr").err)
 
     def test_info_describes_a_deep_picture(self):

@@ -23,7 +23,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   }
   try {
     const vug::render::PartialRender part = vug::render::read_partial_render(path);
-    if (part.state.region().empty()) std::abort();
+    if (part.state.region.empty()) std::abort();
+    if (part.header.deep) vug::render::develop(part.state, *part.header.deep);
   } catch (const vug::Error& error) {
     refused(error);
   }

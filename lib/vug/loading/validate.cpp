@@ -113,9 +113,6 @@ render::AovPlan expected_aovs(const shot::Shot& shot, const shot::RenderPlan& pl
 }
 
 void require_valid(const shot::Shot& shot, const shot::RenderPlan& plan) {
-  if (plan.deep && plan.noise > 0)
-    throw Error(ErrorCode::bad_input, "a deep picture needs all samples of a pixel at once",
-                plan.where, "remove 'noise'; a crop is allowed");
   expected_aovs(shot, plan);
   if (plan.crop.empty()) return;
   render::Options options;

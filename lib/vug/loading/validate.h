@@ -23,8 +23,7 @@ bool is_empty_scene(const shot::Shot& shot);
 /// Error(bad_input), located at the plan's name.
 render::AovPlan expected_aovs(const shot::Shot& shot, const shot::RenderPlan& plan);
 
-/// Error(bad_input), located at the plan's name, for a crop outside the picture, a deep picture
-/// with a noise threshold, and unknown AOVs.
+/// Error(bad_input), located at the plan's name, for a crop outside the picture and unknown AOVs.
 void require_valid(const shot::Shot& shot, const shot::RenderPlan& plan);
 
 /// Reports all such faults at their declarations. Names that may be missing only because of a fault

@@ -154,15 +154,6 @@ render::AovPlan early_aovs(const shot::Shot& shot, const shot::RenderPlan& plan,
   }
 }
 
-void require_deep_supported(const PictureOptions& options, const shot::RenderPlan& plan,
-                            bool whole_film) {
-  if (plan.deep && (whole_film || plan.noise > 0))
-    throw with_option(
-        Error(ErrorCode::bad_input, "a deep picture needs all samples of a pixel at once", {},
-              "render it without noise, checkpoint, preview and parts; a crop is allowed"),
-        options.deep ? "--deep" : "", plan.where);
-}
-
 }  // namespace
 
 image::Metadata identifying_metadata(const shot::Shot& shot, const PictureOptions& options) {
@@ -283,7 +274,6 @@ PictureJob prepare_picture(building::Builder& builder, const PictureOptions& opt
   render.integrator = plan.integrator;
   render.noise = plan.noise;
   if (plan.deep) render.deep.emplace().tolerance = plan.deep_tolerance;
-  require_deep_supported(options, plan, whole_film);
   render.openings = plan.openings;
   if (plan.crop.size() == 4) render.crop = {plan.crop[0], plan.crop[1], plan.crop[2], plan.crop[3]};
   render.aovs = early_aovs(builder.shot(), plan, options);

@@ -56,7 +56,7 @@ render::RenderState initial_state(const PictureJob& job, const RenderOptions& op
   };
   if (const std::string what = render::difference(kept.header, job.header); !what.empty())
     throw refuse("different " + what);
-  if (!(kept.state.region() == state.region()) || kept.state.begin != state.begin ||
+  if (!(kept.state.region == state.region) || kept.state.begin != state.begin ||
       kept.state.end != state.end)
     throw refuse("another tile or range of samples");
   return std::move(kept.state);
@@ -107,10 +107,12 @@ RenderResult render_picture(building::Builder& builder, const RenderOptions& opt
     if (error.code() != ErrorCode::cancelled || options.checkpoint.empty()) throw;
     throw Error(error.code(), error.what(), error.where(), resume_hint(options, state));
   }
-  if (!options.part.empty())
+  if (!options.part.empty()) {
     render::write_partial_render(options.part, job.header, state);
-  else
-    rendered.image = render::develop(state, job.options.aovs);
+    return rendered;
+  }
+  rendered.image = render::develop(state, job.options.aovs);
+  if (job.options.deep) rendered.deep = render::develop(state, *job.options.deep);
   return rendered;
 }
 

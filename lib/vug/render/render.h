@@ -35,10 +35,8 @@ struct Options {
   bool bright_edges = true;  ///< Trace extra camera rays at the edges of bright areas; the expected
                              ///< picture is unchanged.
   Region crop;               ///< The pixels to be rendered; empty: all.
-  MotionStepPtr motion_step;  ///< For the AOV `motion`; null: nothing moves.
-  /// Options of a deep picture; none: no deep picture. This requires all samples of a pixel at
-  /// once: no `noise`, and RenderCallbacks without `pass` and `save`.
-  std::optional<DeepOptions> deep;
+  MotionStepPtr motion_step;        ///< For the AOV `motion`; null: nothing moves.
+  std::optional<DeepOptions> deep;  ///< Options of a deep picture; none: no deep picture.
   double noise =
       0;  ///< Tiles whose noise is below this get no more samples; 0: `spp` samples everywhere.
 };
@@ -73,6 +71,9 @@ image::Image render(const Scene& scene, const Options& options,
 /// Renders what `prepare` returned, with its options.
 image::Image render(const PreparedRender& prepared, Progress& progress = Progress::none(),
                     const RenderCallbacks& callbacks = {}, image::DeepImage* deep = nullptr);
+
+/// The data that a film must accumulate for the AOVs and the deep picture.
+FilmLayout film_layout(const Options& options);
 
 /// Options::crop or the whole picture. Throws Error(bad_input) if the crop exceeds the picture.
 Region render_region(const Options& options);

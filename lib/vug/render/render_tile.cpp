@@ -63,10 +63,8 @@ PathResult sample(const PreparedRender& prepared, int x, int y, uint32_t index,
 }  // namespace
 
 Film render_tile(const PreparedRender& prepared, const Region& tile, uint32_t begin, uint32_t end,
-                 Progress& progress, image::DeepImage* deep) {
-  const Camera& camera = *prepared.scene->camera;
-  Film film(tile, prepared.options.aovs.layout());
-  DeepPixel depths(prepared.options.deep.value_or(DeepOptions()));
+                 Progress& progress) {
+  Film film(tile, film_layout(prepared.options));
   std::vector<LightPathRecorder> recorders(raytree::kMaxInFlight,
                                            LightPathRecorder(prepared.light_paths));
   std::vector<PathResult> results(raytree::kMaxInFlight);
@@ -75,24 +73,20 @@ Film render_tile(const PreparedRender& prepared, const Region& tile, uint32_t be
     return std::pair(tile.x0 + static_cast<int>(number % row / each),
                      tile.y0 + static_cast<int>(number / row));
   };
+  const auto index = [&](size_t number) { return begin + static_cast<uint32_t>(number % each); };
   raytree::run_interleaved(
       row * static_cast<size_t>(tile.height()),
       [&](size_t number) {
         if (number % row == 0) progress.check();
         const auto [x, y] = pixel(number);
         const size_t at = number % raytree::kMaxInFlight;
-        results[at] =
-            sample(prepared, x, y, begin + static_cast<uint32_t>(number % each), recorders[at]);
+        results[at] = sample(prepared, x, y, index(number), recorders[at]);
       },
       [&](size_t number) {
         const auto [x, y] = pixel(number);
-        const PathResult& result = results[number % raytree::kMaxInFlight];
-        film.add(x, y, result, camera, recorders[number % raytree::kMaxInFlight].colours().data());
-        if (!deep) return;
-        depths.add(result,
-                   static_cast<double>(camera.depth_at(result.time, result.first.position)));
-        if ((number + 1) % each == 0)
-          deep->at(x - prepared.region.x0, y - prepared.region.y0) = depths.finish();
+        const size_t at = number % raytree::kMaxInFlight;
+        film.add(x, y, index(number), results[at], *prepared.scene->camera,
+                 recorders[at].colours().data());
       });
   return film;
 }

@@ -9,10 +9,9 @@
 
 namespace vug::render {
 
-/// Renders the samples begin <= i < end of each pixel of the tile. `deep`: a picture of
-/// PreparedRender::region, or null. Error(cancelled).
+/// Renders the samples begin <= i < end of each pixel of the tile. Error(cancelled).
 Film render_tile(const PreparedRender& prepared, const Region& tile, uint32_t begin, uint32_t end,
-                 Progress& progress, image::DeepImage* deep = nullptr);
+                 Progress& progress);
 
 /// Estimates the wall-clock time in seconds of `samples` samples, from a few taken now.
 double estimate_seconds(const PreparedRender& prepared, double samples, Progress& progress);

@@ -61,6 +61,51 @@ TEST_F(PartialRenders, MergeToTheBitsOfTheWhole) {
   EXPECT_EQ(develop(whole.state, whole.header.aovs), render(lit_floor(), o));
 }
 
+TEST_F(PartialRenders, DeepPicturesMergeToTheBytesOfTheWhole) {
+  Options o = small();
+  o.deep.emplace().tolerance = 0.03;
+  image::DeepImage whole;
+  const image::Image picture = render(lit_floor(), o, Progress::none(), {}, &whole);
+  std::vector<fs::path> paths;
+  for (const auto& [threads, slice] :
+       {std::pair(7, RenderSlice{1, 2, 0, 0}), {1, {0, 2, 8, 12}}, {2, {0, 2, 0, 8}}}) {
+    o.threads = threads;
+    paths.push_back(part(std::to_string(threads), o, slice));
+  }
+  const PartialRender merged = merge(paths);
+  ASSERT_TRUE(merged.header.deep);
+  EXPECT_EQ(develop(merged.state, *merged.header.deep).pixels, whole.pixels);
+  EXPECT_EQ(develop(merged.state, merged.header.aovs), picture);
+  o.deep->tolerance = 0.04;
+  EXPECT_NE(merge_error({paths[0], part("other", o, {0, 2, 0, 0})}).find("different deep pictures"),
+            std::string::npos);
+}
+
+TEST_F(PartialRenders, InvalidFragmentsAreRejected) {
+  Options o = small();
+  o.deep.emplace();
+  const PartialRenderHeader header = partial_render_header(o);
+  const auto refused = [&](const std::vector<DeepFragment>& fragments) {
+    RenderState state = begin_render(o, {1, 3, 2, 9});
+    state.film.fragments(5, 20) = fragments;
+    write_partial_render(file("f"), header, state);
+    try {
+      EXPECT_EQ(read_partial_render(file("f")).state.film.fragments(5, 20), fragments);
+    } catch (const Error& error) {
+      return error.code() == ErrorCode::bad_input;
+    }
+    return false;
+  };
+  const DeepFragment first{2, 1, 1, 0, 0, 0}, last{8, 3, 0.5f, 1, 2, 3};
+  EXPECT_FALSE(refused({first, last}));
+  EXPECT_TRUE(refused({last, first}));
+  EXPECT_TRUE(refused({first, first}));
+  EXPECT_TRUE(refused({{1, 1, 1, 0, 0, 0}}));
+  EXPECT_TRUE(refused({{9, 1, 1, 0, 0, 0}}));
+  EXPECT_TRUE(refused({{3, std::numeric_limits<float>::quiet_NaN(), 1, 0, 0, 0}}));
+  EXPECT_TRUE(refused({{3, 1, 1, 0, std::numeric_limits<float>::infinity(), 0}}));
+}
+
 TEST_F(PartialRenders, RoundTrip) {
   const Options o = small();
   PartialRenderHeader header = partial_render_header(o);
@@ -77,7 +122,7 @@ TEST_F(PartialRenders, RoundTrip) {
   EXPECT_EQ(back.state.film.at(0, 20), state.film.at(0, 20));
   EXPECT_EQ(read_partial_render_info(file("p")).fraction, state.fraction());
   EXPECT_EQ(read_partial_render_info(file("early")).fraction, 0);
-  EXPECT_EQ(read_partial_render_info(file("p")).region, state.region());
+  EXPECT_EQ(read_partial_render_info(file("p")).region, state.region);
 }
 
 TEST_F(PartialRenders, MismatchesAreNamed) {
@@ -108,7 +153,9 @@ TEST_F(PartialRenders, MismatchesAreNamed) {
 }
 
 TEST_F(PartialRenders, DamagedFilesAreRejected) {
-  const std::string whole = read_text(part("p", small(), {}));
+  Options o = small();
+  o.deep.emplace();
+  const std::string whole = read_text(part("p", o, {}));
   const auto refused = [&](const std::string& text) {
     write_text(file("broken"), text);
     try {

@@ -19,11 +19,17 @@ struct Options {
 int run(const Options& options) {
   require_extension(options.output, ".exr", "the picture is an EXR; a PNG is written next to it");
   const std::vector<std::filesystem::path> paths(options.parts.begin(), options.parts.end());
-  require_outputs({options.output, picture::png_path(options.output)}, paths);
+  std::vector<std::filesystem::path> outputs = {options.output, picture::png_path(options.output)};
+  if (render::read_partial_render_info(paths.front()).header.deep)
+    outputs.push_back(picture::deep_path(options.output));
+  require_outputs(outputs, paths);
   const render::PartialRender whole =
       render::merge(paths, terminal_progress(options.work.bar_mode()));
   const image::Image image = render::develop(whole.state, whole.header.aovs);
-  for (const auto& path : picture::write_picture(options.output, {{image, whole.header}}))
+  std::optional<image::DeepImage> deep;
+  if (whole.header.deep) deep = render::develop(whole.state, *whole.header.deep);
+  const picture::PictureView view{image, whole.header, deep ? &*deep : nullptr};
+  for (const auto& path : picture::write_picture(options.output, {view}))
     fmt::print("{}\n", path.string());
   return kDone;
 }

@@ -44,7 +44,7 @@ double squared_noise(const Film& film, const Region& region, double floor) {
 double key_of(const RenderState& state) {
   double sum = 0, lit = 0;
   for (size_t i = 0; i < state.done.size(); ++i) {
-    const double light = mean_light(state.film, state.region().tile(i, RenderState::kTileSize));
+    const double light = mean_light(state.film, state.tile(i));
     if (light > 0) sum += maths::log(light), lit += 1;
   }
   return lit > 0 ? maths::exp(sum / lit) : 0;
@@ -53,15 +53,15 @@ double key_of(const RenderState& state) {
 }  // namespace
 
 void mark_converged(RenderState& state, double noise) {
-  const Region& region = state.region();
+  const Region& region = state.region;
   const double floor = kFloorOfKey * key_of(state);
   std::vector<double> noises(state.done.size()), pixels(state.done.size());
   for (size_t i = 0; i < noises.size(); ++i) {
-    const Region tile = region.tile(i, RenderState::kTileSize);
+    const Region tile = state.tile(i);
     noises[i] = squared_noise(state.film, tile, floor);
     pixels[i] = static_cast<double>(tile.pixels());
   }
-  const int across = (region.width() + RenderState::kTileSize - 1) / RenderState::kTileSize;
+  const int across = (region.width() + state.tile_size - 1) / state.tile_size;
   const int down = static_cast<int>(noises.size()) / across;
   const auto number = [&](int x, int y) {
     return static_cast<size_t>(y) * static_cast<size_t>(across) + static_cast<size_t>(x);

@@ -197,8 +197,9 @@ std::vector<std::string> AovPlan::channels() const {
   return out;
 }
 
-FilmLayout AovPlan::layout() const {
+FilmLayout AovPlan::layout(bool deep) const {
   FilmLayout layout;
+  layout.deep = deep;
   layout.colours = (has_components() ? component_names().size() : 0) + groups.size() +
                    attributes.size() + (has(kMotion) ? 1 : 0);
   for (const SurfaceAov& aov : surface_aovs()) layout.colours += has(aov.name) ? 1 : 0;

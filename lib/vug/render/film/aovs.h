@@ -44,8 +44,8 @@ struct AovPlan {
 
   /// Channel names of the picture.
   std::vector<std::string> channels() const;
-  /// The data that a film must accumulate for these AOVs.
-  FilmLayout layout() const;
+  /// The data that a film must accumulate for these AOVs and, if requested, a deep picture.
+  FilmLayout layout(bool deep = false) const;
   bool has(const std::string& name) const;
   bool has_components() const;   ///< True with any light component of the beauty.
   size_t first_element() const;  ///< Index in `attributes`.

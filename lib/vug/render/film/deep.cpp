@@ -1,41 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/vec.h>
 #include <vug/render/film/deep.h>
-#include <vug/render/film/fixed_point.h>
+#include <vug/render/film/film.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace vug::render {
+namespace {
 
-void DeepPixel::Fragment::merge(const Fragment& behind) {
-  far = std::max(far, behind.far);
-  alpha += behind.alpha, r += behind.r, g += behind.g, b += behind.b;
-}
+/// A range of depths with the sums of its fragments.
+struct DepthRange {
+  double near = 0, far = 0, alpha = 0, r = 0, g = 0, b = 0;
 
-void DeepPixel::add(const PathResult& sample, double depth) {
-  const Rgb& light = sample.radiance;
-  if (!(std::isfinite(light.x) && std::isfinite(light.y) && std::isfinite(light.z))) return;
-  ++samples_;
-  const auto limited = [](float v) {
-    return std::clamp(static_cast<double>(v), -kMaxLight, kMaxLight);
-  };
-  const double depth_or_sky = sample.first.hit ? depth : kDeepSky;
-  fragments_.push_back({depth_or_sky, depth_or_sky, static_cast<double>(sample.alpha),
-                        limited(light.x), limited(light.y), limited(light.z)});
-}
+  explicit DepthRange(const DeepFragment& f)
+      : near(static_cast<double>(f.depth)),
+        far(near),
+        alpha(static_cast<double>(f.alpha)),
+        r(static_cast<double>(f.r)),
+        g(static_cast<double>(f.g)),
+        b(static_cast<double>(f.b)) {}
+  void merge(const DepthRange& behind) {
+    far = std::max(far, behind.far);
+    alpha += behind.alpha, r += behind.r, g += behind.g, b += behind.b;
+  }
+};
 
-void DeepPixel::merge_nearby() {
+/// Sorts the ranges by depth and merges those that are close.
+std::vector<DepthRange> merge_nearby(std::vector<DepthRange> ranges, const DeepOptions& options) {
   // Equal depths keep the order of the samples, so that sums are rounded deterministically.
-  std::stable_sort(fragments_.begin(), fragments_.end(),
-                   [](const Fragment& a, const Fragment& b) { return a.near < b.near; });
-  std::vector<Fragment> kept;
-  for (const Fragment& next : fragments_)
+  std::stable_sort(ranges.begin(), ranges.end(),
+                   [](const DepthRange& a, const DepthRange& b) { return a.near < b.near; });
+  std::vector<DepthRange> kept;
+  for (const DepthRange& next : ranges)
     if (!kept.empty() &&
-        next.near - kept.back().near <= options_.tolerance * std::fabs(kept.back().near))
+        next.near - kept.back().near <= options.tolerance * std::fabs(kept.back().near))
       kept.back().merge(next);
     else
       kept.push_back(next);
-  while (kept.size() > std::max<size_t>(options_.max_samples, 1)) {
+  while (kept.size() > std::max<size_t>(options.max_samples, 1)) {
     size_t nearest = 0;
     double least = kInfinity;
     for (size_t i = 0; i + 1 < kept.size(); ++i) {
@@ -46,24 +49,34 @@ void DeepPixel::merge_nearby() {
     kept[nearest].merge(kept[nearest + 1]);
     kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(nearest) + 1);
   }
-  fragments_ = std::move(kept);
+  return kept;
 }
 
-std::vector<image::DeepSample> DeepPixel::finish() {
-  merge_nearby();
+}  // namespace
+
+std::vector<image::DeepSample> merge_fragments(std::span<const DeepFragment> fragments,
+                                               const DeepOptions& options) {
+  const std::vector<DepthRange> ranges =
+      merge_nearby(std::vector<DepthRange>(fragments.begin(), fragments.end()), options);
   std::vector<image::DeepSample> out;
-  double left = static_cast<double>(std::max<size_t>(samples_, 1));  // not yet covered
-  for (const Fragment& f : fragments_) {
+  double left = static_cast<double>(std::max<size_t>(fragments.size(), 1));  // not yet covered
+  for (const DepthRange& range : ranges) {
     const auto part = [&](double v) { return static_cast<float>(v / left); };
-    out.push_back({static_cast<float>(f.near), static_cast<float>(f.far),
-                   std::min(1.0f, part(f.alpha)), part(f.r), part(f.g), part(f.b)});
-    left -= f.alpha;
+    out.push_back({static_cast<float>(range.near), static_cast<float>(range.far),
+                   std::min(1.0f, part(range.alpha)), part(range.r), part(range.g), part(range.b)});
+    left -= range.alpha;
     // Nothing is visible behind full coverage: a sample covers at most itself.
     if (!(left > 0)) break;
   }
-  fragments_.clear();
-  samples_ = 0;
   return out;
+}
+
+void develop(const Film& film, const DeepOptions& options, const Region& origin,
+             image::DeepImage& picture) {
+  const Region& region = film.region();
+  for (int y = region.y0; y < region.y1; ++y)
+    for (int x = region.x0; x < region.x1; ++x)
+      picture.at(x - origin.x0, y - origin.y0) = merge_fragments(film.fragments(x, y), options);
 }
 
 }  // namespace vug::render

@@ -3,44 +3,48 @@
 #pragma once
 
 #include <vug/image/deep.h>
-#include <vug/render/integrator.h>
+#include <vug/render/film/region.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vug::render {
 
+class Film;
+
 struct DeepOptions {
   double tolerance = 0.01;  ///< Surfaces within this relative difference of depth are merged.
   size_t max_samples = 16;  ///< Per pixel; beyond this, the samples closest in depth are merged.
+
+  bool operator==(const DeepOptions&) const = default;
 };
 
-/// Accumulates one pixel by depth. Only surfaces have a depth: light scattered by a medium is
+inline constexpr float kDeepSky = 1e10f;
+
+/// One valid sample of a deep pixel. Only surfaces have a depth: light scattered by a medium is
 /// stored with the surface behind it, and light from the environment, or from a light in front of
-/// it, at kDeepSky.
-class DeepPixel {
- public:
-  explicit DeepPixel(const DeepOptions& options) : options_(options) {}
+/// it, at kDeepSky. Films keep the fragments until they are developed, because merging some of them
+/// earlier would round differently.
+struct DeepFragment {
+  uint32_t sample = 0;  ///< Index of the sample in its pixel.
+  float depth = kDeepSky;
+  float alpha = 0;
+  float r = 0, g = 0, b = 0;  ///< Radiance, limited to +-kMaxLight.
 
-  /// Adds a sample whose first surface is at this depth. NaN and infinite samples are discarded, as
-  /// in PixelSum.
-  void add(const PathResult& sample, double depth);
-  /// Returns the pixel's samples and resets for the next pixel. Compositing them gives the means of
-  /// the added samples: each sample covers its share of the pixel as seen through the samples in
-  /// front, so its alpha is that share divided by the share that they leave visible.
-  std::vector<image::DeepSample> finish();
-
- private:
-  struct Fragment {
-    double near = 0, far = 0, alpha = 0, r = 0, g = 0, b = 0;
-    void merge(const Fragment& behind);
-  };
-  void merge_nearby();
-
-  const DeepOptions options_;
-  std::vector<Fragment> fragments_;
-  size_t samples_ = 0;
+  bool operator==(const DeepFragment&) const = default;
 };
 
-inline constexpr double kDeepSky = 1e10;
+/// The samples of a deep pixel from its fragments in the order of sample indices. Compositing them
+/// gives the means of the fragments: each sample covers its share of the pixel as seen through the
+/// samples in front, so its alpha is that share divided by the share that they leave visible.
+std::vector<image::DeepSample> merge_fragments(std::span<const DeepFragment> fragments,
+                                               const DeepOptions& options);
+
+/// Writes the deep pixels of a film into the picture, whose pixel (0, 0) is the top left corner of
+/// `origin`.
+void develop(const Film& film, const DeepOptions& options, const Region& origin,
+             image::DeepImage& picture);
 
 }  // namespace vug::render

@@ -24,6 +24,24 @@ void add_coverage(Coverage& list, uint32_t object, uint32_t samples) {
   entry->second += samples;
 }
 
+DeepFragment fragment_of(uint32_t index, const PathResult& sample, const Camera& camera) {
+  const auto light = parts(sample.radiance);
+  const auto channel = [&](size_t i) { return static_cast<float>(limited(light[i])); };
+  const float depth =
+      sample.first.hit ? camera.depth_at(sample.time, sample.first.position) : kDeepSky;
+  return {index, depth, sample.alpha, channel(0), channel(1), channel(2)};
+}
+
+/// Inserts the fragments of other samples. Allocates exactly the memory that is needed.
+void add_fragments(std::vector<DeepFragment>& list, const std::vector<DeepFragment>& more) {
+  const auto middle = static_cast<std::ptrdiff_t>(list.size());
+  list.reserve(list.size() + more.size());
+  list.insert(list.end(), more.begin(), more.end());
+  std::inplace_merge(
+      list.begin(), list.begin() + middle, list.end(),
+      [](const DeepFragment& a, const DeepFragment& b) { return a.sample < b.sample; });
+}
+
 }  // namespace
 
 bool PixelSum::add(const PathResult& sample, const Camera& camera) {
@@ -77,15 +95,18 @@ Film::Film(const Region& region, const FilmLayout& layout)
       layout_(layout),
       sums_(region.pixels()),
       colours_(region.pixels() * layout.colours * 3),
-      coverage_(layout.coverage ? region.pixels() : 0) {}
+      coverage_(layout.coverage ? region.pixels() : 0),
+      fragments_(layout.deep ? region.pixels() : 0) {}
 
-void Film::add(int x, int y, const PathResult& sample, const Camera& camera, const Rgb* values) {
+void Film::add(int x, int y, uint32_t index, const PathResult& sample, const Camera& camera,
+               const Rgb* values) {
   if (!at(x, y).add(sample, camera)) return;
   Wide* to = colours(x, y);
   for (size_t i = 0; i < layout_.colours; ++i)
     for (const float v : parts(values[i]))
       *to++ += std::isfinite(v) ? to_wide(limited(v), kLightBits) : 0;
   if (layout_.coverage && sample.first.hit) add_coverage(coverage(x, y), sample.first.object, 1);
+  if (layout_.deep) fragments(x, y).push_back(fragment_of(index, sample, camera));
 }
 
 void Film::merge(const Film& other) {
@@ -96,9 +117,10 @@ void Film::merge(const Film& other) {
       const Wide* from = other.colours(x, y);
       Wide* to = colours(x, y);
       for (size_t i = 0; i < layout_.colours * 3; ++i) to[i] += from[i];
-      if (!layout_.coverage) continue;
-      for (const auto& [object, samples] : other.coverage(x, y))
-        add_coverage(coverage(x, y), object, samples);
+      if (layout_.coverage)
+        for (const auto& [object, samples] : other.coverage(x, y))
+          add_coverage(coverage(x, y), object, samples);
+      if (layout_.deep) add_fragments(fragments(x, y), other.fragments(x, y));
     }
 }
 
@@ -108,9 +130,10 @@ std::pair<uint64_t, uint64_t> Film::invalid_samples() const {
   return all;
 }
 
-double Film::pixel_bytes(const FilmLayout& layout) {
+double Film::pixel_bytes(const FilmLayout& layout, double samples) {
   return sizeof(PixelSum) + 3.0 * sizeof(Wide) * static_cast<double>(layout.colours) +
-         (layout.coverage ? sizeof(Coverage) : 0);
+         (layout.coverage ? sizeof(Coverage) : 0) +
+         (layout.deep ? sizeof(std::vector<DeepFragment>) + sizeof(DeepFragment) * samples : 0);
 }
 
 }  // namespace vug::render

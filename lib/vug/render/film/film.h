@@ -4,6 +4,7 @@
 #pragma once
 
 #include <vug/render/camera.h>
+#include <vug/render/film/deep.h>
 #include <vug/render/film/fixed_point.h>
 #include <vug/render/film/region.h>
 #include <vug/render/integrator.h>
@@ -48,6 +49,7 @@ struct FilmLayout {
   size_t colours =
       0;  ///< Further colours per pixel: light components, light groups, and surface values.
   bool coverage = false;  ///< The objects that camera rays hit.
+  bool deep = false;      ///< The fragments of a deep picture.
 
   bool operator==(const FilmLayout&) const = default;
 };
@@ -72,16 +74,24 @@ class Film {
   Coverage& coverage(int x, int y) { return coverage_[region_.index(x, y)]; }
   const Coverage& coverage(int x, int y) const { return coverage_[region_.index(x, y)]; }
 
-  /// `values`: as many as FilmLayout::colours.
-  void add(int x, int y, const PathResult& sample, const Camera& camera, const Rgb* values);
-  /// Adds the overlapping pixels of another film with the same FilmLayout.
+  /// The fragments of a deep pixel, sorted by sample index.
+  std::vector<DeepFragment>& fragments(int x, int y) { return fragments_[region_.index(x, y)]; }
+  const std::vector<DeepFragment>& fragments(int x, int y) const {
+    return fragments_[region_.index(x, y)];
+  }
+
+  /// Adds sample `index` of a pixel; larger indices must follow smaller ones. `values`: as many as
+  /// FilmLayout::colours.
+  void add(int x, int y, uint32_t index, const PathResult& sample, const Camera& camera,
+           const Rgb* values);
+  /// Adds the overlapping pixels of another film with the same FilmLayout and other samples.
   void merge(const Film& other);
 
   /// The sums of PixelSum::invalid and PixelSum::clamped over all pixels.
   std::pair<uint64_t, uint64_t> invalid_samples() const;
 
-  /// Bytes per pixel, without the lists of coverage.
-  static double pixel_bytes(const FilmLayout& layout);
+  /// Bytes per pixel with this number of samples, without the lists of coverage.
+  static double pixel_bytes(const FilmLayout& layout, double samples);
 
  private:
   Region region_;
@@ -89,6 +99,7 @@ class Film {
   std::vector<PixelSum> sums_;
   std::vector<Wide> colours_;
   std::vector<Coverage> coverage_;
+  std::vector<std::vector<DeepFragment>> fragments_;
 };
 
 }  // namespace vug::render

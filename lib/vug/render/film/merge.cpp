@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
+#include <vug/base/memory.h>
 #include <vug/render/film/partial_render.h>
 
 #include <fmt/format.h>
@@ -76,6 +77,7 @@ std::string difference(const PartialRenderHeader& a, const PartialRenderHeader& 
   if (a.spp != b.spp) return fmt::format("samples per pixel, {} and {}", a.spp, b.spp);
   if (!(a.crop == b.crop)) return "crops";
   if (!(a.aovs == b.aovs)) return "layers";
+  if (!(a.deep == b.deep)) return "deep pictures";
   if (a.noise < b.noise || a.noise > b.noise) return "noise thresholds";
   if (a.identity != b.identity) return "scenes";
   return a.notes == b.notes ? "" : "settings";
@@ -98,11 +100,13 @@ PartialRender merge(const std::vector<std::filesystem::path>& paths, Progress& p
   require_cover(parts);
   PartialRender whole;
   whole.header = parts.front().info.header;
+  const PartialRenderHeader& header = whole.header;
+  const FilmLayout layout = header.aovs.layout(header.deep.has_value());
+  require_memory(Film::pixel_bytes(layout, header.spp) * static_cast<double>(header.crop.pixels()),
+                 available_memory(), "the picture", "merge on a machine with more memory");
   RenderState& state = whole.state;
-  state.end = static_cast<uint32_t>(whole.header.spp);
-  state.film = Film(whole.header.crop, whole.header.aovs.layout());
-  state.done.assign(state.region().tiles(RenderState::kTileSize), state.end);
-  state.converged.assign(state.done.size(), 0);
+  state = RenderState({header.crop, 0, static_cast<uint32_t>(header.spp)}, layout);
+  state.done.assign(state.done.size(), state.end);
   progress.begin("merging", paths.size());
   for (const auto& path : paths) {
     progress.check();

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -16,7 +17,7 @@ namespace vug::render {
 namespace {
 
 constexpr char kMagic[8] = {'v', 'u', 'g', 'p', 'a', 'r', 't', '\n'};
-constexpr uint32_t kVersion = 2;
+constexpr uint32_t kVersion = 3;
 constexpr uint64_t kDigestBytes = 16;
 constexpr size_t kBuffer = 1 << 20;
 
@@ -79,6 +80,8 @@ class Reader {
       at_ += some, copied += some, left_ -= some;
     }
   }
+  /// The bytes before the hash that are not read yet.
+  uint64_t left() const { return left_ - std::min(left_, kDigestBytes); }
   /// Skips to the hash at the end.
   void skip() {
     std::vector<char> some(kBuffer);
@@ -143,6 +146,16 @@ void text(File& file, Text& value) {
   if (count > 0) file.bytes(value.data(), count);
 }
 
+/// The options of a deep picture, after a flag that says whether there is one.
+template <class File, class Deep>
+void deep_options(File& file, Deep& deep) {
+  uint8_t present = deep.has_value() ? 1 : 0;
+  file.number(present);
+  if (present == 0) return;
+  if constexpr (File::kReads) deep.emplace();
+  file.number(deep->tolerance), file.number(deep->max_samples);
+}
+
 template <class File, class R>
 void region(File& file, R& r) {
   file.number(r.x0), file.number(r.y0), file.number(r.x1), file.number(r.y1);
@@ -160,6 +173,7 @@ void header_of(File& file, H& h) {
        [&](auto& attribute) { text(file, attribute.name), file.number(attribute.arity); });
   list(file, h.aovs.objects, 4, [&](auto& name) { text(file, name); });
   list(file, h.aovs.materials, 4, [&](auto& name) { text(file, name); });
+  deep_options(file, h.deep);
   list(file, h.notes, 8, [&](auto& note) { text(file, note.first), text(file, note.second); });
 }
 
@@ -170,6 +184,19 @@ void pixel(File& file, Sum& s) {
     file.number(s.normal[i]), file.number(s.position[i]), file.number(s.albedo[i]);
   file.number(s.alpha), file.number(s.depth);
   file.number(s.samples), file.number(s.hits), file.number(s.invalid), file.number(s.clamped);
+}
+
+template <class File, class Fragments>
+void fragments_of(File& file, Fragments& fragments) {
+  static_assert(sizeof(DeepFragment) == 24, "written without padding");
+  auto count = static_cast<uint32_t>(fragments.size());
+  file.number(count);
+  const uint64_t bytes = uint64_t{count} * sizeof(DeepFragment);
+  if constexpr (File::kReads) {
+    file.need(bytes);
+    fragments.resize(count);
+  }
+  if (count > 0) file.bytes(fragments.data(), bytes);
 }
 
 template <class File, class F>
@@ -183,10 +210,41 @@ void film_of(File& file, F& film) {
       if (film.layout().coverage)
         list(file, film.coverage(x, y), 8,
              [&](auto& entry) { file.number(entry.first), file.number(entry.second); });
+      if (film.layout().deep) fragments_of(file, film.fragments(x, y));
     }
 }
 
-bool is_valid(const PartialRenderHeader& h, const RenderState& s, const Region& r) {
+/// True if the fragments are numbers, in the order of the samples, and samples of the state.
+bool has_valid_fragments(const RenderState& state) {
+  if (!state.film.layout().deep) return true;
+  const Region& r = state.region;
+  for (int y = r.y0; y < r.y1; ++y)
+    for (int x = r.x0; x < r.x1; ++x) {
+      uint64_t next = state.begin;
+      for (const DeepFragment& f : state.film.fragments(x, y)) {
+        const auto values = {f.depth, f.alpha, f.r, f.g, f.b};
+        if (f.sample < next || f.sample >= state.end ||
+            !std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); }))
+          return false;
+        next = uint64_t{f.sample} + 1;
+      }
+    }
+  return true;
+}
+
+template <class File, class Tiles>
+void tiles_of(File& file, Tiles& tiles) {
+  region(file, tiles.region);
+  file.number(tiles.begin), file.number(tiles.end);
+}
+
+template <class File, class Tiles>
+void done_of(File& file, Tiles& tiles) {
+  list(file, tiles.done, 4, [&](auto& n) { file.number(n); });
+  list(file, tiles.converged, 1, [&](auto& n) { file.number(n); });
+}
+
+bool is_valid(const PartialRenderHeader& h, const TileProgress& tiles) {
   const Region all{0, 0, h.width, h.height};
   const auto inside = [](const Region& in, const Region& out) {
     return !in.empty() && in.overlap(out) == in;
@@ -194,12 +252,13 @@ bool is_valid(const PartialRenderHeader& h, const RenderState& s, const Region& 
   const bool readable = std::all_of(h.aovs.attributes.begin(), h.aovs.attributes.end(),
                                     [](const AovAttribute& a) { return a.arity - 1 < 3; });
   return readable && h.width > 0 && h.height > 0 && h.width <= 65535 && h.height <= 65535 &&
-         h.spp > 0 && inside(h.crop, all) && inside(r, h.crop) && s.begin < s.end &&
-         s.end <= static_cast<uint32_t>(h.spp);
+         h.spp > 0 && inside(h.crop, all) && inside(tiles.region, h.crop) &&
+         tiles.begin < tiles.end && tiles.end <= static_cast<uint32_t>(h.spp) &&
+         (!h.deep || std::isfinite(h.deep->tolerance));
 }
 
 /// Reads everything before the sums.
-void read_preamble(Reader& file, PartialRenderHeader& header, RenderState& state, Region& covered) {
+void read_preamble(Reader& file, PartialRenderHeader& header, TileProgress& tiles) {
   char magic[sizeof kMagic];
   uint32_t version = 0;
   file.bytes(magic, sizeof magic);
@@ -208,15 +267,13 @@ void read_preamble(Reader& file, PartialRenderHeader& header, RenderState& state
   if (version != kVersion)
     file.refuse(fmt::format("its version is {}, this program reads {}", version, kVersion));
   header_of(file, header);
-  region(file, covered);
-  file.number(state.begin), file.number(state.end);
-  if (!is_valid(header, state, covered)) file.refuse("its content was changed");
-  list(file, state.done, 4, [&](auto& n) { file.number(n); });
-  list(file, state.converged, 1, [&](auto& n) { file.number(n); });
-  if (state.done.size() != covered.tiles(RenderState::kTileSize) ||
-      state.converged.size() != state.done.size() ||
-      !std::all_of(state.done.begin(), state.done.end(),
-                   [&](uint32_t n) { return n >= state.begin && n <= state.end; }))
+  tiles_of(file, tiles);
+  if (!is_valid(header, tiles)) file.refuse("its content was changed");
+  done_of(file, tiles);
+  if (tiles.done.size() != tiles.region.tiles(tiles.tile_size) ||
+      tiles.converged.size() != tiles.done.size() ||
+      !std::all_of(tiles.done.begin(), tiles.done.end(),
+                   [&](uint32_t n) { return n >= tiles.begin && n <= tiles.end; }))
     file.refuse("its content was changed");
 }
 
@@ -236,6 +293,7 @@ PartialRenderHeader partial_render_header(const Options& options) {
   header.crop = render_region(options);
   header.noise = options.noise;
   header.aovs = options.aovs;
+  header.deep = options.deep;
   return header;
 }
 
@@ -246,10 +304,8 @@ void write_partial_render(const std::filesystem::path& path, const PartialRender
   file.bytes(kMagic, sizeof kMagic);
   file.number(kVersion);
   header_of(file, header);
-  region(file, state.region());
-  file.number(state.begin), file.number(state.end);
-  list(file, state.done, 4, [&](const auto& n) { file.number(n); });
-  list(file, state.converged, 1, [&](const auto& n) { file.number(n); });
+  tiles_of(file, state);
+  done_of(file, state);
   film_of(file, state.film);
   if (!file.finish())
     throw Error(ErrorCode::io,
@@ -260,27 +316,31 @@ void write_partial_render(const std::filesystem::path& path, const PartialRender
 PartialRender read_partial_render(const std::filesystem::path& path, const std::string& what) {
   Reader file = open(path, what);
   PartialRender part;
-  Region covered;
-  read_preamble(file, part.header, part.state, covered);
-  const FilmLayout layout = part.header.aovs.layout();
-  file.need(covered.pixels() * 200);
-  require_memory(Film::pixel_bytes(layout) * static_cast<double>(covered.pixels()),
-                 available_memory(), fmt::format("the {} '{}'", what, path.string()),
-                 "merge on a machine with more memory");
-  part.state.film = Film(covered, layout);
+  TileProgress tiles;
+  read_preamble(file, part.header, tiles);
+  const FilmLayout layout = part.header.aovs.layout(part.header.deep.has_value());
+  const auto pixels = static_cast<double>(tiles.region.pixels());
+  file.need(tiles.region.pixels() * 200);
+  // The fragments of a deep picture are as large as in the file.
+  require_memory(
+      Film::pixel_bytes(layout, 0) * pixels + (layout.deep ? static_cast<double>(file.left()) : 0),
+      available_memory(), fmt::format("the {} '{}'", what, path.string()),
+      "merge on a machine with more memory");
+  part.state = RenderState(std::move(tiles), layout);
   film_of(file, part.state.film);
   file.finish();
+  if (!has_valid_fragments(part.state)) file.refuse("its content was changed");
   return part;
 }
 
 PartialRenderInfo read_partial_render_info(const std::filesystem::path& path) {
   Reader file = open(path);
   PartialRenderInfo info;
-  RenderState state;
-  read_preamble(file, info.header, state, info.region);
-  info.begin = state.begin, info.end = state.end;
-  info.fraction = fraction_done(state, info.region);
-  info.samples_left = samples_missing(state, info.region);
+  TileProgress tiles;
+  read_preamble(file, info.header, tiles);
+  info.region = tiles.region, info.begin = tiles.begin, info.end = tiles.end;
+  info.fraction = tiles.fraction();
+  info.samples_left = tiles.missing();
   return info;
 }
 

@@ -6,6 +6,7 @@
 #include <vug/render/film/render_state.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@ struct PartialRenderHeader {
   Region crop;  ///< The pixels to be rendered.
   double noise = 0;
   AovPlan aovs;
+  std::optional<DeepOptions> deep;  ///< See Options::deep.
   /// Header attributes for the writer of the picture; they must also agree.
   std::vector<std::pair<std::string, std::string>> notes;
 
@@ -46,7 +48,8 @@ struct PartialRenderInfo {
 };
 
 /// Writes a file: format version, header, sums, and a hash of everything. The file is complete or
-/// absent (AtomicFile). About 200 bytes per pixel. Throws Error(io).
+/// absent (AtomicFile). About 200 bytes per pixel and, for deep pictures, 24 bytes per sample.
+/// Throws Error(io).
 void write_partial_render(const std::filesystem::path& path, const PartialRenderHeader& header,
                           const RenderState& state);
 

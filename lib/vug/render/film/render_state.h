@@ -5,10 +5,11 @@
 
 #include <vug/base/progress.h>
 #include <vug/render/film/film.h>
+#include <vug/render/film/tile_progress.h>
 #include <vug/render/render.h>
 
 #include <cstdint>
-#include <vector>
+#include <utility>
 
 namespace vug::render {
 
@@ -19,24 +20,13 @@ struct RenderSlice {
   uint32_t begin = 0, end = 0;  ///< Samples begin <= i < end of each pixel; end 0: all.
 };
 
-struct RenderState {
-  static constexpr int kTileSize = 16;  ///< Side of a tile in pixels.
+struct RenderState : TileProgress {
+  Film film;  ///< Contains the samples that are done.
 
-  uint32_t begin = 0, end = 0;  ///< The range of samples to be taken of each pixel.
-  std::vector<uint32_t>
-      done;  ///< For each tile: samples from `begin` up to this one are in the film.
-  std::vector<uint8_t> converged;  ///< For each tile: 1 once its noise is low enough.
-  Film film;
-
-  const Region& region() const { return film.region(); }
-  bool complete() const;
-  /// The fraction of samples that are done or no longer needed, 0 to 1.
-  double fraction() const;
+  RenderState() = default;
+  RenderState(TileProgress tiles, const FilmLayout& layout)
+      : TileProgress(std::move(tiles)), film(region, layout) {}
 };
-
-/// Completed fraction, for a state without a film, and the number of missing samples of all pixels.
-double fraction_done(const RenderState& state, const Region& region);
-uint64_t samples_missing(const RenderState& state, const Region& region);
 
 /// Returns an empty state. Throws Error(bad_input) if the slice is outside the picture, or if the
 /// slice is not the whole picture but a noise threshold requires the whole picture.
@@ -48,7 +38,9 @@ void continue_render(const Scene& scene, const Options& options, RenderState& st
 void continue_render(const PreparedRender& prepared, RenderState& state,
                      const RenderCallbacks& callbacks, Progress& progress);
 
-/// The picture of the samples that are done.
+/// The pictures of the samples that are done. A deep picture requires a state that was begun with
+/// Options::deep.
 image::Image develop(const RenderState& state, const AovPlan& aovs);
+image::DeepImage develop(const RenderState& state, const DeepOptions& deep);
 
 }  // namespace vug::render
