@@ -3,11 +3,28 @@
 
 #include <fmt/format.h>
 
+#include <tuple>
+
 namespace vug {
+
+SourceLocation SourceLocation::up_to(const SourceLocation& last) const {
+  return {file, line, column, last.end_line, last.end_column};
+}
+
+bool SourceLocation::contains(const SourceLocation& inner) const {
+  return has_end() && inner.has_end() && file == inner.file &&
+         std::tie(line, column) <= std::tie(inner.line, inner.column) &&
+         std::tie(inner.end_line, inner.end_column) <= std::tie(end_line, end_column);
+}
 
 std::string to_string(const SourceLocation& where) {
   if (!where.known()) return where.file;
   return fmt::format("{}:{}:{}", where.file, where.line, where.column);
+}
+
+std::string range_text(const SourceLocation& where) {
+  if (!where.has_end()) return to_string(where);
+  return fmt::format("{}-{}:{}", to_string(where), where.end_line, where.end_column);
 }
 
 Error::Error(ErrorCode code, const std::string& message, SourceLocation where, std::string hint)

@@ -9,18 +9,28 @@
 
 namespace vug {
 
-/// A position in a text file. Line and column count from 1; 0 means unknown.
+/// A range of characters in a text file, or a position if its end is unknown. Lines and columns
+/// count from 1, columns in characters (UTF-8); 0 means unknown.
 struct SourceLocation {
   std::string file;
   int line = 0;
   int column = 0;
+  int end_line = 0;
+  int end_column = 0;  ///< The column after the last character.
 
   bool known() const { return line > 0; }
+  bool has_end() const { return end_line > 0; }
+  /// The range from the start of this one to the end of `last`, which is in the same file.
+  SourceLocation up_to(const SourceLocation& last) const;
+  /// Whether both have an end and `inner` lies within this range.
+  bool contains(const SourceLocation& inner) const;
   bool operator==(const SourceLocation&) const = default;
 };
 
 /// "file:line:column", or only the file if the line is unknown.
 std::string to_string(const SourceLocation& where);
+/// "file:line:column-line:column", without the part that is unknown.
+std::string range_text(const SourceLocation& where);
 
 /// The category of an error; the command line maps it to an exit code.
 enum class ErrorCode {

@@ -117,5 +117,17 @@ TEST(Schema, DefaultsHaveUnits) {
                                                 "[0.1m, 0]"}));
 }
 
+TEST(SourceLocation, RangesNestAndJoin) {
+  const SourceLocation first{"a.vug", 2, 5, 2, 9}, last{"a.vug", 3, 1, 3, 4};
+  const SourceLocation both = first.up_to(last);
+  EXPECT_EQ(range_text(both), "a.vug:2:5-3:4");
+  EXPECT_TRUE(both.contains(first) && both.contains(last) && both.contains(both));
+  EXPECT_FALSE(first.contains(both) || first.contains(last));
+  EXPECT_FALSE(both.contains({"b.vug", 2, 5, 2, 9}));
+  const SourceLocation position{"a.vug", 2, 6};
+  EXPECT_FALSE(both.contains(position) || position.has_end());
+  EXPECT_EQ(range_text(position), "a.vug:2:6");
+}
+
 }  // namespace
 }  // namespace vug
