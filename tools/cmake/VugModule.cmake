@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
+include(VugKinds)
+
 # vug_module(NAME [FOLDERS folders...] [DEPENDS modules...] [PUBLIC libs...] [PRIVATE libs...]
 #            [OPTIONS of the compiler...] [DEFINITIONS...] [HEADERS to precompile...])
 # A module is the folder lib/vug/NAME. All .cpp files at its top level and in FOLDERS are compiled. Folders
@@ -32,19 +34,4 @@ function(vug_module name)
   endif()
   vug_precompile(vug_${name} ${group} ${ARG_HEADERS})
   set_property(GLOBAL APPEND PROPERTY VUG_MODULES vug_${name})
-endfunction()
-
-# vug_kinds(MODULE FOLDER names...)
-# Compiles FOLDER/NAME.cpp for each kind and writes <vug/MODULE/FOLDER_kinds.inc> with one line
-# VUG_KIND(NAME) per kind, from which the module's registry is generated.
-function(vug_kinds module folder)
-  set(lines "")
-  foreach(kind ${ARGN})
-    if(NOT VUG_SLICE OR module IN_LIST VUG_SLICE)
-      target_sources(vug_${module} PRIVATE ${folder}/${kind}.cpp)
-    endif()
-    string(APPEND lines "VUG_KIND(${kind})\n")
-  endforeach()
-  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/lib/vug/${module}/${folder}_kinds.inc
-    CONTENT "${lines}" @ONLY)
 endfunction()

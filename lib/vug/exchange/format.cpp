@@ -7,19 +7,6 @@
 
 namespace vug::exchange {
 
-#define VUG_KIND(name) const Format& name##_format();
-#include <vug/exchange/formats_kinds.inc>
-#undef VUG_KIND
-
-const std::vector<const Format*>& formats() {
-  static const std::vector<const Format*> all = {
-#define VUG_KIND(name) &name##_format(),
-#include <vug/exchange/formats_kinds.inc>
-#undef VUG_KIND
-  };
-  return all;
-}
-
 const Format& format(const std::string& name) {
   return require_kind(formats(), name, fmt::format("unknown exchange format '{}'", name));
 }

@@ -4,19 +4,6 @@
 
 namespace vug::field {
 
-#define VUG_KIND(name) const NoiseKind& name##_kind();
-#include <vug/field/noise_kinds.inc>
-#undef VUG_KIND
-
-#define VUG_KIND(name) &name##_kind(),
-const Kinds<Noise>& noises() {
-  static const Kinds<Noise> kinds = {
-#include <vug/field/noise_kinds.inc>
-  };
-  return kinds;
-}
-#undef VUG_KIND
-
 Noise make_noise(const std::string& kind, const NamedValues& params) {
   return make_product(noises(), kind, params);
 }

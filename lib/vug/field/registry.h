@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All field kinds by folder, generated from the lists in CMakeLists.txt.
+// All field kinds by folder, generated from lib/families.cmake.
 #pragma once
 
 #include <vug/field/blend_kind.h>

@@ -6,19 +6,6 @@
 
 namespace vug::fit {
 
-#define VUG_KIND(name) const LikelihoodKind& name##_likelihood();
-#include <vug/fit/likelihoods_kinds.inc>
-#undef VUG_KIND
-
-const std::vector<const LikelihoodKind*>& likelihood_kinds() {
-#define VUG_KIND(name) &name##_likelihood(),
-  static const std::vector<const LikelihoodKind*> kinds = {
-#include <vug/fit/likelihoods_kinds.inc>
-  };
-#undef VUG_KIND
-  return kinds;
-}
-
 LikelihoodPtr make_likelihood(const std::string& name, const Evidence& evidence) {
   std::vector<std::string> known;
   for (const LikelihoodKind* kind : likelihood_kinds()) {

@@ -5,19 +5,6 @@
 
 namespace vug::fit {
 
-#define VUG_KIND(name) const MoveKind& name##_move();
-#include <vug/fit/moves_kinds.inc>
-#undef VUG_KIND
-
-const std::vector<const MoveKind*>& move_kinds() {
-#define VUG_KIND(name) &name##_move(),
-  static const std::vector<const MoveKind*> kinds = {
-#include <vug/fit/moves_kinds.inc>
-  };
-#undef VUG_KIND
-  return kinds;
-}
-
 inference::Moves<TreeState> moves(const MoveContext& context,
                                   const std::vector<std::string>& names) {
   inference::Moves<TreeState> out;

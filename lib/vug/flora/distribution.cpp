@@ -6,19 +6,6 @@
 
 namespace vug::flora {
 
-#define VUG_KIND(name) const DistributionKind& name##_distribution();
-#include <vug/flora/distributions_kinds.inc>
-#undef VUG_KIND
-
-const Kinds<DistributionPtr>& distributions() {
-#define VUG_KIND(name) &name##_distribution(),
-  static const Kinds<DistributionPtr> kinds = {
-#include <vug/flora/distributions_kinds.inc>
-  };
-#undef VUG_KIND
-  return kinds;
-}
-
 /// The times between such events are exponential; events before `mean` are counted.
 uint64_t poisson(double mean, RandomStream& random) {
   uint64_t count = 0;

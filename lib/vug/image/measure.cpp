@@ -10,19 +10,6 @@
 
 namespace vug::image {
 
-#define VUG_KIND(name) const Measure& name##_measure();
-#include <vug/image/measures_kinds.inc>
-#undef VUG_KIND
-
-const std::vector<const Measure*>& measures() {
-  static const std::vector<const Measure*> all = {
-#define VUG_KIND(name) &name##_measure(),
-#include <vug/image/measures_kinds.inc>
-#undef VUG_KIND
-  };
-  return all;
-}
-
 const Measure& measure_of(const std::string& name) {
   return require_kind(measures(), name, fmt::format("unknown measure '{}'", name));
 }

@@ -1,21 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/cells/kind.h>
-#include <vug/facade/carve.h>
-#include <vug/field/blend_kind.h>
-#include <vug/field/noise.h>
-#include <vug/field/registry.h>
-#include <vug/flora/distribution.h>
-#include <vug/flora/shape.h>
-#include <vug/loading/instance_source_kinds.h>
 #include <vug/loading/kind_registry.h>
-#include <vug/loading/plants.h>
 #include <vug/loading/plugin_kinds.h>
-#include <vug/paint/kind.h>
-#include <vug/render/kinds.h>
-#include <vug/shot/cell_stages.h>
-#include <vug/shot/curves.h>
-#include <vug/shot/plan_values.h>
-#include <vug/shot/volume_kinds.h>
+#include <vug/loading/scene_families.h>
 
 #include <fmt/format.h>
 
@@ -23,17 +9,6 @@
 #include <atomic>
 
 namespace vug::loading {
-namespace {
-
-template <class Product, class... More>
-KindRegistry registry(const Kinds<Product>& kinds, const More&... more) {
-  KindRegistry out{ValueTraits<Product>::type(), {}};
-  for (const Kinds<Product>* each : {&kinds, &more...})
-    for (const Kind<Product>* kind : *each) out.kinds.push_back(registered_kind(*kind));
-  return out;
-}
-
-}  // namespace
 
 bool has_choice(const KindInfo& kind, const std::string& parameter, const std::string& word) {
   for (const ParamInfo& info : kind.params)
@@ -51,28 +26,7 @@ const RegisteredKind* KindRegistry::find(const std::string& name) const {
 namespace {
 
 std::vector<KindRegistry>& own_registries() {
-  static std::vector<KindRegistry> all = {
-      registry(field::field_kinds(), plant_kinds(), facade::solids()),
-      registry(field::blends()),
-      registry(field::noises()),
-      registry(shot::volume_kinds()),
-      registry(paint::masks()),
-      registry(paint::paints()),
-      registry(render::materials()),
-      registry(render::lights()),
-      registry(render::media()),
-      registry(render::cameras()),
-      registry(render::samplers()),
-      registry(render::integrators()),
-      registry(instance_source_kinds()),
-      registry(model_kinds()),
-      registry(cells::grids()),
-      registry(flora::distributions()),
-      registry(flora::shapes()),
-      registry(shot::cell_stages()),
-      registry(shot::curve_kinds()),
-      registry(facade::elements()),
-  };
+  static std::vector<KindRegistry> all = scene_families();
   return all;
 }
 

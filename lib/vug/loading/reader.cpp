@@ -7,19 +7,6 @@
 
 namespace vug::loading {
 
-#define VUG_KIND(name) const DeclarationKind& name##_declaration();
-#include <vug/loading/declarations_kinds.inc>
-#undef VUG_KIND
-
-const std::vector<const DeclarationKind*>& declaration_kinds() {
-#define VUG_KIND(name) &name##_declaration(),
-  static const std::vector<const DeclarationKind*> kinds = {
-#include <vug/loading/declarations_kinds.inc>
-  };
-#undef VUG_KIND
-  return kinds;
-}
-
 namespace {
 
 /// Maximum number of names in a message or a list; there are too many solids to list them.

@@ -13,19 +13,6 @@
 
 namespace vug::mesh {
 
-#define VUG_KIND(name) const Format& name##_format();
-#include <vug/mesh/formats_kinds.inc>
-#undef VUG_KIND
-
-const std::vector<const Format*>& formats() {
-  static const std::vector<const Format*> all = {
-#define VUG_KIND(name) &name##_format(),
-#include <vug/mesh/formats_kinds.inc>
-#undef VUG_KIND
-  };
-  return all;
-}
-
 const Format& format_of(const std::filesystem::path& file) {
   std::string extension = extension_of(file);
   if (!extension.empty()) extension.erase(0, 1);

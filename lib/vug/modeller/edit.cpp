@@ -9,10 +9,6 @@
 
 namespace vug::modeller {
 
-#define VUG_KIND(name) const EditKind& name##_edit();
-#include <vug/modeller/edits_kinds.inc>
-#undef VUG_KIND
-
 namespace {
 
 RejectedEdit rejected(const std::string& key, const std::string& message,
@@ -56,15 +52,6 @@ void check(const EditKind& kind, const Edit& edit) {
 }
 
 }  // namespace
-
-const std::vector<const EditKind*>& edit_kinds() {
-#define VUG_KIND(name) &name##_edit(),
-  static const std::vector<const EditKind*> kinds = {
-#include <vug/modeller/edits_kinds.inc>
-  };
-#undef VUG_KIND
-  return kinds;
-}
 
 const EditKind& edit_kind(const std::string& name) {
   std::vector<std::string> known;

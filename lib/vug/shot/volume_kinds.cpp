@@ -4,19 +4,6 @@
 
 namespace vug::shot {
 
-#define VUG_KIND(name) const Kind<VolumePtr>& name##_volume();
-#include <vug/shot/volumes_kinds.inc>
-#undef VUG_KIND
-
-const Kinds<VolumePtr>& volume_kinds() {
-#define VUG_KIND(name) &name##_volume(),
-  static const Kinds<VolumePtr> kinds = {
-#include <vug/shot/volumes_kinds.inc>
-  };
-#undef VUG_KIND
-  return kinds;
-}
-
 std::string VolumePlan::fault() const {
   if (from.has_value() != to.has_value()) return "'from' and 'to' must be given together";
   const Box3d& bounds = field.bounds();

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+# Kinds and their families: vug_family declares a family, vug_kinds lists its kinds, and vug_registries generates the
+# functions that return them. Nothing here needs a target, so tests also run it as a script.
+
+# vug_family(MODULE FOLDER FUNCTION TYPE SUFFIX HEADER [SCENE] [VALUES])
+# The kinds in lib/vug/MODULE/FOLDER. FUNCTION() returns a vector of pointers to them, with one `const TYPE*` for each
+# NAME listed by vug_kinds, which NAME_SUFFIX() returns. HEADER in the module declares TYPE and FUNCTION; FUNCTION and
+# TYPE are names in the namespace vug::MODULE. With SCENE, scenes can call the kinds. With VALUES, the vector contains
+# the kinds themselves. A family without FOLDER (-) is computed by its FUNCTION.
+function(vug_family module folder function type suffix header)
+  cmake_parse_arguments(ARG "SCENE;VALUES" "" "" ${ARGN})
+  set_property(GLOBAL APPEND PROPERTY VUG_FAMILIES ${module}/${function})
+  set_property(GLOBAL PROPERTY VUG_FAMILY_${module}/${function}
+    "${folder};${type};${suffix};vug/${module}/${header};${ARG_SCENE};${ARG_VALUES}")
+endfunction()
+
+# vug_kinds(MODULE FOLDER names...)
+# Compiles FOLDER/NAME.cpp for each kind and lists the names for vug_registries.
+function(vug_kinds module folder)
+  foreach(kind ${ARGN})
+    if(TARGET vug_${module} AND (NOT VUG_SLICE OR module IN_LIST VUG_SLICE))
+      target_sources(vug_${module} PRIVATE ${folder}/${kind}.cpp)
+    endif()
+  endforeach()
+  set_property(GLOBAL PROPERTY VUG_KINDS_${module}/${folder} ${ARGN})
+endfunction()
+
+# vug_registries(FOLDER)
+# Writes FOLDER/MODULE/families.cpp, which defines the functions of the module's families, and
+# FOLDER/loading/scene_families.cpp, which defines vug::loading::scene_families().
+function(vug_registries out)
+  get_property(families GLOBAL PROPERTY VUG_FAMILIES)
+  set(modules "")
+  foreach(family ${families})
+    get_property(data GLOBAL PROPERTY VUG_FAMILY_${family})
+    list(GET data 0 folder)
+    list(GET data 1 type)
+    list(GET data 2 suffix)
+    list(GET data 3 header)
+    list(GET data 4 scene)
+    list(GET data 5 values)
+    string(REGEX MATCH "[^/]+" module ${family})
+    string(REGEX MATCH "[^/]+$" function ${family})
+    if(scene)
+      list(APPEND scene_headers "#include <${header}>\n")
+      string(APPEND scene_calls "  add_family(all, ${module}::${function}());\n")
+    endif()
+    if(NOT folder STREQUAL "-")
+      set(returned "const ${type}&")
+      set(element "const ${type}*")
+      set(address "&")
+      if(values)
+        set(returned "${type}")
+        set(element "${type}")
+        set(address "")
+      endif()
+      set(declarations "")
+      set(elements "")
+      get_property(kinds GLOBAL PROPERTY VUG_KINDS_${module}/${folder})
+      foreach(kind ${kinds})
+        string(APPEND declarations "${returned} ${kind}_${suffix}();\n")
+        string(APPEND elements "      ${address}${kind}_${suffix}(),\n")
+      endforeach()
+      list(APPEND modules ${module})
+      list(APPEND headers_${module} "#include <${header}>\n")
+      string(APPEND definitions_${module} "\n${declarations}\nconst std::vector<${element}>& ${function}() {\n"
+        "  static const std::vector<${element}> kinds = {\n${elements}  };\n  return kinds;\n}\n")
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES modules)
+  foreach(module ${modules})
+    list(REMOVE_DUPLICATES headers_${module})
+    string(CONCAT headers ${headers_${module}})
+    file(CONFIGURE OUTPUT ${out}/${module}/families.cpp CONTENT
+      "// Generated from lib/families.cmake and lib/vug/${module}/CMakeLists.txt.
+${headers}
+namespace vug::${module} {
+${definitions_${module}}
+}  // namespace vug::${module}
+" @ONLY)
+  endforeach()
+  list(REMOVE_DUPLICATES scene_headers)
+  string(CONCAT headers ${scene_headers})
+  file(CONFIGURE OUTPUT ${out}/loading/scene_families.cpp CONTENT
+    "// Generated from lib/families.cmake.
+#include <vug/loading/scene_families.h>
+${headers}
+namespace vug::loading {
+
+std::vector<KindRegistry> scene_families() {
+  std::vector<KindRegistry> all;
+${scene_calls}  return all;
+}
+
+}  // namespace vug::loading
+" @ONLY)
+  foreach(module ${modules})
+    if(TARGET vug_${module} AND (NOT VUG_SLICE OR module IN_LIST VUG_SLICE))
+      target_sources(vug_${module} PRIVATE ${out}/${module}/families.cpp)
+    endif()
+  endforeach()
+  if(TARGET vug_loading AND (NOT VUG_SLICE OR loading IN_LIST VUG_SLICE))
+    target_sources(vug_loading PRIVATE ${out}/loading/scene_families.cpp)
+  endif()
+endfunction()
