@@ -52,8 +52,8 @@ void bind_export(py::module_& module) {
   py::class_<Scene, std::shared_ptr<Scene>> scenes(module.attr("Scene"));
   scenes.def(
       "export", &export_scene, "folder"_a, "program"_a = "usd", "up"_a = py::none(),
-      "unit"_a = py::none(), "lod"_a = 0, "max_memory"_a = py::none(), "threads"_a = 0,
-      "progress"_a = py::none(),
+      "unit"_a = py::none(), "lod"_a = 0, py::kw_only(), "max_memory"_a = py::none(),
+      "threads"_a = 0, "progress"_a = py::none(),
       "Exports the scene for another program, as `vug export --for PROGRAM` does, and returns the\n"
       "paths; vug.catalogue.find('program') lists the programs. up: 'y' or 'z', unit: 'm' or "
       "'cm',\n"

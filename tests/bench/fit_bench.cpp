@@ -58,7 +58,7 @@ Evidence evidence(bool supervised) {
 double measure(const Rules& rules, const std::string& likelihood, int64_t steps) {
   const bool supervised = likelihood == "supervised";
   const Evidence pixels = evidence(supervised);
-  const Model model(rules, {}, kWidth, kHeight, &pixels, make_likelihood(likelihood, pixels));
+  const Model model(rules, {}, kWidth, kHeight, {&pixels, make_likelihood(likelihood, pixels)});
   const EdgeHints hints =
       supervised ? EdgeHints::from_supervised(pixels) : EdgeHints::from_clusters(pixels);
   const MoveContext context{model, hints};
@@ -98,7 +98,7 @@ const char* verdict(bool kept) { return kept ? "kept" : "MISSED"; }
 void measure_chains(const Rules& rules, double millions) {
   const ThreadLimit both(kCores);
   const Evidence pixels = evidence(false);
-  const Model model(rules, {}, kWidth, kHeight, &pixels, make_likelihood("kt", pixels));
+  const Model model(rules, {}, kWidth, kHeight, {&pixels, make_likelihood("kt", pixels)});
   const EdgeHints hints = EdgeHints::from_clusters(pixels);
   const MoveContext context{model, hints};
   const std::vector<TreeState> found = seeds(context, pixels, false);

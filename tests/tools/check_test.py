@@ -31,6 +31,12 @@ GOOD = {
     "tools/dev/phrases.txt": (ROOT / "tools/dev/phrases.txt").read_text(),
     "tools/dev/retired_names.txt": (ROOT / "tools/dev/retired_names.txt").read_text(),
 }
+SPDX = "SPDX-License-Identifier: Apache-2.0\n"
+for _name in GOOD:
+    if _name.endswith((".txt", ".vug", ".clang-format")) and not _name.startswith("tools/dev/"):
+        GOOD[_name] = "# " + SPDX + GOOD[_name]
+    elif _name.endswith((".h", ".cpp")):
+        GOOD[_name] = "// " + SPDX + GOOD[_name]
 BODY = "int zero() { return 0; }\n"
 
 
@@ -70,6 +76,20 @@ class CheckTest(unittest.TestCase):
         self.assertEqual(code, 2)
         self.assertIn("unknown check: layer", output)
 
+    def test_many_arguments(self):
+        seven = ("const std::map<int, int>& a, int b = 0, std::function<void(int, int)> c = {}, "
+                 "double* d,\n       unsigned int e, const float (&f)[3], Vec3d&&")
+        self.finds("arguments", {"lib/vug/mesh/a.h": f"// A.\nvoid draw({seven});\n"},
+                   "lib/vug/mesh/a.h:2", "draw takes 7 arguments, at most 6")
+        self.finds("arguments", {"lib/vug/mesh/a.cpp": f"Mesh::Mesh({seven}) : a_(a) {{}}\n"},
+                   "Mesh takes 7 arguments")
+        self.finds("arguments", {"tools/a.py": "def draw(a, b, c, d, e, f, g=0):\n    pass\n"},
+                   "tools/a.py:1", "draw takes 7 positional arguments")
+        self.passes("arguments", {
+            "lib/vug/mesh/a.cpp": "void f(int a, int b, int c, int d, int e, int f) { g(a, b, c, d, e, f, 1); }\n",
+            "tools/a.py": "class A:\n    def draw(self, a, b, c, d, e, f, *, g=0):\n        pass\n",
+            "plugins/python/a.cpp": f'void f({seven}) {{}}\nvoid b() {{ m.def("f", &f, py::kw_only()); }}\n'})
+
     def test_upward_and_sideways_includes(self):
         self.finds("layers", {"lib/vug/base/a.cpp": "#include <vug/mesh/mesh.h>\n"},
                    "lib/vug/base/a.cpp:1", "base includes up")
@@ -107,7 +127,7 @@ class CheckTest(unittest.TestCase):
                    "brings openvdb/openvdb.h into another module")
 
     def test_internal_headers(self):
-        internal = {"lib/vug/mesh/in.h": "// Internal to mesh/: a detail.\n#pragma once\n"}
+        internal = {"lib/vug/mesh/in.h": f"// {SPDX}// Internal to mesh/: a detail.\n#pragma once\n"}
         self.passes("layers", {**internal, "lib/vug/mesh/a.cpp": "#include <vug/mesh/in.h>\n"})
         self.finds("layers", {**internal, "lib/vug/mesh/a.h": "// A.\n#pragma once\n#include <vug/mesh/in.h>\n"},
                    "vug/mesh/in.h is internal and not installed")

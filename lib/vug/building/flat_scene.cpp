@@ -76,19 +76,25 @@ render::InstanceTransformPtr instance_transform(TransformSamples sample,
   return std::make_shared<const render::InstanceTransform>(sample);
 }
 
-/// Adds an instance of all objects and lights of a model under the name `name`.
+struct InstanceNames {
+  std::string object;    ///< The name of its only object, or the prefix of their names.
+  std::string material;  ///< The name of the material of the instancer.
+};
+
+/// Adds an instance of all objects and lights of a model.
 void add_instance(const FlatScene& model, const Instance& instance, const TransformSamples& sample,
-                  const shot::PointInstancer& plan, const std::string& name,
-                  const std::string& material, FlatScene& scene) {
+                  const shot::PointInstancer& plan, const InstanceNames& names, FlatScene& scene) {
   const bool single = model.objects.size() == 1;
-  const auto renamed = [&](const std::string& own) { return single ? name : name + "/" + own; };
+  const auto renamed = [&](const std::string& own) {
+    return single ? names.object : names.object + "/" + own;
+  };
   for (const render::Object& object : model.objects) {
     render::Object here = object;
     here.name = renamed(object.name);
     here.instance = instance_transform(sample, object.instance);
     if (plan.material) {
       here.material = plan.material;
-      here.material_name = material;
+      here.material_name = names.material;
       here.world_space_material = true;
     }
     render::require_static(here);
@@ -97,8 +103,8 @@ void add_instance(const FlatScene& model, const Instance& instance, const Transf
   for (const render::LightPtr& light : model.lights) {
     if (light->is_infinite()) continue;
     render::LightLinking linking = light->linking();
-    for (std::vector<std::string>* names : {&linking.only, &linking.except})
-      std::transform(names->begin(), names->end(), names->begin(), renamed);
+    for (std::vector<std::string>* linked : {&linking.only, &linking.except})
+      std::transform(linked->begin(), linked->end(), linked->begin(), renamed);
     scene.lights.push_back(
         render::transformed_light(light, instance.transform, std::move(linking)));
   }
@@ -195,9 +201,9 @@ void add_instances(Builder& builder, const shot::PointInstancer& plan,
   const std::vector<TransformSamples> samples =
       transform_samples(builder, plan, instances, time_samples);
   for (size_t i = 0; i < instances.size(); ++i)
-    add_instance(models[static_cast<size_t>(choose_model(instances[i], plan))], instances[i],
-                 samples[i], plan, plan.apart ? fmt::format("{}/{}", plan.name, i + 1) : plan.name,
-                 material, scene);
+    add_instance(
+        models[static_cast<size_t>(choose_model(instances[i], plan))], instances[i], samples[i],
+        plan, {plan.apart ? fmt::format("{}/{}", plan.name, i + 1) : plan.name, material}, scene);
 }
 
 }  // namespace

@@ -66,9 +66,10 @@ std::vector<Vec3d> pattern_planes(const Surface& surface, double spacing) {
   return normals;
 }
 
-void add_lattice(const Surface& surface, uint32_t triangle, const Grid& grid, double spacing,
-                 const Vec3d& plane, RandomKey key, std::vector<SurfacePoint>& out) {
-  const Frame frame(plane, grid, spacing, key);
+void add_lattice(const Surface& surface, uint32_t triangle, const Lattice& lattice,
+                 std::vector<SurfacePoint>& out) {
+  const Grid& grid = lattice.grid;
+  const Frame frame(lattice.normal, grid, lattice.spacing, lattice.key);
   const Surface::Triangle& t = surface.triangles()[triangle];
   const double area = grid.across.x * grid.along.y - grid.across.y * grid.along.x;
   for (const Vec2d& m : grid.motif) {

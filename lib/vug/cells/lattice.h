@@ -16,10 +16,17 @@ namespace vug::cells {
 /// most 2 percent.
 std::vector<Vec3d> pattern_planes(const Surface& surface, double spacing);
 
+/// The pattern of a grid in a plane.
+struct Lattice {
+  const Grid& grid;
+  double spacing;  ///< Metres.
+  Vec3d normal;    ///< Normal of the plane.
+  RandomKey key;   ///< With the normal, the source of the offset of the pattern in its plane.
+};
+
 /// Appends the points of the pattern on a triangle. Rows are horizontal. Triangles with the same
-/// plane normal share one pattern, and each of its points belongs to one of them. The offset of the
-/// pattern in its plane is random, from `key` and the normal.
-void add_lattice(const Surface& surface, uint32_t triangle, const Grid& grid, double spacing,
-                 const Vec3d& plane, RandomKey key, std::vector<SurfacePoint>& out);
+/// plane normal share one pattern, and each of its points belongs to one of them.
+void add_lattice(const Surface& surface, uint32_t triangle, const Lattice& lattice,
+                 std::vector<SurfacePoint>& out);
 
 }  // namespace vug::cells

@@ -82,7 +82,7 @@ std::vector<SurfacePoint> scatter_cells(const Surface& surface, const Grid& grid
   if (!grid.motif.empty()) {
     const std::vector<Vec3d> planes = pattern_planes(surface, spacing);
     places = collect(triangles, [&](uint32_t i, std::vector<SurfacePoint>& out) {
-      add_lattice(surface, i, grid, spacing, planes[i], key.at("lattice"), out);
+      add_lattice(surface, i, {grid, spacing, planes[i], key.at("lattice")}, out);
     });
     thin(places, 0, grid.thin * spacing, key.at("thin"));
   }

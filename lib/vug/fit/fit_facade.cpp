@@ -34,8 +34,8 @@ FitResult fit_facade(const Evidence& evidence, const Rules& rules, const FitOpti
   if (options.runs < 1)
     throw Error(ErrorCode::bad_input, "invalid number of runs: must be at least 1");
   const LikelihoodPtr likelihood = make_likelihood(options.likelihood, evidence);
-  const Model model(rules, options.limits, evidence.width(), evidence.height(), &evidence,
-                    likelihood, options.pixel_weight);
+  const Model model(rules, options.limits, evidence.width(), evidence.height(),
+                    {&evidence, likelihood, options.pixel_weight});
   const EdgeHints hints = likelihood->is_supervised() ? EdgeHints::from_supervised(evidence)
                                                       : EdgeHints::from_clusters(evidence);
   const MoveContext context{model, hints};

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/json_value.h>
 #include <vug/base/pluralize.h>
-#include <vug/modeller/json_text.h>
 #include <vug/modeller/session.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 
 namespace vug::modeller {
-
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "vug facade session";
 constexpr int kVersion = 1;

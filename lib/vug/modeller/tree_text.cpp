@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/modeller/json_text.h>
+#include <vug/base/json_value.h>
 #include <vug/modeller/tree_to_edits.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace vug::modeller {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 using facade::Node;
 using facade::Tree;

@@ -133,9 +133,12 @@ PreparedRender prepare(const Scene& scene, const Options& options, Progress& pro
   if (options.bright_edges && samples >= kMinSamplesForEdges)
     out.timings.bright_edges = timed([&] {
       const int looks = std::clamp(options.spp / 2, kMinEdgeSamples, kMaxEdgeSamples);
-      out.edges = BrightEdges(
-          *out.world, out.region, {options.width, options.height}, static_cast<uint32_t>(looks),
-          options.seed, [&](const SampleId& id) { return out.camera_ray(id, 0.5f); }, progress);
+      out.edges =
+          BrightEdges(*out.world, out.region, {options.width, options.height},
+                      {.looks = static_cast<uint32_t>(looks),
+                       .seed = options.seed,
+                       .camera_ray = [&](const SampleId& id) { return out.camera_ray(id, 0.5f); }},
+                      progress);
     });
   return out;
 }

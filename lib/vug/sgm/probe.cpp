@@ -66,10 +66,16 @@ struct Best {
   double t = kInfinity, off = kInfinity, cu = 0, cv = 0;
 };
 
-/// Traces count x count rays in the window with half widths (hu, hv) about (cu, cv), rotated by
-/// `angle` before scaling; returns true if the lowest hit changed.
-bool scan(const Beam& beam, double cu, double cv, double hu, double hv, int count, double angle,
-          Best& best) {
+/// count x count rays with half widths (hu, hv) about (cu, cv), rotated by `angle` before scaling.
+struct RayGrid {
+  double cu, cv, hu, hv;
+  int count;
+  double angle;
+};
+
+/// Traces the rays; returns true if the lowest hit changed.
+bool scan(const Beam& beam, const RayGrid& rays, Best& best) {
+  const auto& [cu, cv, hu, hv, count, angle] = rays;
   const double cos = maths::cos(angle), sin = maths::sin(angle);
   const double slack = 1e-6 * beam.size, before = best.lowest;
   for (int i = 0; i < count; ++i)
@@ -103,7 +109,7 @@ std::optional<Vec3d> support_point(const Field& field, int axis, int sign) {
                   box.center()};
   Best best;
   double hu = 0.5 * extent[beam.u], hv = 0.5 * extent[beam.v];
-  scan(beam, beam.centre[beam.u], beam.centre[beam.v], hu, hv, 17, 0, best);
+  scan(beam, {beam.centre[beam.u], beam.centre[beam.v], hu, hv, 17, 0}, best);
   if (best.t == kInfinity) {  // The solid slipped between the rays.
     const auto inside = inner_point(field);
     if (!inside) return std::nullopt;
@@ -116,7 +122,7 @@ std::optional<Vec3d> support_point(const Field& field, int axis, int sign) {
   // A compass search. The pattern rotates by the golden angle, because on a ridge (the edge of a
   // tilted box) few directions ascend, and the window shrinks after three unsuccessful rotations.
   for (int step = 0, vain = 0, level = 0; step < 128 && level < 16; ++step) {
-    vain = scan(beam, best.cu, best.cv, hu, hv, 5, 2.399963 * step, best) ? 0 : vain + 1;
+    vain = scan(beam, {best.cu, best.cv, hu, hv, 5, 2.399963 * step}, best) ? 0 : vain + 1;
     if (vain < 3) continue;
     hu *= 0.5;
     hv *= 0.5;

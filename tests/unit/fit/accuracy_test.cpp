@@ -88,7 +88,7 @@ TEST_F(Accuracy, TrainedClassifier) {
   if (!all_asked_for()) looks.first.trees = looks.second.trees = 8;
   ConfusionMatrix maps_alone(kClasses.count()), with_tree(kClasses.count());
   Windows windows;
-  cross_validate(facades(), kClasses, {}, looks, 5, RandomKey(1),
+  cross_validate(facades(), kClasses, {.classifier = looks, .folds = 5}, RandomKey(1),
                  [&](size_t k, const Planes& maps) {
                    const LabelledImage& truth = facades()[k];
                    const FitResult reading = fit_facade(classifier_evidence(maps, kClasses), rules_,

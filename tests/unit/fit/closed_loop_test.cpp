@@ -20,8 +20,8 @@ FitOptions quick() {
 }
 
 Model model_of(const RandomFacade& facade, const Evidence& pixels) {
-  return Model(ripperda(), quick().limits, facade.width, facade.height, &pixels,
-               make_likelihood("kt", pixels), quick().pixel_weight);
+  return Model(ripperda(), quick().limits, facade.width, facade.height,
+               {&pixels, make_likelihood("kt", pixels), quick().pixel_weight});
 }
 
 /// Many trees draw the same picture. The reference is the shortest known tree of the noise-free

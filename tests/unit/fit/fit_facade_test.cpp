@@ -70,7 +70,7 @@ TEST(FitFacade, FindsWindowsWithEachLikelihood) {
 /// Perturbed trees are repaired if no number is off by more than a few pixels.
 TEST(Polish, NeverIncreasesBitsAndRepairsTrees) {
   const Evidence evidence = pixels(0.2, false);
-  const Model model(rules(), {}, kWidth, kHeight, &evidence, make_likelihood("kt", evidence));
+  const Model model(rules(), {}, kWidth, kHeight, {&evidence, make_likelihood("kt", evidence)});
   const EdgeHints hints = EdgeHints::from_clusters(evidence);
   const MoveContext context{model, hints};
   RandomStream stream{RandomKey(12)};

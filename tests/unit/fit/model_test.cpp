@@ -64,7 +64,7 @@ TEST(Model, AMirrorImageHasTheSameScore) {
   for (const bool mirrored : {false, true}) {
     const Evidence pixels =
         Evidence::from_clusters(kWidth, kHeight, 2, wall(kWidth, kHeight, mirrored));
-    const Model model(rules, {}, kWidth, kHeight, &pixels, make_likelihood("kt", pixels));
+    const Model model(rules, {}, kWidth, kHeight, {&pixels, make_likelihood("kt", pixels)});
     TreeState state = model.axiom_state();
     Node g = grid, d = door;
     if (mirrored) g.left = {kWidth - 28 - 7, kWidth - 6 - 7}, d.x = kWidth - 26 - 8;
@@ -89,7 +89,7 @@ TEST(Model, RepetitionsCostParametersOnceAndPixelsEachTime) {
       rules_of({"Facade repeat Part", "Facade mirror Side", "Part grid RegularIdenticalGrid",
                 "RegularIdenticalGrid windows Window"});
   const Evidence pixels = Evidence::from_clusters(kWidth, kHeight, 2, wall(kWidth, kHeight, false));
-  const Model model(rules, {}, kWidth, kHeight, &pixels, make_likelihood("paper", pixels));
+  const Model model(rules, {}, kWidth, kHeight, {&pixels, make_likelihood("paper", pixels)});
   Node part, grid, window;
   part.symbol = 1, part.parent_op = static_cast<int8_t>(Op::repeat), part.extent = kTimes;
   grid.symbol = 3, grid.parent_op = static_cast<int8_t>(Op::grid), grid.columns = 1, grid.rows = 2;

@@ -151,7 +151,7 @@ TEST(Moves, CachedValuesAreAlwaysValid) {
   Limits limits;
   limits.min_size = 2;
   const Evidence evidence = Evidence::from_clusters(kWidth, kHeight, 3, noise(kWidth * kHeight, 3));
-  const Model model(rules, limits, kWidth, kHeight, &evidence, make_likelihood("kt", evidence));
+  const Model model(rules, limits, kWidth, kHeight, {&evidence, make_likelihood("kt", evidence)});
   const EdgeHints hints = lumpy_hints(kWidth, kHeight);
   const MoveContext context{model, hints};
   const inference::Moves<TreeState> all = moves(context);
@@ -208,7 +208,7 @@ TEST(Model, BitsMatchPixelByPixelCounts) {
   const std::vector<uint8_t> clusters = noise(kWidth * kHeight, kClusters);
   const Evidence evidence = Evidence::from_clusters(kWidth, kHeight, kClusters, clusters);
   const LikelihoodPtr likelihood = make_likelihood("kt", evidence);
-  const Model model(rules, limits, kWidth, kHeight, &evidence, likelihood, 0.7);
+  const Model model(rules, limits, kWidth, kHeight, {&evidence, likelihood, 0.7});
   const EdgeHints hints = lumpy_hints(kWidth, kHeight);
   const MoveContext context{model, hints};
   const inference::Moves<TreeState> all = moves(context);

@@ -43,7 +43,7 @@ TEST(PixelClassifier, GeneralisesToUnseenFacades) {
   ConfusionMatrix table(kClasses.count());
   const std::vector<LabelledImage> pictures = facades(6);
   std::vector<int> seen(pictures.size(), 0);
-  cross_validate(pictures, kClasses, {}, kSmall, 3, RandomKey(1),
+  cross_validate(pictures, kClasses, {.classifier = kSmall, .folds = 3}, RandomKey(1),
                  [&](size_t picture, const Planes& maps) {
                    ++seen[picture];
                    table.add(pictures[picture].labels, most_likely_classes(maps));
@@ -51,8 +51,8 @@ TEST(PixelClassifier, GeneralisesToUnseenFacades) {
   EXPECT_EQ(seen, std::vector<int>(6, 1));
   EXPECT_GT(table.accuracy(), 0.95);
   EXPECT_GT(table.iou(kWindow), 0.85);
-  EXPECT_THROW(cross_validate(pictures, kClasses, {}, kSmall, 1, RandomKey(1), {}), Error);
-  EXPECT_THROW(cross_validate(pictures, kClasses, {}, kSmall, 7, RandomKey(1), {}), Error);
+  EXPECT_THROW(cross_validate(pictures, kClasses, {.folds = 1}, RandomKey(1), {}), Error);
+  EXPECT_THROW(cross_validate(pictures, kClasses, {.folds = 7}, RandomKey(1), {}), Error);
 }
 
 TEST(PixelClassifier, RoundTripPreservesTheModel) {

@@ -106,7 +106,7 @@ struct Site {
       : evidence(Evidence::from_clusters(kWidth, kHeight, 3, picture(noise))) {}
   const Evidence evidence;
   const Rules rules = some_rules();
-  const Model model{rules, {}, kWidth, kHeight, &evidence, make_likelihood("kt", evidence)};
+  const Model model{rules, {}, kWidth, kHeight, {&evidence, make_likelihood("kt", evidence)}};
   const EdgeHints hints = EdgeHints::from_clusters(evidence);
   const MoveContext context{model, hints};
 };

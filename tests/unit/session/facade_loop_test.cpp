@@ -158,8 +158,8 @@ std::vector<facade::Tree> right_answers(const facade::Tree& derived) {
   fit::FitOptions how;
   how.pixel_weight = kTrust;
   how.sampler.steps = 5000;
-  const fit::Model model(rules, how.limits, kAcross, kDown, &clean,
-                         fit::make_likelihood("kt", clean), how.pixel_weight);
+  const fit::Model model(rules, how.limits, kAcross, kDown,
+                         {&clean, fit::make_likelihood("kt", clean), how.pixel_weight});
   const auto add = [&](fit::TreeState state) {
     model.compute_areas(state);
     out.push_back(fit::to_facade_tree(text, model, state, {kPixel, kPixel}));

@@ -50,7 +50,9 @@ int run(Options options) {
   if (options.folds > 0) {
     fit::ConfusionMatrix table(classes.count());
     fit::cross_validate(
-        pictures, classes, options.limits, options.looks, options.folds, key.at("folds"),
+        pictures, classes,
+        {.limits = options.limits, .classifier = options.looks, .folds = options.folds},
+        key.at("folds"),
         [&](size_t picture, const fit::Planes& maps) {
           table.add(pictures[picture].labels, fit::most_likely_classes(maps));
         },

@@ -73,9 +73,9 @@ std::string ConfusionMatrix::table(const Classes& classes) const {
 }
 
 void cross_validate(const std::vector<LabelledImage>& pictures, const Classes& classes,
-                    const WorkingLimits& limits, const PixelClassifierOptions& options, int folds,
-                    RandomKey key, const std::function<void(size_t, const Planes&)>& visit,
-                    Progress& progress) {
+                    const CrossValidation& options, RandomKey key,
+                    const std::function<void(size_t, const Planes&)>& visit, Progress& progress) {
+  const int folds = options.folds;
   if (folds < 2 || pictures.size() < static_cast<size_t>(folds))
     throw Error(
         ErrorCode::bad_input,
@@ -86,8 +86,8 @@ void cross_validate(const std::vector<LabelledImage>& pictures, const Classes& c
     std::vector<const LabelledImage*> seen;
     for (size_t k = 0; k < pictures.size(); ++k)
       if (k % parts != fold) seen.push_back(&pictures[k]);
-    const PixelClassifier model =
-        PixelClassifier::train(seen, classes, limits, options, key.at(fold), progress);
+    const PixelClassifier model = PixelClassifier::train(
+        seen, classes, options.limits, options.classifier, key.at(fold), progress);
     for (size_t k = fold; k < pictures.size(); k += parts) {
       progress.check();
       visit(k, model.classify(pictures[k].photo));

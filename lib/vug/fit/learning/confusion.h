@@ -39,12 +39,18 @@ class ConfusionMatrix {
   std::vector<int64_t> counts_;
 };
 
-/// Cross-validation with `folds` folds: trains on all pictures but every `folds`th and calls
+struct CrossValidation {
+  WorkingLimits limits{};
+  PixelClassifierOptions classifier{};
+  int folds = 5;
+};
+
+/// Cross-validation: trains on all pictures but every `folds`th and calls
 /// visit(picture, maps) with the maps of each picture from the model that was not trained on it.
 /// Error(bad_input) for fewer than two folds, or fewer pictures than folds.
 void cross_validate(const std::vector<LabelledImage>& pictures, const Classes& classes,
-                    const WorkingLimits& limits, const PixelClassifierOptions& options, int folds,
-                    RandomKey key, const std::function<void(size_t, const Planes&)>& visit,
+                    const CrossValidation& options, RandomKey key,
+                    const std::function<void(size_t, const Planes&)>& visit,
                     Progress& progress = Progress::none());
 
 }  // namespace vug::fit

@@ -42,15 +42,14 @@ int bits_for(int range) {
   return bits;
 }
 
-Model::Model(const Rules& rules, const Limits& limits, int width, int height,
-             const Evidence* evidence, LikelihoodPtr likelihood, double pixel_weight)
+Model::Model(const Rules& rules, const Limits& limits, int width, int height, PixelTerm pixels)
     : rules_(&rules),
       limits_(limits),
       width_(width),
       height_(height),
-      evidence_(evidence),
-      likelihood_(std::move(likelihood)),
-      pixel_weight_(pixel_weight),
+      evidence_(pixels.evidence),
+      likelihood_(std::move(pixels.likelihood)),
+      pixel_weight_(pixels.weight),
       symbol_bits_(inference::log2(static_cast<double>(rules.symbols.size()))),
       x_bits_(bits_for(width)),
       y_bits_(bits_for(height)) {
@@ -65,9 +64,9 @@ Model::Model(const Rules& rules, const Limits& limits, int width, int height,
       return rules.production(id).op == Op::terminal;
     }));
   }
-  if (!(pixel_weight > 0))
+  if (!(pixel_weight_ > 0))
     throw Error(ErrorCode::bad_input, "the weight of pixels must be above 0");
-  if (evidence && (evidence->width() != width || evidence->height() != height))
+  if (evidence_ && (evidence_->width() != width || evidence_->height() != height))
     throw Error(ErrorCode::bad_input, "the evidence and the facade differ in size");
 }
 

@@ -24,15 +24,21 @@ inline Rect rect_of(const Node& node) {
   return {node.x, node.y, node.x + node.width, node.y + node.height};
 }
 
+/// What pixels contribute to the energy of a tree. The pointers may be null: pixels then cost
+/// nothing, which leaves the prior.
+struct PixelTerm {
+  const Evidence* evidence = nullptr;  ///< Must outlive the model.
+  LikelihoodPtr likelihood = nullptr;
+  /// Scales the bits of pixels, because codes that treat neighbouring pixels as independent
+  /// overrate them.
+  double weight = 1;
+};
+
 /// Rules, limits and evidence, shared by all chains.
 class Model {
  public:
-  /// All references must outlive the model. `evidence` and `likelihood` may be null: pixels then
-  /// cost nothing, which leaves the prior. The bits of pixels are scaled by `pixel_weight`, because
-  /// codes that treat neighbouring pixels as independent overrate them.
-  Model(const Rules& rules, const Limits& limits, int width, int height,
-        const Evidence* evidence = nullptr, LikelihoodPtr likelihood = nullptr,
-        double pixel_weight = 1);
+  /// The rules must outlive the model; width and height in pixels.
+  Model(const Rules& rules, const Limits& limits, int width, int height, PixelTerm pixels = {});
 
   const Rules& rules() const { return *rules_; }
   const Limits& limits() const { return limits_; }

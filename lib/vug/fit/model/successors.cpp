@@ -2,6 +2,7 @@
 #include <vug/fit/model/successors.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace vug::fit {
 namespace {
@@ -13,7 +14,7 @@ class SuccessorChooser {
  public:
   SuccessorChooser(const MoveContext& context, const TreeState& state, int i,
                    const Production& production, inference::Choices& choices,
-                   const Successors& fixed, Successors& out)
+                   const Successors& fixed)
       : rules_(context.model.rules()),
         limits_(context.model.limits()),
         hints_(context.hints),
@@ -23,8 +24,7 @@ class SuccessorChooser {
         y0_(area_.y),
         production_(production),
         choices_(choices),
-        fixed_(fixed),
-        out_(out) {}
+        fixed_(fixed) {}
 
   bool choose() {
     switch (production_.op) {
@@ -47,6 +47,8 @@ class SuccessorChooser {
     }
     return false;
   }
+
+  Successors take() { return std::move(out_); }
 
   /// Rectangle of a door or a shop. Standing on the ground is a choice of its own, for doors.
   void rect(const Node& old, Node& node) {
@@ -118,23 +120,29 @@ class SuccessorChooser {
     const Node& old = fixed();
     const bool regular = rules_.symbol(node.symbol).regular;
     node.columns =
-        small(lines(area_.width, hints_.left, regular, x0_, old.columns, old.left, node.left));
-    node.rows = small(lines(area_.height, hints_.top, regular, y0_, old.rows, old.top, node.top));
+        small(lines({area_.width, x0_, hints_.left}, regular, old.columns, old.left, node.left));
+    node.rows = small(lines({area_.height, y0_, hints_.top}, regular, old.rows, old.top, node.top));
     return true;
   }
 
+  /// A direction of the area: its size and origin in pixels, and where edges are likely.
+  struct Axis {
+    int room, origin;
+    const inference::DiscreteDistribution& profile;
+  };
+
   /// Chooses the number and positions of lines.
-  int lines(int room, const inference::DiscreteDistribution& profile, bool regular, int origin,
-            int fixed_count, const Lines& fixed, Lines& out) {
+  int lines(const Axis& axis, bool regular, int fixed_count, const Lines& fixed, Lines& out) {
+    const int room = axis.room, origin = axis.origin;
     const int step = limits_.min_size + 1;
     const int count =
         choices_.between(1, std::min(limits_.max_lines, (room + 1) / step), fixed_count);
     const auto last_start = [&](int line) { return room - (count - line) * step + 1; };
     const auto place = [&](int low, int line) {
       const auto at = static_cast<size_t>(line);
-      out[at] = small(
-          choices_.among(profile, origin + low, origin + last_start(line) + 1, origin + fixed[at]) -
-          origin);
+      out[at] = small(choices_.among(axis.profile, origin + low, origin + last_start(line) + 1,
+                                     origin + fixed[at]) -
+                      origin);
     };
     place(0, 0);
     if (count > 1 && regular) {
@@ -219,7 +227,7 @@ class SuccessorChooser {
   const Production& production_;
   inference::Choices& choices_;
   const Successors& fixed_;
-  Successors& out_;
+  Successors out_;
 };
 
 }  // namespace
@@ -232,20 +240,20 @@ Successors successors_of(const TreeState& state, int i) {
   return out;
 }
 
-bool choose_successors(const MoveContext& context, const TreeState& state, int i, int production,
-                       inference::Choices& choices, const Successors& fixed, Successors& out) {
-  out = {};
+std::optional<Successors> choose_successors(const MoveContext& context, const TreeState& state,
+                                            int i, int production, inference::Choices& choices,
+                                            const Successors& fixed) {
   SuccessorChooser chooser(context, state, i, context.model.rules().production(production), choices,
-                           fixed, out);
-  return chooser.choose() && choices.possible();
+                           fixed);
+  if (!chooser.choose() || !choices.possible()) return std::nullopt;
+  return chooser.take();
 }
 
 void choose_rect(const MoveContext& context, const TreeState& state, int i,
                  inference::Choices& choices, const Node& fixed, Node& out) {
   static const Production none;
   static const Successors nothing;
-  Successors unused;
-  SuccessorChooser(context, state, i, none, choices, nothing, unused).rect(fixed, out);
+  SuccessorChooser(context, state, i, none, choices, nothing).rect(fixed, out);
 }
 
 void apply_production(TreeState& state, int i, int production, const Successors& parts) {

@@ -6,6 +6,8 @@
 #include <vug/fit/search/edge_hints.h>
 #include <vug/inference/choices.h>
 
+#include <optional>
+
 namespace vug::fit {
 
 /// What moves work with; shared by all chains.
@@ -24,9 +26,10 @@ struct Successors {
 Successors successors_of(const TreeState& state, int i);
 
 /// Chooses the successors that the production gives to node i, whose area is valid. If `choices`
-/// score instead of sampling, `fixed` is chosen. False if no successors fit.
-bool choose_successors(const MoveContext& context, const TreeState& state, int i, int production,
-                       inference::Choices& choices, const Successors& fixed, Successors& out);
+/// score instead of sampling, `fixed` is chosen. Nothing if no successors fit.
+std::optional<Successors> choose_successors(const MoveContext& context, const TreeState& state,
+                                            int i, int production, inference::Choices& choices,
+                                            const Successors& fixed);
 
 /// Chooses the rectangle of a free-standing element, a door or a shop, in the area of node i.
 void choose_rect(const MoveContext& context, const TreeState& state, int i,

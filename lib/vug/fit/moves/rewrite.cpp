@@ -25,11 +25,11 @@ bool rewrite(const MoveContext& context, TreeState& state, Choices& forward, Cho
   if (i < 0) return false;
   const std::vector<int>& ids = rules.productions_of(tree[i].symbol);
   const auto count = static_cast<int>(ids.size());
-  Successors parts;
   if (grow) {
     const int id = ids[static_cast<size_t>(forward.below(count))];
-    if (!choose_successors(context, state, i, id, forward, {}, parts)) return false;
-    apply_production(state, i, id, parts);
+    const auto parts = choose_successors(context, state, i, id, forward, {});
+    if (!parts) return false;
+    apply_production(state, i, id, *parts);
     score_pick(state, back, i, closed);
     return true;
   }
@@ -38,7 +38,7 @@ bool rewrite(const MoveContext& context, TreeState& state, Choices& forward, Cho
   undo_production(state, i);
   score_pick(state, back, i, open);
   back.below(count, static_cast<int>(std::find(ids.begin(), ids.end(), id) - ids.begin()));
-  return choose_successors(context, state, i, id, back, old, parts);
+  return choose_successors(context, state, i, id, back, old).has_value();
 }
 
 }  // namespace

@@ -38,16 +38,16 @@ bool whole_grid(const MoveContext& context, TreeState& state, Choices& forward, 
   if (i < 0) return false;
   const std::vector<GridProductions> choices = grid_productions(rules, tree[i].symbol);
   const auto count = static_cast<int>(choices.size());
-  Successors grid, windows;
   if (grow) {
     const GridProductions productions = choices[static_cast<size_t>(forward.below(count))];
-    if (!choose_successors(context, state, i, productions.first, forward, {}, grid)) return false;
-    apply_production(state, i, productions.first, grid);
+    const auto grid = choose_successors(context, state, i, productions.first, forward, {});
+    if (!grid) return false;
+    apply_production(state, i, productions.first, *grid);
     // Windows are chosen in the grid's area, which is that of its parent.
     state.areas[static_cast<size_t>(i + 1)] = state.areas[static_cast<size_t>(i)];
-    if (!choose_successors(context, state, i + 1, productions.second, forward, {}, windows))
-      return false;
-    apply_production(state, i + 1, productions.second, windows);
+    const auto windows = choose_successors(context, state, i + 1, productions.second, forward, {});
+    if (!windows) return false;
+    apply_production(state, i + 1, productions.second, *windows);
     score_pick(state, back, i, closed);
     return true;
   }
@@ -58,14 +58,14 @@ bool whole_grid(const MoveContext& context, TreeState& state, Choices& forward, 
   undo_production(state, i + 1);
   Choices scored;
   scored.score();
-  if (!choose_successors(context, state, i + 1, productions.second, scored, old_windows, windows))
+  if (!choose_successors(context, state, i + 1, productions.second, scored, old_windows))
     return false;
   const Successors old_grid = successors_of(state, i);
   undo_production(state, i);
   score_pick(state, back, i, open);
   back.below(count, static_cast<int>(std::find(choices.begin(), choices.end(), productions) -
                                      choices.begin()));
-  if (!choose_successors(context, state, i, productions.first, back, old_grid, grid)) return false;
+  if (!choose_successors(context, state, i, productions.first, back, old_grid)) return false;
   back.append(scored);
   return true;
 }

@@ -72,9 +72,17 @@ int find_windows_production(const Rules& rules, int grid, bool with_door) {
   return -1;
 }
 
+/// The windows of a picture, and the lines of their grid.
+struct WindowLayout {
+  const FoldedIntegral& integral;
+  const Layout& layout;
+};
+
+/// Adds the production `id`, with one kind of windows for sizes that differ by at most `tolerance`.
 /// False if there are too many kinds.
 bool add_grid(const MoveContext& context, TreeState& state, int i, int id,
-              const FoldedIntegral& integral, const Layout& layout, int tolerance) {
+              const WindowLayout& found, int tolerance) {
+  const auto& [integral, layout] = found;
   const Rules& rules = context.model.rules();
   const int symbol = rules.production(id).parts[0];
   const SymbolInfo& info = rules.symbol(symbol);
@@ -182,7 +190,7 @@ std::vector<TreeState> grid_candidates(const MoveContext& context, const TreeSta
     const bool identical = rules.symbol(rules.production(id).parts[0]).identical;
     for (const int tolerance : {0, 1, 2, 3, 5, 8, 12, 20}) {
       TreeState with = state;
-      if (!add_grid(context, with, i, id, integral, layout,
+      if (!add_grid(context, with, i, id, {integral, layout},
                     identical ? std::max(integral.width(), integral.height()) : tolerance))
         continue;
       if (!std::isfinite(context.model.energy(with))) continue;

@@ -97,9 +97,9 @@ class PathIntegrator final : public Integrator {
         static_cast<uint64_t>(kTrainingFraction * static_cast<double>(context.samples));
     const auto trace = [&](const Ray& ray, SampleCursor& numbers, const GuidingData& guiding,
                            PathRecorder& path_recorder) {
-      path_recorder.finish(
-          trace_path(context.world, ray, settings_, guiding, numbers, nullptr, &path_recorder)
-              .radiance);
+      path_recorder.finish(trace_path(context.world, {ray}, settings_, guiding, numbers,
+                                      {.training = &path_recorder})
+                               .radiance);
     };
     auto with_guiding = std::make_shared<PathIntegrator>(*this);
     with_guiding->guiding_ =
@@ -108,7 +108,7 @@ class PathIntegrator final : public Integrator {
   }
   PathResult trace(const PreparedScene& world, const Ray& ray, SampleCursor& numbers,
                    LightPathRecorder* recorder, std::span<const Ray> extra_rays) const override {
-    return trace_path(world, ray, settings_, guiding_, numbers, recorder, nullptr, extra_rays);
+    return trace_path(world, {ray, extra_rays}, settings_, guiding_, numbers, {.light = recorder});
   }
 
  private:

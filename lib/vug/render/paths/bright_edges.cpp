@@ -22,8 +22,7 @@ struct Range {
 }  // namespace
 
 BrightEdges::BrightEdges(const PreparedScene& world, const Region& region,
-                         const Vec2i& width_height, uint32_t looks, uint64_t seed,
-                         const std::function<Ray(const SampleId&)>& camera_ray, Progress& progress)
+                         const Vec2i& width_height, const Sampling& sampling, Progress& progress)
     : region_(region) {
   const Region wide = Region{region.x0 - 1, region.y0 - 1, region.x1 + 1, region.y1 + 1}.overlap(
       {0, 0, width_height.x, width_height.y});
@@ -33,12 +32,13 @@ BrightEdges::BrightEdges(const PreparedScene& world, const Region& region,
   raytree::parallel_interleaved(wide.pixels(), [&](size_t pixel) {
     if (pixel % width == 0) progress.check();
     SampleId id;
-    id.seed = seed ^ kSalt, id.spp = looks;
+    id.seed = sampling.seed ^ kSalt, id.spp = sampling.looks;
     id.x = static_cast<uint32_t>(wide.x0) + static_cast<uint32_t>(pixel % width);
     id.y = static_cast<uint32_t>(wide.y0) + static_cast<uint32_t>(pixel / width);
-    for (id.index = 0; id.index < looks; ++id.index) {
+    for (id.index = 0; id.index < sampling.looks; ++id.index) {
       TrackingRng tracking(Vec2f(static_cast<float>(id.index), static_cast<float>(id.x)));
-      const float bright = luminance(camera_emission(world, camera_ray(id), tracking, nullptr));
+      const float bright =
+          luminance(camera_emission(world, sampling.camera_ray(id), tracking, nullptr));
       seen[pixel].take_in({bright, bright});
     }
     if (pixel % width == width - 1) progress.advance();

@@ -17,14 +17,18 @@ namespace vug::render {
 /// camera rays take it away for less than more samples would.
 class BrightEdges {
  public:
+  struct Sampling {
+    uint32_t looks = 1;  ///< Camera rays for each pixel.
+    uint64_t seed = 0;
+    std::function<Ray(const SampleId&)> camera_ray;  ///< The ray of a sample.
+  };
+
   /// None.
   BrightEdges() = default;
-  /// Looks through each pixel of the region, and through those around it, this many times.
-  /// `width_height` of the whole picture; `camera_ray` gives the ray of a sample. The same pixels
-  /// for any region that they are in. Error(cancelled).
+  /// Looks through each pixel of the region, and through those around it. `width_height` of the
+  /// whole picture. The same pixels for any region that they are in. Error(cancelled).
   BrightEdges(const PreparedScene& world, const Region& region, const Vec2i& width_height,
-              uint32_t looks, uint64_t seed, const std::function<Ray(const SampleId&)>& camera_ray,
-              Progress& progress);
+              const Sampling& sampling, Progress& progress);
 
   /// Whether a pixel is one; not for pixels outside of the region.
   bool at(int x, int y) const { return !edges_.empty() && edges_[region_.index(x, y)] != 0; }

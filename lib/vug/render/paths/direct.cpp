@@ -26,9 +26,9 @@ struct Candidate {
   float weight = 0;  ///< Expected contribution of its shadow ray.
 };
 
-Candidate candidate(const PreparedScene& world, const LightChoice& chosen, const Hit& hit,
-                    const GuidedBsdf& bsdf, const Frame& frame, const PathVertex& vertex,
-                    const Vec2f& u) {
+Candidate candidate(const PreparedScene& world, const LightChoice& chosen,
+                    const ScatteringSurface& surface, const PathVertex& vertex, const Vec2f& u) {
+  const auto& [hit, bsdf, frame] = surface;
   const LightSample s = world.lights().sample(chosen.light, vertex.point, u);
   if (!(s.pdf > 0)) return {};
   // The side is that of the smooth surface, from which rays leave; the side of the triangle would
@@ -66,9 +66,8 @@ Rgb arriving(const PreparedScene& world, const Candidate& c, const Hit& hit, flo
 
 }  // namespace
 
-Rgb direct_light(const PreparedScene& world, const Hit& hit, const GuidedBsdf& bsdf,
-                 const Frame& frame, PathVertex& vertex, const Vec2f& choice, const Vec2f& u,
-                 TrackingRng& numbers, LightPathRecorder* recorder) {
+Rgb direct_light(const PreparedScene& world, const ScatteringSurface& surface, PathVertex& vertex,
+                 const LightRandom& random, LightPathRecorder* recorder) {
   const float rays = vertex.selection.samples;
   if (world.lights().branches() < world.lights().size())
     vertex.selection.samples = std::min(rays * kCandidates, static_cast<float>(LightChoices::kMax));
@@ -76,22 +75,22 @@ Rgb direct_light(const PreparedScene& world, const Hit& hit, const GuidedBsdf& b
   size_t size = 0;
   float all = 0;
   for (const LightChoice& chosen :
-       world.lights().choose(vertex.point, choice.x, vertex.selection)) {
-    candidates[size] = candidate(world, chosen, hit, bsdf, frame, vertex, u);
+       world.lights().choose(vertex.point, random.choice.x, vertex.selection)) {
+    candidates[size] = candidate(world, chosen, surface, vertex, random.u);
     if (candidates[size].weight > 0) all += candidates[size++].weight;
   }
   // Systematic sampling, as in the choice of lights.
   const auto count = static_cast<float>(size);
   const float proportional = rays * (1 - kEven) / all, even = rays * kEven / count;
   Rgb sum(0.0f);
-  float passed = 0, tooth = choice.y;
+  float passed = 0, tooth = random.choice.y;
   for (size_t i = 0; i < size; ++i) {
     const float probability =
         count <= rays ? 1 : std::min(1.0f, proportional * candidates[i].weight + even);
     passed += probability;
     if (!(tooth < passed)) continue;
     tooth += 1;
-    sum += arriving(world, candidates[i], hit, probability, numbers, recorder);
+    sum += arriving(world, candidates[i], surface.hit, probability, random.numbers, recorder);
   }
   return sum;
 }

@@ -9,15 +9,16 @@ namespace vug::render {
 
 ScatteredLight::ScatteredLight(const PreparedScene& world, const Ray& ray, const Segment& segment,
                                const LightSelection& selection, const VisibilityCache& visibility,
-                               float choice, float where, const Vec2f& u, TrackingRng& numbers)
+                               const LightRandom& random)
     : world_(world) {
   for (const LightChoice& chosen :
-       world.lights().choose_along(ray, segment, choice, selection, visibility))
-    add(chosen, ray, segment, where, u, numbers);
+       world.lights().choose_along(ray, segment, random.choice.x, selection, visibility))
+    add(chosen, ray, segment, random);
 }
 
 void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segment& segment,
-                         float where, const Vec2f& u, TrackingRng& numbers) {
+                         const LightRandom& random) {
+  const float where = random.choice.y;
   const Medium& medium = *world_.medium();
   // Distances are relative to the foot of the perpendicular, the origin of equiangular sampling.
   const Vec3f to = world_.lights().center(chosen.light) - ray.origin;
@@ -46,7 +47,7 @@ void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segmen
 
   const LightSampleContext point{ray.at(distance), Vec3f(0.0f)};
   medium.prefetch(point.position);
-  const LightSample s = world_.lights().sample(chosen.light, point, u);
+  const LightSample s = world_.lights().sample(chosen.light, point, random.u);
   if (!(s.pdf > 0) || !(density > 0)) return;
   const Rgb light = unoccluded_radiance(world_, s, kNoObject);
   const float extinction = medium.extinction(point.position);
@@ -60,7 +61,7 @@ void ScatteredLight::add(const LightChoice& chosen, const Ray& ray, const Segmen
       if (sky != chosen.light) directions += world_.lights().pdf(sky, point, s.direction);
   const float pdf = chosen.probability * directions;
   const float scattered = extinction * medium.phase(dot(ray.direction, s.direction)) *
-                          transmittance(world_, shadow, s.distance, numbers);
+                          transmittance(world_, shadow, s.distance, random.numbers);
   scatter_points_[size_] = {distance};
   sources_[size_++] = {chosen.light, s.direction, s.distance == kFar, light,
                        medium.albedo(point.position) * (scattered / (pdf * density))};

@@ -34,19 +34,18 @@ Rgb albedo_of(const Hit& hit, const Ray& ray) {
 
 class PathTracer {
  public:
-  PathTracer(const PreparedScene& world, const Ray& camera_ray, const PathSettings& settings,
-             const GuidingData& guiding, SampleCursor& numbers, LightPathRecorder* recorder,
-             PathRecorder* path_recorder, std::span<const Ray> extra_rays)
+  PathTracer(const PreparedScene& world, const CameraRays& rays, const PathSettings& settings,
+             const GuidingData& guiding, SampleCursor& numbers, const PathRecorders& recorders)
       : world_(world),
         medium_(world.medium()),
         settings_(settings),
         guiding_(guiding),
         numbers_(numbers),
-        recorder_(recorder),
-        path_recorder_(path_recorder),
-        extra_rays_(extra_rays),
-        ray_(camera_ray),
-        spread_(camera_ray.spread) {}
+        recorder_(recorders.light),
+        path_recorder_(recorders.training),
+        extra_rays_(rays.extra),
+        ray_(rays.first),
+        spread_(rays.first.spread) {}
 
   PathResult trace() {
     for (;; ++depth_) {
@@ -110,7 +109,10 @@ class PathTracer {
   /// Emission that the ray hits counts as direct light of the vertex that it comes from.
   void add_emission(Bounce& bounce) {
     const float end = bounce.found ? bounce.hit.distance : kFar;
-    Rgb seen = light_emission(world_, ray_, end, from_, result_.alpha, bounce.tracking, recorder_);
+    const LightEmission lights =
+        light_emission(world_, ray_, end, from_, bounce.tracking, recorder_);
+    if (lights.opaque) result_.alpha = 1;
+    Rgb seen = lights.radiance;
     seen += bounce.found
                 ? surface_emission(world_, ray_, bounce.hit, from_, bounce.tracking, recorder_)
                 : environment_emission(world_, ray_, from_, bounce.tracking, recorder_);
@@ -131,8 +133,8 @@ class PathTracer {
     if (segment.empty() || !(segment.end < kFar)) return false;
     const Vec2f distance_u = numbers_.pair();
     ScatteredLight lit(world_, ray_, segment, {light_samples(), settings_.light_sampler},
-                       guiding_.light_visibility, bounce.choice.x, distance_u.x, numbers_.pair(),
-                       bounce.tracking);
+                       guiding_.light_visibility,
+                       {{bounce.choice.x, distance_u.x}, numbers_.pair(), bounce.tracking});
     const DistanceSample collision = medium_->sample_distance(
         ray_, segment, distance_u.y, lit.scatter_points(), bounce.tracking);
     const Rgb scale = add(throughput_ * lit.arriving(recorder_), depth_);
@@ -171,9 +173,10 @@ class PathTracer {
     set_surface_vertex(hit, light_samples());
     // Then light arrives from both sides.
     if (own.lit_from_behind()) from_.point.normal = Vec3f(0.0f);
-    const Rgb light = throughput_ * direct_light(world_, hit, bsdf, frame, from_,
-                                                 {bounce.choice.x, bounce.last.y}, bounce.light,
-                                                 bounce.tracking, recorder_);
+    const Rgb light =
+        throughput_ *
+        direct_light(world_, {hit, bsdf, frame}, from_,
+                     {{bounce.choice.x, bounce.last.y}, bounce.light, bounce.tracking}, recorder_);
     const Rgb scale = add(light, depth_);
     if (path_recorder_) path_recorder_->add_direct(result_.radiance);
     if (recorder_) recorder_->flush_surface(depth_, scale);
@@ -222,8 +225,9 @@ class PathTracer {
     const GuidedBsdf bsdf(*exit_bsdf, frame, bright);
     set_surface_vertex(hit, 1);
     const Vec2f which = next_pair(random);
-    const Rgb light = throughput_ * direct_light(world_, hit, bsdf, frame, from_, which,
-                                                 next_pair(random), bounce.tracking, recorder_);
+    const Rgb light =
+        throughput_ * direct_light(world_, {hit, bsdf, frame}, from_,
+                                   {which, next_pair(random), bounce.tracking}, recorder_);
     const Rgb scale = add(light, depth_ + 1);
     if (recorder_) recorder_->flush_surface(depth_ + 1, scale);
     const float lobe = next_float(random);
@@ -308,13 +312,10 @@ class PathTracer {
 
 }  // namespace
 
-PathResult trace_path(const PreparedScene& world, const Ray& camera_ray,
+PathResult trace_path(const PreparedScene& world, const CameraRays& rays,
                       const PathSettings& settings, const GuidingData& guiding,
-                      SampleCursor& numbers, LightPathRecorder* recorder,
-                      PathRecorder* path_recorder, std::span<const Ray> extra_rays) {
-  return PathTracer(world, camera_ray, settings, guiding, numbers, recorder, path_recorder,
-                    extra_rays)
-      .trace();
+                      SampleCursor& numbers, const PathRecorders& recorders) {
+  return PathTracer(world, rays, settings, guiding, numbers, recorders).trace();
 }
 
 }  // namespace vug::render

@@ -25,11 +25,21 @@ struct PathSettings {
   float regularize = 0;       ///< Smallest roughness of surfaces seen after a diffuse bounce.
 };
 
-/// Radiance along a camera ray. `recorder` and `path_recorder` may be null; for `extra_rays` see
-/// Integrator::trace.
-PathResult trace_path(const PreparedScene& world, const Ray& camera_ray,
+/// The ray of a camera sample; for the extra rays see Integrator::trace.
+struct CameraRays {
+  Ray first;
+  std::span<const Ray> extra{};
+};
+
+/// The recorders of a path; null if nothing is recorded.
+struct PathRecorders {
+  LightPathRecorder* light = nullptr;
+  PathRecorder* training = nullptr;
+};
+
+/// Radiance along a camera ray.
+PathResult trace_path(const PreparedScene& world, const CameraRays& rays,
                       const PathSettings& settings, const GuidingData& guiding,
-                      SampleCursor& numbers, LightPathRecorder* recorder,
-                      PathRecorder* path_recorder, std::span<const Ray> extra_rays = {});
+                      SampleCursor& numbers, const PathRecorders& recorders);
 
 }  // namespace vug::render

@@ -38,10 +38,10 @@ std::vector<VisibilitySample> without_empty(std::vector<VisibilitySample> visibi
   return visibility_samples;
 }
 
-/// Traces `paths` training paths over the whole picture and appends their samples in order.
-void trace_training_paths(const TrainingContext& context, size_t paths, uint64_t salt,
-                          const GuidingData& guiding, const TrainingPath& trace, Progress& progress,
-                          std::vector<RadianceSample>& radiance_samples) {
+/// Traces `paths` training paths over the whole picture; returns their samples in order.
+std::vector<RadianceSample> trace_training_paths(const TrainingContext& context, size_t paths,
+                                                 uint64_t salt, const GuidingData& guiding,
+                                                 const TrainingPath& trace, Progress& progress) {
   std::vector<std::vector<RadianceSample>> chunks((paths + kChunk - 1) / kChunk);
   parallel_for(chunks.size(), [&](size_t chunk) {
     progress.check();
@@ -61,8 +61,10 @@ void trace_training_paths(const TrainingContext& context, size_t paths, uint64_t
           path.clear();
         });
   });
+  std::vector<RadianceSample> out;
   for (const std::vector<RadianceSample>& chunk : chunks)
-    radiance_samples.insert(radiance_samples.end(), chunk.begin(), chunk.end());
+    out.insert(out.end(), chunk.begin(), chunk.end());
+  return out;
 }
 
 /// Tests the visibility of clusters from points on paths: half of the time of a cluster that would
@@ -156,8 +158,9 @@ GuidingData train(const TrainingContext& context, uint64_t paths, const Training
   GuidingData guiding;
   for (int round = 0; round < kRounds; ++round) {
     const auto salt = static_cast<uint64_t>(3 * round);
-    trace_training_paths(context, std::max<size_t>(1, (paths << round) >> kRounds), salt, guiding,
-                         trace, progress, radiance_samples);
+    const std::vector<RadianceSample> traced = trace_training_paths(
+        context, std::max<size_t>(1, (paths << round) >> kRounds), salt, guiding, trace, progress);
+    radiance_samples.insert(radiance_samples.end(), traced.begin(), traced.end());
     progress.advance();
     if (branches > 1)
       guiding.light_visibility = VisibilityCache(

@@ -23,11 +23,12 @@ bool occluded(const PreparedScene& world, const Ray& ray, float distance) {
   return world.occluded(ray, distance == kFar ? kFar : distance * kAlmost);
 }
 
-Rgb light_emission(const PreparedScene& world, const Ray& ray, float end, const PathVertex& from,
-                   float& alpha, TrackingRng& numbers, LightPathRecorder* recorder) {
-  Rgb light(0.0f);
+LightEmission light_emission(const PreparedScene& world, const Ray& ray, float end,
+                             const PathVertex& from, TrackingRng& numbers,
+                             LightPathRecorder* recorder) {
+  LightEmission out;
   // In media, light sampling finds all light of finite lights.
-  if (from.kind == PathVertex::medium) return light;
+  if (from.kind == PathVertex::medium) return out;
   world.lights().for_each_light_on(
       ray, end, from.point.object, [&](LightId id, const Light& source) {
         LightHit hit;
@@ -35,7 +36,7 @@ Rgb light_emission(const PreparedScene& world, const Ray& ray, float end, const 
         float weight = 1;
         if (from.kind == PathVertex::camera) {
           if (!source.camera_visible()) return;
-          alpha = 1;
+          out.opaque = true;
         } else if (from.kind == PathVertex::surface) {
           const float direct = world.lights().pmf(id, from.point, from.selection) *
                                source.pdf(from.point, ray.direction);
@@ -44,9 +45,9 @@ Rgb light_emission(const PreparedScene& world, const Ray& ray, float end, const 
         const Rgb arriving =
             hit.radiance * (weight * transmittance(world, ray, hit.distance, numbers));
         if (recorder) recorder->record(world.lights().group(id), arriving);
-        light += arriving;
+        out.radiance += arriving;
       });
-  return light;
+  return out;
 }
 
 Rgb surface_emission(const PreparedScene& world, const Ray& ray, const Hit& hit,
@@ -76,11 +77,10 @@ Rgb camera_emission(const PreparedScene& world, const Ray& ray, TrackingRng& num
                     LightPathRecorder* recorder) {
   const PathVertex camera;
   Hit hit;
-  float alpha = 0;
   const bool found = world.intersect(ray, hit);
   if (found) hit.surface.footprint = ray.spread * hit.distance;
   const Rgb from_lights =
-      light_emission(world, ray, found ? hit.distance : kFar, camera, alpha, numbers, recorder);
+      light_emission(world, ray, found ? hit.distance : kFar, camera, numbers, recorder).radiance;
   return from_lights + (found ? surface_emission(world, ray, hit, camera, numbers, recorder)
                               : environment_emission(world, ray, camera, numbers, recorder));
 }

@@ -20,11 +20,16 @@ struct PathVertex {
   LightSelection selection;  ///< The selection by which lights were sampled.
 };
 
+struct LightEmission {
+  Rgb radiance{0, 0, 0};
+  bool opaque = false;  ///< Whether the camera sees one of the lights.
+};
+
 /// Emission of finite lights between the ray's origin and `end`, with the MIS weight of the vertex
-/// that the ray comes from. A light that the camera sees is opaque: it sets `alpha` to 1. `numbers`
-/// are for tracking through the medium; `recorder` may be null.
-Rgb light_emission(const PreparedScene& world, const Ray& ray, float end, const PathVertex& from,
-                   float& alpha, TrackingRng& numbers, LightPathRecorder* recorder);
+/// that the ray comes from. `numbers` are for tracking through the medium; `recorder` may be null.
+LightEmission light_emission(const PreparedScene& world, const Ray& ray, float end,
+                             const PathVertex& from, TrackingRng& numbers,
+                             LightPathRecorder* recorder);
 /// Emission of the surface that the ray hits; weighted in the same way.
 Rgb surface_emission(const PreparedScene& world, const Ray& ray, const Hit& hit,
                      const PathVertex& from, TrackingRng& numbers, LightPathRecorder* recorder);

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/diagnostics.h>
 #include <vug/base/json_file.h>
-#include <vug/modeller/json_text.h>
+#include <vug/base/json_value.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-namespace vug::modeller {
-
+namespace vug {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// Scans a text that is known to be valid JSON.
 class Scanner {
@@ -78,8 +80,7 @@ class Scanner {
   size_t at_ = 0;
 };
 
-}  // namespace
-
+/// Position of a value in a valid JSON text. The path holds keys and element indices.
 SourceLocation locate(const std::string& text, const std::string& file,
                       const std::vector<std::string>& path) {
   Scanner scanner(text);
@@ -90,6 +91,8 @@ SourceLocation locate(const std::string& text, const std::string& file,
   }
   return location_in(text, file, at);
 }
+
+}  // namespace
 
 Json JsonValue::parse(const std::string& text, const std::string& file) {
   std::vector<std::set<std::string>> keys;
@@ -118,6 +121,10 @@ Json JsonValue::parse(const std::string& text, const std::string& file) {
 JsonValue::JsonValue(const JsonValue& above, const Json& value, const std::string& key)
     : value_(&value), text_(above.text_), file_(above.file_), path_(above.path_) {
   path_.push_back(key);
+}
+
+bool JsonValue::has(const std::string& key) const {
+  return value_->is_object() && value_->contains(key);
 }
 
 JsonValue JsonValue::at(const std::string& key) const {
@@ -185,4 +192,4 @@ Error JsonValue::fault(const std::string& message, const std::string& hint,
                locate(*text_, *file_, path), hint);
 }
 
-}  // namespace vug::modeller
+}  // namespace vug

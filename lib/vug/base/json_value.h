@@ -1,29 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside modeller/ only: JSON values that know their position in the text.
+// JSON values with their positions in the text, for errors that name the line of a value.
 #pragma once
 
 #include <vug/base/error.h>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>
 
-namespace vug::modeller {
-
-using Json = nlohmann::ordered_json;
+namespace vug {
 
 /// A JSON value and its pointer: "/edits/3/numbers/rows".
 class JsonValue {
  public:
   /// Parses a whole text; text and file name must outlive the values. Error(bad_input) with line
   /// and column for invalid JSON and for a duplicate key.
-  static Json parse(const std::string& text, const std::string& file);
-  JsonValue(const Json& value, const std::string& text, const std::string& file)
+  static nlohmann::ordered_json parse(const std::string& text, const std::string& file);
+  JsonValue(const nlohmann::ordered_json& value, const std::string& text, const std::string& file)
       : value_(&value), text_(&text), file_(&file) {}
 
-  const Json& json() const { return *value_; }
-  bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
+  const nlohmann::ordered_json& json() const { return *value_; }
+  bool has(const std::string& key) const;
   /// Error(bad_input) if the key is missing.
   JsonValue at(const std::string& key) const;
   std::vector<JsonValue> items() const;  ///< Elements of an array.
@@ -44,16 +42,12 @@ class JsonValue {
               const std::string& below = {}) const;
 
  private:
-  JsonValue(const JsonValue& above, const Json& value, const std::string& key);
+  JsonValue(const JsonValue& above, const nlohmann::ordered_json& value, const std::string& key);
 
-  const Json* value_;
+  const nlohmann::ordered_json* value_;
   const std::string* text_;
   const std::string* file_;
   std::vector<std::string> path_;
 };
 
-/// Position of a value in a valid JSON text. The path holds keys and element indices.
-SourceLocation locate(const std::string& text, const std::string& file,
-                      const std::vector<std::string>& path);
-
-}  // namespace vug::modeller
+}  // namespace vug
