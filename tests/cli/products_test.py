@@ -51,6 +51,12 @@ class List(VugTest):
             self.assertEqual([k["name"] for k in kinds if category in (k["category"], k["name"])],
                              [k["name"] for k in listed])
 
+    def test_aovs(self):
+        text = self.expect(0, "list", "aov").out
+        self.assertRegex(text, r"\n  N +Normal of .*Channels N.X, N.Y, N.Z, written by default\.\n")
+        self.assertRegex(text, r"\n  light_NAME .*\"lights\" requests all of them\.\n")
+        self.assertIn("\n  wetness ", text)
+
     def test_one_kind(self):
         text = self.expect(0, "list", "torus").out
         self.assertIn("torus (primitive): ", text)

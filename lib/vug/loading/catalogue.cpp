@@ -6,6 +6,7 @@
 #include <vug/loading/facade_binding.h>
 #include <vug/loading/grammar_binding.h>
 #include <vug/loading/reader.h>
+#include <vug/render/film/aov_table.h>
 #include <vug/shot/lsystem_plan.h>
 
 #include <fmt/format.h>
@@ -18,6 +19,26 @@
 namespace vug::loading {
 namespace {
 
+/// The AOVs as kinds without parameters.
+const std::vector<KindInfo>& aov_kinds() {
+  static const std::vector<KindInfo> all = [] {
+    std::vector<KindInfo> kinds;
+    for (const render::AovInfo& aov : render::aovs()) {
+      const auto& channels = aov.channels;
+      std::string doc = fmt::format(
+          "{} {}", aov.doc,
+          channels.size() == 1  ? "Channel " + channels[0]
+          : channels.size() > 4 ? fmt::format("Channels {} to {}", channels[0], channels.back())
+                                : fmt::format("Channels {}", fmt::join(channels, ", ")));
+      if (aov.is_default) doc += ", written by default";
+      if (!aov.set.empty()) doc += fmt::format("; \"{}\" requests all of them", aov.set);
+      kinds.push_back({aov.name, "aov", doc + ".", "", {}});
+    }
+    return kinds;
+  }();
+  return all;
+}
+
 std::vector<const KindInfo*> all_kinds() {
   std::vector<const KindInfo*> kinds;
   for (const DeclarationKind* kind : declaration_kinds()) kinds.push_back(&kind->info);
@@ -27,6 +48,7 @@ std::vector<const KindInfo*> all_kinds() {
   for (const facade::SplitKind* split : facade::splits()) kinds.push_back(&split->info);
   for (const KindRegistry& registry : kind_registries())
     for (const RegisteredKind& kind : registry.kinds) kinds.push_back(kind.info);
+  for (const KindInfo& aov : aov_kinds()) kinds.push_back(&aov);
   for (const image::Measure* measure : image::measures()) kinds.push_back(&measure->info);
   for (const exchange::Format* format : exchange::formats()) kinds.push_back(&format->info);
   for (const exchange::Program* program : exchange::programs()) kinds.push_back(&program->info);

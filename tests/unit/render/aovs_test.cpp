@@ -2,11 +2,13 @@
 // Relations between AOVs.
 #include <vug/base/error.h>
 #include <vug/render/film/aovs.h>
+#include <vug/render/film/light_path_recorder.h>
 #include <vug/render/film/surface_aov.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "scenes.h"
 
@@ -44,6 +46,47 @@ TEST(Aovs, SurfaceAovsAreListedOnceAndHaveUpToThreeChannels) {
   }
 }
 
+TEST(Aovs, EachNameAndChannelIsInTheTableOnce) {
+  std::set<std::string> names, channels;
+  for (const AovInfo& row : aovs()) {
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    EXPECT_FALSE(row.doc.empty()) << row.name;
+    EXPECT_FALSE(row.channels.empty()) << row.name;
+    for (const std::string& channel : row.channels)
+      EXPECT_TRUE(channels.insert(channel).second) << channel;
+    EXPECT_EQ(row.write != nullptr, row.source == AovSource::pixel_sum) << row.name;
+    EXPECT_EQ(find_aov(row.name), &row);
+  }
+  EXPECT_EQ(find_aov("light_key")->name, "light_NAME");
+  EXPECT_EQ(name_in_aov("attribute_a_b"), "a_b");
+  EXPECT_EQ(aov_channels("light_key"),
+            (std::vector<std::string>{"light_key.R", "light_key.G", "light_key.B"}));
+  EXPECT_EQ(find_aov("lights"), nullptr);
+}
+
+TEST(Aovs, PlansHaveTheOrderOfTheTable) {
+  const AovPlan plan = plan_aovs({"all"}, {"sky", "key"}, {{"flow", 2}}, {"door", "wall"});
+  std::vector<std::string> expected;
+  for (const AovInfo& row : aovs())
+    if (row.source == AovSource::light_group)
+      expected.insert(expected.end(), {"light_sky", "light_key"});
+    else
+      expected.push_back(row.source == AovSource::attribute ? "attribute_flow" : row.name);
+  EXPECT_EQ(plan.names, expected);
+  EXPECT_EQ(plan.groups, (std::vector<std::string>{"sky", "key"}));
+  EXPECT_EQ(plan.attributes, (std::vector<AovAttribute>{{"flow", 2}, {"door", 1}, {"wall", 1}}));
+  EXPECT_TRUE(plan.is_consistent());
+  AovPlan broken = plan;
+  broken.groups.pop_back();
+  EXPECT_FALSE(broken.is_consistent());
+  broken = plan, broken.names.emplace_back("nonsense");
+  EXPECT_FALSE(broken.is_consistent());
+  broken = plan, broken.attributes.clear();
+  EXPECT_FALSE(broken.is_consistent());
+  broken = plan, broken.attributes[0].arity = 4;
+  EXPECT_FALSE(broken.is_consistent());
+}
+
 TEST(Aovs, ComponentsSumToTheBeauty) {
   for (const bool clamp : {false, true}) {
     Options o = options(40, 30, 16, 4);
@@ -54,7 +97,7 @@ TEST(Aovs, ComponentsSumToTheBeauty) {
       for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
           double sum = 0;
-          for (const std::string& part : component_names())
+          for (const auto& [part, doc] : light_components())
             sum += static_cast<double>(
                 picture.at(x, y, static_cast<size_t>(picture.find_channel(part + "." + c))));
           const auto beauty =
@@ -176,7 +219,7 @@ TEST(Aovs, ComponentsOfTransparentBodiesSumToTheBeauty) {
   for (size_t p = 0; p < picture.pixel_count(); ++p) {
     const float* values = &picture.pixels[p * picture.channels.size()];
     double sum = 0;
-    for (const std::string& part : component_names())
+    for (const auto& [part, doc] : light_components())
       sum += static_cast<double>(values[picture.find_channel(part + ".G")]);
     const auto beauty = static_cast<double>(values[picture.find_channel("G")]);
     ASSERT_NEAR(sum, beauty, 1e-5 * beauty + 1e-9);

@@ -76,7 +76,7 @@ TEST(GuidedPath, PartsSumToTheBeauty) {
   double whole = 0, sum = 0;
   for (const char* c : {"R", "G", "B"}) {
     whole += mean_of(taken, c).value;
-    for (const std::string& part : component_names()) sum += mean_of(taken, part + "." + c).value;
+    for (const auto& [part, doc] : light_components()) sum += mean_of(taken, part + "." + c).value;
   }
   EXPECT_GT(mean_of(taken, "diffuse_indirect.R").value, 0);
   EXPECT_NEAR(sum, whole, 1e-5 * whole);

@@ -56,17 +56,17 @@ int run(const Options& options) {
 }  // namespace
 
 Verb list_verb() {
-  return {
-      "list",
-      "Lists the kinds of the scene language, image measures and export formats, or describes one "
-      "kind with its parameters.",
-      [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
-        app.add_option("kind", options->what,
-                       "Kind (torus), category (primitive) or declaration (material)");
-        app.add_flag("--json", options->json, "Machine-readable output");
-        return [options] { return run(*options); };
-      }};
+  return {"list",
+          "Lists the kinds of the scene language, AOVs, image measures and export formats, or "
+          "describes "
+          "one kind with its parameters.",
+          [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            app.add_option("kind", options->what,
+                           "Kind (torus), category (primitive) or declaration (material)");
+            app.add_flag("--json", options->json, "Machine-readable output");
+            return [options] { return run(*options); };
+          }};
 }
 
 }  // namespace vug::cli

@@ -2,83 +2,19 @@
 #include <vug/base/diagnostics.h>
 #include <vug/render/film/aovs.h>
 #include <vug/render/film/cryptomatte.h>
-#include <vug/render/film/surface_aov.h>
+#include <vug/render/film/light_path_recorder.h>
 #include <vug/render/scene.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <set>
 
 namespace vug::render {
 namespace {
 
-/// Depth of pixels without a surface.
-constexpr double kNoDepth = 1e10;
-constexpr const char* kLight = "light_";
-constexpr const char* kAttribute = "attribute_";
-
-struct ChannelWriter {
-  const PixelSum& sum;
-  float* to;
-
-  void put(double v) { *to++ = static_cast<float>(v); }
-  /// Means over the samples that hit a surface.
-  void hits(const std::array<int64_t, 3>& sums) {
-    for (const int64_t v : sums) hit(v);
-  }
-  void hit(int64_t v) { put(from_plain(v) / std::max(sum.hits, 1u)); }
-};
-
-struct PixelAov {
-  AovInfo info;
-  void (*write)(ChannelWriter&);
-};
-
-/// AOVs that are computed from a PixelSum.
-const std::vector<PixelAov>& pixel_aovs() {
-  static const std::vector<PixelAov> all = {
-      {{"beauty", "Radiance, in the working space.", {"R", "G", "B"}, true},
-       [](ChannelWriter& o) {
-         for (size_t i = 0; i < 3; ++i) o.put(o.sum.mean(i));
-       }},
-      {{"A", "Coverage: 1 for surfaces and visible lights, 0 for the sky.", {"A"}, true},
-       [](ChannelWriter& o) { o.put(from_plain(o.sum.alpha) / std::max(o.sum.samples, 1u)); }},
-      {{"Z", "Depth along the viewing axis in metres; 1e10 without a surface.", {"Z"}, true},
-       [](ChannelWriter& o) { o.sum.hits > 0 ? o.hit(o.sum.depth) : o.put(kNoDepth); }},
-      {{"N", "Normal of the first surface, in world axes.", {"N.X", "N.Y", "N.Z"}, true},
-       [](ChannelWriter& o) { o.hits(o.sum.normal); }},
-      {{"P", "Position of the first surface in metres.", {"P.X", "P.Y", "P.Z"}, true},
-       [](ChannelWriter& o) { o.hits(o.sum.position); }},
-      {{"albedo",
-        "Fraction of light that the first surface reflects.",
-        {"albedo.R", "albedo.G", "albedo.B"},
-        true},
-       [](ChannelWriter& o) { o.hits(o.sum.albedo); }},
-      {{"variance",
-        "Squared standard error of the beauty's pixels.",
-        {"variance.R", "variance.G", "variance.B"},
-        true},
-       [](ChannelWriter& o) {
-         for (size_t i = 0; i < 3; ++i) o.put(o.sum.variance(i));
-       }},
-      {{"samples", "Number of samples of the pixel.", {"samples"}, true},
-       [](ChannelWriter& o) { o.put(o.sum.samples); }},
-  };
-  return all;
-}
-
-std::vector<std::string> colour(const std::string& layer) {
-  return {layer + ".R", layer + ".G", layer + ".B"};
-}
-
-bool is_component(const std::string& name) {
-  const auto& parts = component_names();
-  return std::find(parts.begin(), parts.end(), name) != parts.end();
-}
-
-bool is_attribute(const std::string& name) { return name.rfind(kAttribute, 0) == 0; }
+/// Requests every AOV.
+constexpr const char* kAll = "all";
 
 /// An AOV that is stored in the colours of a film: its index, its number of channels, and whether
 /// it is a mean over the samples that hit a surface.
@@ -87,26 +23,36 @@ struct ColourAov {
   bool surface = false;
 };
 
-/// The order is that of LightPathPlan.
-ColourAov colour_aov(const AovPlan& plan, const std::string& name) {
-  const auto& parts = component_names();
-  const auto part = std::find(parts.begin(), parts.end(), name);
-  if (part != parts.end()) return {static_cast<size_t>(part - parts.begin())};
-  size_t index = plan.has_components() ? parts.size() : 0;
-  for (const std::string& group : plan.groups) {
-    if (kLight + group == name) return {index};
-    ++index;
+size_t component_index(const std::string& name) {
+  const auto& all = light_components();
+  return static_cast<size_t>(
+      std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == name; }) -
+      all.begin());
+}
+
+/// The AOVs of the plan that are stored in the colours of a film, whose order is that of
+/// LightPathPlan.
+std::vector<ColourAov> colour_aovs(const AovPlan& plan) {
+  std::vector<ColourAov> out;
+  size_t group = plan.has_components() ? light_components().size() : 0;
+  size_t surface = group + plan.groups.size();
+  const size_t attributes = surface + plan.count(AovSource::surface);
+  size_t attribute = 0;
+  for (const std::string& name : plan.names) {
+    const AovInfo& row = *find_aov(name);
+    if (row.source == AovSource::light_component)
+      out.push_back({component_index(name)});
+    else if (row.source == AovSource::light_group)
+      out.push_back({group++});
+    else if (row.source == AovSource::surface)
+      out.push_back({surface++, row.channels.size(), true});
+    else if (row.source == AovSource::attribute) {
+      out.push_back({attributes + attribute, plan.attributes[attribute].arity, true});
+      ++attribute;
+    } else if (row.source == AovSource::motion)
+      out.push_back({attributes + plan.attributes.size(), row.channels.size(), true});
   }
-  for (const SurfaceAov& aov : surface_aovs()) {
-    if (aov.name == name) return {index, aov.channels.size(), true};
-    if (plan.has(aov.name)) ++index;
-  }
-  for (const AovAttribute& attribute : plan.attributes) {
-    if (kAttribute + attribute.name == name) return {index, attribute.arity, true};
-    ++index;
-  }
-  if (name == kMotion) return {index, 2, true};
-  return {};
+  return out;
 }
 
 /// The attributes of all meshes, each once, with its largest arity.
@@ -130,7 +76,7 @@ std::vector<AovAttribute> attributes_of(const Scene& scene) {
 std::vector<AovAttribute> named_attributes(const std::vector<std::string>& names) {
   std::vector<AovAttribute> out;
   for (const std::string& name : names)
-    if (is_attribute(name)) out.push_back({name.substr(std::strlen(kAttribute)), 3});
+    if (is_from(name, AovSource::attribute)) out.push_back({name_in_aov(name), 3});
   return out;
 }
 
@@ -153,45 +99,63 @@ CryptoShares element_shares(const Film& film, int x, int y, size_t first, const 
   return shares;
 }
 
-}  // namespace
+/// An AOV that a scene offers.
+struct Candidate {
+  const AovInfo& row;
+  std::string name;
+  size_t index = 0;  ///< Index of the light group or attribute.
 
-const std::vector<AovInfo>& aovs() {
-  static const std::vector<AovInfo> all = [] {
-    std::vector<AovInfo> list;
-    for (const PixelAov& kind : pixel_aovs()) list.push_back(kind.info);
-    for (const std::string& part : component_names())
-      list.push_back({part, "A light component of the beauty: see docs/reference/rendering.md.",
-                      colour(part), false});
-    list.push_back({kMotion,
-                    "Motion of the first surface until the next frame in pixels, to the right and "
-                    "upwards.",
-                    {"motion.X", "motion.Y"},
-                    false});
-    for (const SurfaceAov& aov : surface_aovs())
-      list.push_back({aov.name, aov.doc, aov.channels, false});
-    list.push_back(
-        {kCryptoObject, "Cryptomatte of objects.", crypto_channels(kCryptoObject), false});
-    list.push_back(
-        {kCryptoMaterial, "Cryptomatte of materials.", crypto_channels(kCryptoMaterial), false});
-    return list;
-  }();
-  return all;
+  bool is_in(const std::vector<std::string>& names) const {
+    if (names.empty()) return row.is_default;
+    return std::any_of(names.begin(), names.end(), [&](const std::string& requested) {
+      return requested == name || requested == kAll || (requested == row.set && !requested.empty());
+    });
+  }
+};
+
+std::vector<Candidate> candidates(const std::vector<std::string>& groups,
+                                  const std::vector<AovAttribute>& attributes, bool has_elements) {
+  std::vector<Candidate> out;
+  for (const AovInfo& row : aovs())
+    if (row.source == AovSource::light_group)
+      for (size_t i = 0; i < groups.size(); ++i) out.push_back({row, aov_name(row, groups[i]), i});
+    else if (row.source == AovSource::attribute)
+      for (size_t i = 0; i < attributes.size(); ++i)
+        out.push_back({row, aov_name(row, attributes[i].name), i});
+    else if (row.name != kCryptoElement || has_elements)
+      out.push_back({row, row.name});
+  return out;
 }
+
+/// The names that request several AOVs.
+std::vector<std::string> set_names() {
+  std::vector<std::string> out;
+  for (const AovInfo& row : aovs())
+    if (!row.set.empty() && std::find(out.begin(), out.end(), row.set) == out.end())
+      out.push_back(row.set);
+  out.emplace_back(kAll);
+  return out;
+}
+
+void require_known(const std::vector<std::string>& names, const std::vector<Candidate>& offered) {
+  std::vector<std::string> known;
+  for (const Candidate& candidate : offered) known.push_back(candidate.name);
+  const std::vector<std::string> sets = set_names();
+  known.insert(known.end(), sets.begin(), sets.end());
+  for (const std::string& name : names)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw Error(ErrorCode::bad_input, fmt::format("unknown layer '{}'", name), {},
+                  suggestion(name, known));
+}
+
+}  // namespace
 
 std::vector<std::string> AovPlan::channels() const {
   std::vector<std::string> out;
+  size_t attribute = 0;
   for (const std::string& name : names) {
-    const auto& known = aovs();
-    const auto layer = std::find_if(known.begin(), known.end(),
-                                    [&](const AovInfo& info) { return info.name == name; });
-    auto more = layer != known.end() ? layer->channels
-                : is_crypto(name)    ? crypto_channels(name)
-                                     : colour(name);
-    for (const AovAttribute& attribute : attributes)
-      if (kAttribute + attribute.name == name) {
-        more.clear();
-        for (uint32_t i = 0; i < attribute.arity; ++i) more.push_back(name + '.' + "XYZ"[i]);
-      }
+    std::vector<std::string> more = aov_channels(name);
+    if (is_from(name, AovSource::attribute)) more.resize(attributes[attribute++].arity);
     out.insert(out.end(), more.begin(), more.end());
   }
   return out;
@@ -199,16 +163,26 @@ std::vector<std::string> AovPlan::channels() const {
 
 FilmLayout AovPlan::layout(bool deep) const {
   FilmLayout layout;
-  layout.deep = deep;
-  layout.colours = (has_components() ? component_names().size() : 0) + groups.size() +
-                   attributes.size() + (has(kMotion) ? 1 : 0);
-  for (const SurfaceAov& aov : surface_aovs()) layout.colours += has(aov.name) ? 1 : 0;
+  layout.colours = (has_components() ? light_components().size() : 0) + groups.size() +
+                   count(AovSource::surface) + attributes.size() + (has(kMotion) ? 1 : 0);
   layout.coverage = has(kCryptoObject) || has(kCryptoMaterial);
+  layout.deep = deep;
   return layout;
 }
 
-size_t AovPlan::first_element() const {
-  return static_cast<size_t>(std::count_if(names.begin(), names.end(), is_attribute));
+size_t AovPlan::count(AovSource source) const {
+  return static_cast<size_t>(
+      std::count_if(names.begin(), names.end(),
+                    [source](const std::string& name) { return is_from(name, source); }));
+}
+
+size_t AovPlan::first_element() const { return count(AovSource::attribute); }
+
+bool AovPlan::is_consistent() const {
+  return std::all_of(names.begin(), names.end(), find_aov) &&
+         count(AovSource::light_group) == groups.size() && first_element() <= attributes.size() &&
+         std::all_of(attributes.begin(), attributes.end(),
+                     [](const AovAttribute& each) { return each.arity >= 1 && each.arity <= 3; });
 }
 
 std::vector<std::string> AovPlan::crypto_names(const std::string& layer) const {
@@ -224,53 +198,24 @@ bool AovPlan::has(const std::string& name) const {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool AovPlan::has_components() const {
-  return std::any_of(names.begin(), names.end(), is_component);
-}
+bool AovPlan::has_components() const { return count(AovSource::light_component) > 0; }
 
 AovPlan plan_aovs(const std::vector<std::string>& names, const std::vector<std::string>& groups,
                   const std::vector<AovAttribute>& attributes,
                   const std::vector<std::string>& elements) {
-  std::vector<std::string> known;
-  for (const AovInfo& layer : aovs()) known.push_back(layer.name);
-  for (const std::string& group : groups) known.push_back(kLight + group);
-  const size_t lights_end = known.size();
-  for (const AovAttribute& attribute : attributes) known.push_back(kAttribute + attribute.name);
-  const size_t attributes_end = known.size();
-  if (!elements.empty()) known.emplace_back(kCryptoElement);
-  std::vector<bool> chosen(known.size());
-  for (size_t i = 0; i < aovs().size(); ++i) chosen[i] = names.empty() && aovs()[i].is_default;
-  for (const std::string& name : names) {
-    bool found = name == "parts" || name == "lights" || name == "attributes" ||
-                 name == "cryptomatte" || name == "all";
-    for (size_t i = 0; i < known.size(); ++i) {
-      const bool light = i >= aovs().size() && i < lights_end;
-      if (!(known[i] == name || name == "all" || (name == "parts" && is_component(known[i])) ||
-            (name == "lights" && light) ||
-            (name == "attributes" && i >= lights_end && i < attributes_end) ||
-            (name == "cryptomatte" && is_crypto(known[i]))))
-        continue;
-      chosen[i] = found = true;
-    }
-    if (found) continue;
-    known.insert(known.end(), {"parts", "lights", "attributes", "cryptomatte", "all"});
-    throw Error(ErrorCode::bad_input, fmt::format("unknown layer '{}'", name), {},
-                suggestion(name, known));
-  }
+  const std::vector<Candidate> offered = candidates(groups, attributes, !elements.empty());
+  require_known(names, offered);
   AovPlan plan;
-  for (size_t i = 0; i < known.size(); ++i) {
-    if (!chosen[i]) continue;
-    plan.names.push_back(known[i]);
-    if (i >= attributes_end)
+  for (const Candidate& candidate : offered) {
+    if (!candidate.is_in(names)) continue;
+    plan.names.push_back(candidate.name);
+    if (candidate.row.source == AovSource::light_group)
+      plan.groups.push_back(groups[candidate.index]);
+    if (candidate.row.source == AovSource::attribute)
+      plan.attributes.push_back(attributes[candidate.index]);
+    if (candidate.name == kCryptoElement)
       for (const std::string& element : elements) plan.attributes.push_back({element, 1});
-    else if (i >= lights_end)
-      plan.attributes.push_back(attributes[i - lights_end]);
-    else if (i >= aovs().size())
-      plan.groups.push_back(groups[i - aovs().size()]);
   }
-  // `develop` writes these last.
-  std::stable_partition(plan.names.begin(), plan.names.end(),
-                        [](const std::string& name) { return !is_crypto(name); });
   if (!plan.has("beauty"))
     throw Error(ErrorCode::bad_input, "a picture needs the layer 'beauty'", {}, "add it to layers");
   return plan;
@@ -305,17 +250,13 @@ AovPlan scene_aovs(const Scene& scene, const std::vector<std::string>& names) {
 
 void develop(const Film& film, const AovPlan& plan, const Region& origin, image::Image& image) {
   std::vector<void (*)(ChannelWriter&)> writers;
-  std::vector<ColourAov> colours;
+  const std::vector<ColourAov> colours = colour_aovs(plan);
   std::vector<CryptoAov> cryptos;
   for (const std::string& name : plan.names) {
-    const auto kind = std::find_if(pixel_aovs().begin(), pixel_aovs().end(),
-                                   [&](const PixelAov& k) { return k.info.name == name; });
-    if (kind != pixel_aovs().end())
-      writers.push_back(kind->write);
-    else if (is_crypto(name))
+    const AovInfo& row = *find_aov(name);
+    if (row.write) writers.push_back(row.write);
+    if (row.source == AovSource::cryptomatte)
       cryptos.push_back({crypto_ids(plan.crypto_names(name)), name == kCryptoElement});
-    else
-      colours.push_back(colour_aov(plan, name));
   }
   const size_t first_element = film.layout().colours - (plan.has(kMotion) ? 1 : 0) -
                                plan.attributes.size() + plan.first_element();

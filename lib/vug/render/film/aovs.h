@@ -3,8 +3,8 @@
 #pragma once
 
 #include <vug/image/image.h>
+#include <vug/render/film/aov_table.h>
 #include <vug/render/film/film.h>
-#include <vug/render/film/light_path_recorder.h>
 
 #include <string>
 #include <vector>
@@ -12,18 +12,6 @@
 namespace vug::render {
 
 struct Scene;
-
-/// Name of the AOV of MotionStep::motion, in pixels.
-inline constexpr const char* kMotion = "motion";
-
-/// An AOV that is available in every scene.
-struct AovInfo {
-  std::string name;
-  std::string doc;
-  std::vector<std::string> channels;
-  bool is_default = false;  ///< Written if no AOVs are requested.
-};
-const std::vector<AovInfo>& aovs();
 
 /// A mesh attribute that has an AOV.
 struct AovAttribute {
@@ -33,9 +21,9 @@ struct AovAttribute {
   bool operator==(const AovAttribute&) const = default;
 };
 
-/// The AOVs of one picture, in the order of `aovs()`, followed by light groups and mesh attributes.
+/// The AOVs of one picture.
 struct AovPlan {
-  std::vector<std::string> names;   ///< Names from aovs(), "light_GROUP" and "attribute_NAME".
+  std::vector<std::string> names;   ///< In the order of the table; see `aovs`.
   std::vector<std::string> groups;  ///< Light groups that have an AOV.
   /// Attributes that have an AOV, then the attributes with values 0 and 1 that form CryptoElement.
   std::vector<AovAttribute> attributes;
@@ -47,6 +35,9 @@ struct AovPlan {
   /// The data that a film must accumulate for these AOVs and, if requested, a deep picture.
   FilmLayout layout(bool deep = false) const;
   bool has(const std::string& name) const;
+  size_t count(AovSource source) const;
+  /// False if the lists do not belong to each other, as in a damaged file.
+  bool is_consistent() const;
   bool has_components() const;   ///< True with any light component of the beauty.
   size_t first_element() const;  ///< Index in `attributes`.
   /// Names in the manifest of a Cryptomatte AOV, in the order of its ids: by object index, or by
@@ -56,11 +47,10 @@ struct AovPlan {
   bool operator==(const AovPlan&) const = default;
 };
 
-/// Creates the plan for requested names: those of aovs(), "light_GROUP", "parts" (all light
-/// components of the beauty), "lights" (all groups), "attribute_NAME", "attributes" (all),
-/// "cryptomatte" (all Cryptomatte AOVs) or "all"; without names, the default AOVs. "CryptoElement"
-/// exists only if there are elements. Throws Error(bad_input) for other names, with the most
-/// similar name, and if R, G, B would be missing.
+/// Creates the plan for requested names: those of the table, with the names of light groups and
+/// attributes, names of sets (AovInfo::set), or "all"; without names, the default AOVs.
+/// "CryptoElement" exists only if there are elements. Throws Error(bad_input) for other names, with
+/// the most similar name, and if R, G, B would be missing.
 AovPlan plan_aovs(const std::vector<std::string>& names, const std::vector<std::string>& groups,
                   const std::vector<AovAttribute>& attributes = {},
                   const std::vector<std::string>& elements = {});

@@ -30,10 +30,6 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-bool is_crypto(const std::string& layer) {
-  return layer == kCryptoObject || layer == kCryptoMaterial || layer == kCryptoElement;
-}
-
 std::vector<std::string> crypto_channels(const std::string& layer) {
   std::vector<std::string> names;
   for (size_t rank = 0; rank < kCryptoRanks; rank += 2)
@@ -102,7 +98,7 @@ float* write_crypto(const Coverage& coverage, uint32_t samples, const CryptoIds&
 image::Metadata crypto_metadata(const AovPlan& plan) {
   image::Metadata all;
   for (const std::string& layer : plan.names) {
-    if (!is_crypto(layer)) continue;
+    if (!is_from(layer, AovSource::cryptomatte)) continue;
     const std::string key = fmt::format("cryptomatte/{:08x}", murmur3(layer)).substr(0, 19) + "/";
     const std::vector<std::string> names = plan.crypto_names(layer);
     std::string manifest;

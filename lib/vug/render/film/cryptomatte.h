@@ -21,7 +21,6 @@ inline constexpr const char* kCryptoObject = "CryptoObject";
 inline constexpr const char* kCryptoMaterial = "CryptoMaterial";
 /// For elements of objects: Object::elements.
 inline constexpr const char* kCryptoElement = "CryptoElement";
-bool is_crypto(const std::string& layer);
 /// Number of ids per pixel, those with the largest coverage; in pairs, R G and B A of a layer.
 constexpr size_t kCryptoRanks = 6;
 std::vector<std::string> crypto_channels(const std::string& layer);

@@ -9,12 +9,21 @@
 
 namespace vug::render {
 
-const std::vector<std::string>& component_names() {
-  static const std::vector<std::string> names = {
-      "emission",          "diffuse_direct",      "diffuse_indirect",      "specular_direct",
-      "specular_indirect", "transmission_direct", "transmission_indirect", "volume_direct",
-      "volume_indirect"};
-  return names;
+const std::vector<LightComponentInfo>& light_components() {
+  static const std::vector<LightComponentInfo> all = {
+      {"emission", "Light of emitters that the camera sees directly."},
+      {"diffuse_direct", "Direct light reflected by the diffuse lobes of the first surface."},
+      {"diffuse_indirect", "Indirect light reflected by the diffuse lobes of the first surface."},
+      {"specular_direct", "Direct light reflected by the other lobes of the first surface."},
+      {"specular_indirect", "Indirect light reflected by the other lobes of the first surface."},
+      {"transmission_direct", "Direct light transmitted by the first surface."},
+      {"transmission_indirect", "Indirect light transmitted by the first surface."},
+      {"volume_direct",
+       "Direct light scattered towards the camera by the medium in front of the first surface."},
+      {"volume_indirect",
+       "Indirect light scattered towards the camera by the medium in front of the first surface."},
+  };
+  return all;
 }
 
 void LightPathRecorder::clear() {

@@ -31,8 +31,13 @@ enum class LightComponent : size_t {
   volume_indirect,
   count
 };
-/// "emission", "diffuse_direct", and so on.
-const std::vector<std::string>& component_names();
+/// The name and the content of the AOV of a light component.
+struct LightComponentInfo {
+  std::string name;
+  std::string doc;
+};
+/// In the order of LightComponent.
+const std::vector<LightComponentInfo>& light_components();
 
 /// The values of a recorder, in order: all LightComponents or none; one colour per light group;
 /// then values read at the first surface, which are not light but are summed like it: surface AOVs

@@ -249,10 +249,8 @@ bool is_valid(const PartialRenderHeader& h, const TileProgress& tiles) {
   const auto inside = [](const Region& in, const Region& out) {
     return !in.empty() && in.overlap(out) == in;
   };
-  const bool readable = std::all_of(h.aovs.attributes.begin(), h.aovs.attributes.end(),
-                                    [](const AovAttribute& a) { return a.arity - 1 < 3; });
-  return readable && h.width > 0 && h.height > 0 && h.width <= 65535 && h.height <= 65535 &&
-         h.spp > 0 && inside(h.crop, all) && inside(tiles.region, h.crop) &&
+  return h.aovs.is_consistent() && h.width > 0 && h.height > 0 && h.width <= 65535 &&
+         h.height <= 65535 && h.spp > 0 && inside(h.crop, all) && inside(tiles.region, h.crop) &&
          tiles.begin < tiles.end && tiles.end <= static_cast<uint32_t>(h.spp) &&
          (!h.deep || std::isfinite(h.deep->tolerance));
 }
