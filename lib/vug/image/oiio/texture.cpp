@@ -8,11 +8,11 @@ namespace {
 
 constexpr float kCacheMegabytes = 1024;
 
+/// The cache of all textures. It is never destroyed: it lives as long as the process, and
+/// OpenImageIO 2.4 frees it with a size other than that of its allocation.
 OIIO::TextureSystem& textures() {
-  static const auto system = [] {
-    std::shared_ptr<OIIO::TextureSystem> made(
-        OIIO::TextureSystem::create(false),
-        [](OIIO::TextureSystem* t) { OIIO::TextureSystem::destroy(t); });
+  static OIIO::TextureSystem* const system = [] {
+    OIIO::TextureSystem* const made = OIIO::TextureSystem::create(false);
     // Untiled files are tiled and MIP-mapped in memory.
     made->attribute("autotile", 64);
     made->attribute("automip", 1);
