@@ -10,21 +10,10 @@ set_target_properties(vug_all PROPERTIES EXPORT_NAME Vug)
 target_link_libraries(vug_all INTERFACE ${modules})
 
 install(TARGETS vug_contract vug_all ${modules} EXPORT VugTargets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-# Public headers and the generated lists of kinds. Headers whose first comment starts with "Internal to" or
-# "Inside" a module are not installed; tools/dev/check layers verifies that public headers do not include them.
-file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/lib ${PROJECT_SOURCE_DIR}/lib/vug/*.h)
-set(internal "")
-foreach(header ${headers})
-  file(STRINGS ${PROJECT_SOURCE_DIR}/lib/${header} first LIMIT_COUNT 2)
-  if(first MATCHES "(^|;)// (Internal|Inside) ")
-    string(REPLACE "." "[.]" header ${header})
-    list(APPEND internal REGEX "/lib/${header}$" EXCLUDE)
-  endif()
-endforeach()
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/vug ${PROJECT_BINARY_DIR}/lib/vug
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.h" PATTERN "*.inc" PATTERN CMakeFiles EXCLUDE ${internal})
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+# The generated lists of kinds.
+install(DIRECTORY ${PROJECT_BINARY_DIR}/lib/vug DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.inc" PATTERN CMakeFiles EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/vug OPTIONAL)
 if(TARGET vug)
   vug_install_rpath(vug ${CMAKE_INSTALL_BINDIR})

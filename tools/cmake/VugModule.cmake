@@ -33,5 +33,22 @@ function(vug_module name)
     set(group ${name})
   endif()
   vug_precompile(vug_${name} ${group} ${ARG_HEADERS})
+  vug_public_headers(vug_${name})
   set_property(GLOBAL APPEND PROPERTY VUG_MODULES vug_${name})
+endfunction()
+
+# The headers of a module that are installed: all but those whose first comment starts with "Internal to" or "Inside"
+# a module (tools/dev/check layers verifies that public headers do not include them). The target
+# TARGET_verify_interface_header_sets compiles each of them alone.
+function(vug_public_headers target)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  set(public "")
+  foreach(header ${headers})
+    file(STRINGS ${header} first LIMIT_COUNT 2)
+    if(NOT first MATCHES "(^|;)// (Internal|Inside) ")
+      list(APPEND public ${header})
+    endif()
+  endforeach()
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/lib FILES ${public})
+  set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
 endfunction()
