@@ -132,10 +132,10 @@ PreparedRender prepare(const Scene& scene, const Options& options, Progress& pro
   });
   if (options.bright_edges && samples >= kMinSamplesForEdges)
     out.timings.bright_edges = timed([&] {
-      const int looks = std::clamp(options.spp / 2, kMinEdgeSamples, kMaxEdgeSamples);
+      const int rays = std::clamp(options.spp / 2, kMinEdgeSamples, kMaxEdgeSamples);
       out.edges =
           BrightEdges(*out.world, out.region, {options.width, options.height},
-                      {.looks = static_cast<uint32_t>(looks),
+                      {.rays_per_pixel = static_cast<uint32_t>(rays),
                        .seed = options.seed,
                        .camera_ray = [&](const SampleId& id) { return out.camera_ray(id, 0.5f); }},
                       progress);

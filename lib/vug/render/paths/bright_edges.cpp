@@ -9,13 +9,13 @@ namespace vug::render {
 namespace {
 
 constexpr uint64_t kSalt = 0x65646765ull;
-/// Beyond this part of the brightest the dimmest is another thing, not a slope of the sky.
+/// A difference above this fraction of the brightest value is an edge, not a gradient of the sky.
 constexpr float kDifference = 0.2f;
 
 struct Range {
-  float least = kFar, most = 0;
-  void take_in(const Range& other) {
-    least = std::min(least, other.least), most = std::max(most, other.most);
+  float min = kFar, max = 0;
+  void include(const Range& other) {
+    min = std::min(min, other.min), max = std::max(max, other.max);
   }
 };
 
@@ -32,14 +32,14 @@ BrightEdges::BrightEdges(const PreparedScene& world, const Region& region,
   raytree::parallel_interleaved(wide.pixels(), [&](size_t pixel) {
     if (pixel % width == 0) progress.check();
     SampleId id;
-    id.seed = sampling.seed ^ kSalt, id.spp = sampling.looks;
+    id.seed = sampling.seed ^ kSalt, id.spp = sampling.rays_per_pixel;
     id.x = static_cast<uint32_t>(wide.x0) + static_cast<uint32_t>(pixel % width);
     id.y = static_cast<uint32_t>(wide.y0) + static_cast<uint32_t>(pixel / width);
-    for (id.index = 0; id.index < sampling.looks; ++id.index) {
+    for (id.index = 0; id.index < sampling.rays_per_pixel; ++id.index) {
       TrackingRng tracking(Vec2f(static_cast<float>(id.index), static_cast<float>(id.x)));
       const float bright =
           luminance(camera_emission(world, sampling.camera_ray(id), tracking, nullptr));
-      seen[pixel].take_in({bright, bright});
+      seen[pixel].include({bright, bright});
     }
     if (pixel % width == width - 1) progress.advance();
   });
@@ -50,9 +50,9 @@ BrightEdges::BrightEdges(const PreparedScene& world, const Region& region,
       Range around;
       const Region across = Region{x - 1, y, x + 2, y + 1}.overlap(wide);
       const Region along = Region{x, y - 1, x + 1, y + 2}.overlap(wide);
-      for (int u = across.x0; u < across.x1; ++u) around.take_in(seen[wide.index(u, y)]);
-      for (int v = along.y0; v < along.y1; ++v) around.take_in(seen[wide.index(x, v)]);
-      edges_[region.index(x, y)] = around.most - around.least > kDifference * around.most;
+      for (int u = across.x0; u < across.x1; ++u) around.include(seen[wide.index(u, y)]);
+      for (int v = along.y0; v < along.y1; ++v) around.include(seen[wide.index(x, v)]);
+      edges_[region.index(x, y)] = around.max - around.min > kDifference * around.max;
     }
 }
 

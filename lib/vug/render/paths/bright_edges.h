@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where in a picture something that shines ends: the rims of lights, of crystals, of holes to the
-// sky.
+// The edges of bright areas in a picture: of lights, crystals and openings to the sky.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -13,24 +12,24 @@
 
 namespace vug::render {
 
-/// There most of the noise is whether a sample falls on one side or the other, and a few more
-/// camera rays take it away for less than more samples would.
+/// The pixels at such edges. Most of their noise depends on the side of the edge on which a sample
+/// falls; a few more camera rays remove it at a lower cost than more samples.
 class BrightEdges {
  public:
   struct Sampling {
-    uint32_t looks = 1;  ///< Camera rays for each pixel.
+    uint32_t rays_per_pixel = 1;
     uint64_t seed = 0;
     std::function<Ray(const SampleId&)> camera_ray;  ///< The ray of a sample.
   };
 
-  /// None.
+  /// No edges.
   BrightEdges() = default;
-  /// Looks through each pixel of the region, and through those around it. `width_height` of the
-  /// whole picture. The same pixels for any region that they are in. Error(cancelled).
+  /// Examines the pixels of the region and their neighbours. `width_height` is the size of the
+  /// whole picture. A pixel has the same result in any region. Error(cancelled).
   BrightEdges(const PreparedScene& world, const Region& region, const Vec2i& width_height,
               const Sampling& sampling, Progress& progress);
 
-  /// Whether a pixel is one; not for pixels outside of the region.
+  /// Whether a pixel of the region is at an edge.
   bool at(int x, int y) const { return !edges_.empty() && edges_[region_.index(x, y)] != 0; }
 
  private:
