@@ -6,6 +6,7 @@
 #include <vug/base/scratch_folder.h>
 #include <vug/building/builder.h>
 #include <vug/delivery/write_products.h>
+#include <vug/mesh/displacement.h>
 #include <vug/mesh/topology.h>
 #include <vug/shot/cells_plan.h>
 #include <vug/shot/queries.h>
@@ -62,12 +63,22 @@ bool may_be_open(const shot::MeshPtr& plan) {
   return under ? plan->cells->holes || may_be_open(under) : plan->file_mesh != nullptr;
 }
 
+/// Expects that the displacement by cells folded no triangle.
+void expect_no_folds(building::Builder& builder, const shot::MeshPtr& plan) {
+  const shot::MeshPtr under = shot::mesh_without_cells(*plan);
+  if (!under) return;
+  const mesh::MeshPtr before = builder.mesh(under), after = builder.mesh(plan);
+  if (before->triangles != after->triangles) return;  // subdivided or with holes
+  EXPECT_TRUE(mesh::folded_triangles(before->positions, *after).empty());
+}
+
 void expect_sound(building::Builder& builder, const shot::MeshPtr& plan, double residual) {
   const mesh::Topology topology = mesh::inspect(*builder.mesh(plan));
   EXPECT_TRUE(may_be_open(plan) || topology.boundary_edges == 0);
   EXPECT_EQ(topology.nonmanifold_edges, 0U);
   EXPECT_EQ(topology.misoriented_edges, 0U);
   EXPECT_EQ(topology.unused_vertices, 0U);
+  expect_no_folds(builder, plan);
   const shot::MeshPtr under = bare(plan);
   if (!under->volume || under->volume->source_mesh) return;
   EXPECT_LT(rms_distance(*builder.mesh(under), *under->volume), residual);

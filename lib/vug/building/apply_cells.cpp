@@ -23,19 +23,22 @@ void require_near(const mesh::Mesh& bare, const mesh::Mesh& moved) {
 }  // namespace
 
 MeshWithCells apply_cells(const mesh::Mesh& bare, const CellLayer& layer,
-                          const shot::CellsPlan& plan, Progress& progress) {
-  MeshWithCells applied{bare, 0};
+                          const shot::CellsPlan& plan, Folds folds, Progress& progress) {
+  MeshWithCells applied{bare, 0, 0};
   if (bare.triangles.empty()) return applied;
   cells::TransferOptions options;
   options.move = plan.move;
+  options.folds = folds == Folds::allow;
   try {
-    cells::transfer_to_mesh(layer.simulation, applied.mesh, options, progress);
+    applied.unfolded_vertices =
+        cells::transfer_to_mesh(layer.simulation, applied.mesh, options, progress);
     if (plan.move) require_near(bare, applied.mesh);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input) throw;
     throw error.at(plan.where);
   }
-  if (plan.move) applied.flipped_triangles = mesh::flipped_triangles(bare, applied.mesh);
+  if (plan.move)
+    applied.flipped_triangles = mesh::flipped_triangles(bare.positions, applied.mesh).size();
   const mesh::Attribute* gone = mesh::find_attribute(applied.mesh, cells::kTransparent, 1);
   if (plan.holes && gone) applied.mesh = mesh::clip(applied.mesh, gone->values, 0.5F);
   return applied;

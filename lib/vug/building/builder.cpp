@@ -133,7 +133,7 @@ void Builder::reuse_from(Builder&& other) {
 }
 
 volume::LevelSet Builder::make_level_set(const shot::VolumePlan& plan) {
-  const mesh::MeshPtr mesh = plan.source_mesh ? this->mesh(plan.source_mesh) : nullptr;
+  const mesh::MeshPtr mesh = plan.source_mesh ? mesh_for_volume(plan.source_mesh) : nullptr;
   const Stopwatch watch(seconds_);
   if (!mesh)
     return volume::voxelize(plan.field, voxelize_options(plan, memory_budget()), progress_);
@@ -189,11 +189,22 @@ mesh::MeshPtr Builder::mesh(const shot::MeshPtr& plan) {
   if (const BuiltMesh* known = cached(plan)) return known->mesh;
   require_mesh_memory(plan);
   try {
-    BuiltMesh mesh = plan->cells            ? build_with_cells(*plan)
+    BuiltMesh mesh = plan->cells            ? build_with_cells(*plan, Folds::prevent)
                      : !plan->parts.empty() ? build_merged(*plan)
                                             : build_plain(*plan);
     held_ += bytes_of(*mesh.mesh);
     return meshes_.emplace(plan, std::move(mesh)).first->second.mesh;
+  } catch (Error& error) {
+    throw error.within(fmt::format("making the mesh '{}'", plan->name));
+  }
+}
+
+mesh::MeshPtr Builder::mesh_for_volume(const shot::MeshPtr& plan) {
+  if (const BuiltMesh* known = cached(plan); known && !known->unfolded) return known->mesh;
+  if (!plan->cells || !plan->cells->move) return mesh(plan);
+  require_mesh_memory(plan);
+  try {
+    return build_with_cells(*plan, Folds::allow).mesh;
   } catch (Error& error) {
     throw error.within(fmt::format("making the mesh '{}'", plan->name));
   }
@@ -204,10 +215,10 @@ Builder::BuiltMesh Builder::build_plain(const shot::MeshPlan& plan) {
   const Stopwatch watch(seconds_);
   mesh::LargeComponents pieces =
       surface ? make_mesh(plan, *surface, memory_budget(), progress_) : make_mesh(plan);
-  return {std::make_shared<const mesh::Mesh>(std::move(pieces.mesh)), pieces.removed};
+  return {std::make_shared<const mesh::Mesh>(std::move(pieces.mesh)), pieces.removed, false};
 }
 
-Builder::BuiltMesh Builder::build_with_cells(const shot::MeshPlan& plan) {
+Builder::BuiltMesh Builder::build_with_cells(const shot::MeshPlan& plan, Folds folds) {
   const bool refine = plan.cells->refine.value_or(!plan.volume);
   if (plan.volume && !refine && plan.volume->voxel > 1.01 * plan.cells->spacing)
     warn(plan.cells->where,
@@ -220,20 +231,21 @@ Builder::BuiltMesh Builder::build_with_cells(const shot::MeshPlan& plan) {
   mesh::MeshPtr bare = mesh(under);
   const Stopwatch watch(seconds_);
   if (refine) bare = refine_for_cells(*plan.cells, *bare, memory_budget());
-  MeshWithCells made = apply_cells(*bare, *layer, *plan.cells, progress_);
+  MeshWithCells made = apply_cells(*bare, *layer, *plan.cells, folds, progress_);
   // A few inverted slivers among many triangles are invisible.
-  if (made.flipped_triangles > bare->triangles.size() / 2000)
+  if (folds == Folds::prevent && made.flipped_triangles > bare->triangles.size() / 2000)
     warn(plan.cells->where,
          fmt::format(
              "the displacement by cells folds the mesh '{}': {} of its {} triangles are inverted",
              plan.name, made.flipped_triangles, bare->triangles.size()),
          "reduce the displacement, or convert the mesh to a volume and back: volume NAME on " +
              plan.name);
-  const auto worn = std::make_shared<const mesh::Mesh>(std::move(made.mesh));
-  if (worn->triangles.empty() && !bare->triangles.empty())
-    warn(plan.cells->where, fmt::format("nothing remains of the mesh '{}'", plan.name),
-         "all of its cells have been removed, and 'holes' cuts the mesh there");
-  return {worn, components_removed(under)};
+             bare->triangles.size());
+             const auto worn = std::make_shared<const mesh::Mesh>(std::move(made.mesh));
+             if (worn->triangles.empty() && !bare->triangles.empty())
+               warn(plan.cells->where, fmt::format("nothing remains of the mesh '{}'", plan.name),
+                    "all of its cells have been removed, and 'holes' cuts the mesh there");
+             return {worn, components_removed(under), made.unfolded_vertices > 0};
 }
 
 Builder::BuiltMesh Builder::build_merged(const shot::MeshPlan& plan) {

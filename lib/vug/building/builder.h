@@ -5,7 +5,7 @@
 
 #include <vug/base/diagnostics.h>
 #include <vug/base/progress.h>
-#include <vug/building/cell_layer.h>
+#include <vug/building/apply_cells.h>
 #include <vug/mesh/mesh.h>
 #include <vug/shot/shot.h>
 #include <vug/volume/level_set.h>
@@ -74,13 +74,16 @@ class Builder {
   struct BuiltMesh {
     std::shared_ptr<const mesh::Mesh> mesh;
     size_t components_removed = 0;
+    bool unfolded = false;  ///< Displacements were changed because they would have folded it.
   };
   std::map<shot::MeshPtr, BuiltMesh> meshes_;
   /// The mesh of the plan or of an equal plan; null if it has not been built.
   const BuiltMesh* cached(const shot::MeshPtr& plan) const;
   volume::LevelSet make_level_set(const shot::VolumePlan& plan);
+  /// The mesh from which a volume is made; if cells displace it, it may have folds.
+  mesh::MeshPtr mesh_for_volume(const shot::MeshPtr& plan);
   BuiltMesh build_plain(const shot::MeshPlan& plan);
-  BuiltMesh build_with_cells(const shot::MeshPlan& plan);
+  BuiltMesh build_with_cells(const shot::MeshPlan& plan, Folds folds);
   BuiltMesh build_merged(const shot::MeshPlan& plan);
   /// Approximate surface area of the volume in square metres.
   double area_of(const shot::VolumePtr& plan) const;

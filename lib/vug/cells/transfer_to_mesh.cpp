@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
 #include <vug/cells/transfer_to_mesh.h>
+#include <vug/mesh/displacement.h>
 #include <vug/mesh/normals.h>
 #include <vug/mesh/point_grid.h>
 
@@ -167,9 +168,9 @@ std::vector<Vec3f> displacements(const Simulation& simulation) {
 
 /// Moves the vertices by `displacements` (three numbers each) and by `height` along their normals;
 /// either may be null.
-void move_vertices(mesh::Mesh& mesh, const std::vector<float>* displacements,
-                   const std::vector<float>* height) {
-  const std::vector<Vec3f> before = mesh::vertex_normals(mesh);
+size_t move_vertices(mesh::Mesh& mesh, const std::vector<float>* displacements,
+                     const std::vector<float>* height, bool folds) {
+  const std::vector<Vec3f> before = mesh::vertex_normals(mesh), from = mesh.positions;
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     Vec3f& p = mesh.positions[v];
     if (displacements)
@@ -178,11 +179,13 @@ void move_vertices(mesh::Mesh& mesh, const std::vector<float>* displacements,
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       throw Error(ErrorCode::bad_input, "cells move the surface to positions that are not finite");
   }
+  const size_t changed = folds ? 0 : mesh::prevent_folds(from, mesh, !displacements);
   const std::vector<Vec3f> after = mesh::vertex_normals(mesh);
   for (size_t v = 0; v < mesh.normals.size(); ++v) {
     const Vec3f turned = mesh.normals[v] + (after[v] - before[v]);
     mesh.normals[v] = turned.dot(after[v]) > 0 ? turned.normalized() : after[v];
   }
+  return changed;
 }
 
 void add_normals(mesh::Mesh& mesh) {
@@ -202,8 +205,8 @@ double mean_edge(const mesh::Mesh& mesh) {
 
 }  // namespace
 
-void transfer_to_mesh(const Simulation& simulation, mesh::Mesh& mesh,
-                      const TransferOptions& options, Progress& progress) {
+size_t transfer_to_mesh(const Simulation& simulation, mesh::Mesh& mesh,
+                        const TransferOptions& options, Progress& progress) {
   const Network& network = simulation.network();
   std::vector<AttributeTransfer> transfers = transfers_of(simulation, mesh);
   const std::vector<Vec3f> displaced =
@@ -233,12 +236,14 @@ void transfer_to_mesh(const Simulation& simulation, mesh::Mesh& mesh,
         return transfer.to.name == kHeight && transfer.to.arity == 1;
       });
   const bool rises = options.move && height != transfers.end();
+  size_t changed = 0;
   if (rises || !displaced.empty())
-    move_vertices(mesh, displaced.empty() ? nullptr : &transfers.back().to.values,
-                  rises ? &height->to.values : nullptr);
+    changed = move_vertices(mesh, displaced.empty() ? nullptr : &transfers.back().to.values,
+                            rises ? &height->to.values : nullptr, options.folds);
   if (!displaced.empty()) transfers.pop_back();
   if (bare) mesh.normals.clear();
   for (AttributeTransfer& transfer : transfers) mesh.attributes.push_back(std::move(transfer.to));
+  return changed;
 }
 
 }  // namespace vug::cells

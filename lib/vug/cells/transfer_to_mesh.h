@@ -13,7 +13,8 @@ inline constexpr std::string_view kPlace = "P";
 inline constexpr std::string_view kHeight = "height";
 
 struct TransferOptions {
-  bool move = false;  ///< Move the mesh's vertices according to kPlace and kHeight.
+  bool move = false;   ///< Move the mesh's vertices according to kPlace and kHeight.
+  bool folds = false;  ///< Allow displacements to fold triangles.
 };
 
 /// Adds every attribute of the simulation's cells (except "P" and "N") and kTransparent to the
@@ -28,11 +29,13 @@ struct TransferOptions {
 /// error of at most g r.
 ///
 /// Vertices move by the mean displacement of the surrounding cells and by the mean height along
-/// their own normal; normals rotate like the surrounding triangles. Throws Error(bad_input) if the
-/// new position of a vertex would not be finite.
+/// their own normal. Where this would fold triangles, displacements are smoothed (see
+/// mesh/displacement.h), and the number of these vertices is returned; `folds` turns that off.
+/// Normals rotate like the surrounding triangles. Throws Error(bad_input) if the new position of a
+/// vertex would not be finite.
 ///
 /// Cells without colour (Cd of 0) contribute the mesh's colour at the vertex.
-void transfer_to_mesh(const Simulation& simulation, mesh::Mesh& mesh,
-                      const TransferOptions& options = {}, Progress& progress = Progress::none());
+size_t transfer_to_mesh(const Simulation& simulation, mesh::Mesh& mesh,
+                        const TransferOptions& options = {}, Progress& progress = Progress::none());
 
 }  // namespace vug::cells

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares two meshes with the same triangles, before and after their vertices moved.
+// Displacements of the vertices of a mesh: their size, and how they are kept from folding it.
 #pragma once
 
 #include <vug/mesh/mesh.h>
@@ -9,8 +9,21 @@ namespace vug::mesh {
 /// The largest distance that a vertex moved, in metres; 0 for meshes without vertices.
 double max_displacement(const Mesh& before, const Mesh& after);
 
-/// The number of triangles whose normal turned by more than 90 degrees. On a surface that was
-/// smooth before, these are folds.
-size_t flipped_triangles(const Mesh& before, const Mesh& after);
+/// The triangles whose normal turned by more than 90 degrees since their vertices moved from
+/// `before`, ascending. On a surface that was smooth before, these are folds.
+std::vector<uint32_t> flipped_triangles(const std::vector<Vec3f>& before, const Mesh& after);
+
+/// The flipped triangles whose normals are also opposed to the surface around them, ascending:
+/// visible folds. The sides of a tip that was pressed flat turn as far, but agree with each other.
+std::vector<uint32_t> folded_triangles(const std::vector<Vec3f>& before, const Mesh& after);
+
+/// Changes the displacements from `before` until no triangle is folded, and returns the number of
+/// vertices that this changed. In each round, vertices of folded triangles take the mean
+/// displacement of their triangles' vertices (Laplacian smoothing, field1988): a triangle whose
+/// vertices move alike does not turn. After 30 rounds, displacements that still fold a triangle are
+/// also halved, as in the backtracking of smith2015, until they are 0. All other vertices keep
+/// their displacement. If vertices moved `along_normals`, which presses no tip flat, the 30 rounds
+/// also smooth the other flipped triangles. The result is the same for any number of threads.
+size_t prevent_folds(const std::vector<Vec3f>& before, Mesh& after, bool along_normals);
 
 }  // namespace vug::mesh
