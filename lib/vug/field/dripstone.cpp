@@ -192,4 +192,10 @@ Field dripstone(const std::vector<Drip>& drips, const DripOptions& o) {
   return unite(std::move(parts));
 }
 
+Box3d dripstone_bounds(const Box3d& rock, const DripOptions& o) {
+  // Roots, feet and their radii exceed the points of roofs and floors by less than this.
+  const double thick = std::max({o.girth * o.length, 1.5 * o.tip, kThinnestStalagmite});
+  return grown(intersection(rock, Box3d(o.from, o.to)), 3 * thick);
+}
+
 }  // namespace vug::field

@@ -37,4 +37,7 @@ std::vector<Drip> find_drips(const Field& rock, const DripOptions& options);
 /// The speleothems of `drips`, without the rock.
 Field dripstone(const std::vector<Drip>& drips, const DripOptions& options);
 
+/// Bounds of the speleothems of all drips that rock with these bounds can have.
+Box3d dripstone_bounds(const Box3d& rock, const DripOptions& options);
+
 }  // namespace vug::field

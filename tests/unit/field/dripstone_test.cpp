@@ -119,7 +119,11 @@ TEST(Dripstone, AnyGirthAndTipGiveASolid) {
       for (const double length : {0.05, 1.0, 20.0}) {
         DripOptions o = options();
         o.girth = girth, o.tip = tip, o.length = length, o.stalagmites = 1;
-        EXPECT_NO_THROW(dripstone(find_drips(hall(), o), o))
+        Field grown;
+        EXPECT_NO_THROW(grown = dripstone(find_drips(hall(), o), o))
+            << girth << " " << tip << " " << length;
+        const Box3d bounds = dripstone_bounds(hall().bounds(), o);
+        EXPECT_TRUE(bounds.intersects(grown.bounds().min) && bounds.intersects(grown.bounds().max))
             << girth << " " << tip << " " << length;
       }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/boolean.h>
+#include <vug/field/deferred.h>
 #include <vug/field/dripstone.h>
 
 #include <cmath>
@@ -57,6 +58,8 @@ struct Dripstone : DripOptions {
 
 VUG_FIELD_KIND(dripstone) {
   return field_kind<Dripstone>("dripstone", "detail", [](const Dripstone& d) {
-    return unite({d.field, dripstone(find_drips(d.field, d), d)}, {Profile::smooth, d.root});
+    const Traits traits{1, Exactness::eikonal, dripstone_bounds(d.field.bounds(), d), 1};
+    return unite({d.field, deferred(traits, [d] { return dripstone(find_drips(d.field, d), d); })},
+                 {Profile::smooth, d.root});
   });
 }

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// A deferred field is its result: computed once, on demand, from any number of threads.
+#include <vug/base/parallel.h>
+#include <vug/field/deferred.h>
+#include <vug/field/registry.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+namespace vug::field {
+namespace {
+
+TEST(Deferred, IsComputedOnceWhenAValueIsNeeded) {
+  const Field ball = make("sphere", {{"radius", 2.0}});
+  std::atomic<int> calls = 0;
+  std::atomic<double> sum = 0;
+  const Field field = deferred(ball.node()->traits(), [&] {
+    ++calls;
+    // A parallel loop of its own, while others wait for the field.
+    sum = ordered_sum(
+        20000, 0.0, [&](size_t i) { return ball.value(Vec3d(double(i), 0, 0)); }, 8);
+    return ball;
+  });
+  EXPECT_EQ(field.lipschitz(), 1);
+  EXPECT_EQ(field.bounds(), ball.bounds());
+  EXPECT_EQ(calls, 0);
+  std::vector<double> values(4000);
+  const ThreadLimit threads(7);
+  parallel_for(values.size(), [&](size_t i) { values[i] = field.value(Vec3d(0, double(i), 0)); });
+  EXPECT_EQ(calls, 1);
+  for (size_t i = 0; i < values.size(); ++i) ASSERT_EQ(values[i], double(i) - 2);
+  EXPECT_EQ(to_string(field), to_string(ball));
+  const Ball region{Vec3d(0, 3, 0), 0.5};
+  EXPECT_EQ(field.restricted(region).range.lo, ball.restricted(region).range.lo);
+  EXPECT_EQ(field.restricted(region).range.hi, ball.restricted(region).range.hi);
+}
+
+TEST(Deferred, AnErrorIsRepeated) {
+  const Field field = deferred({}, []() -> Field { throw Error(ErrorCode::bad_input, "no"); });
+  EXPECT_THROW(field.value(Vec3d(0)), Error);
+  EXPECT_THROW(field.value(Vec3d(0)), Error);
+}
+
+}  // namespace
+}  // namespace vug::field
