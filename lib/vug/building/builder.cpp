@@ -240,12 +240,11 @@ Builder::BuiltMesh Builder::build_with_cells(const shot::MeshPlan& plan, Folds f
              plan.name, made.flipped_triangles, bare->triangles.size()),
          "reduce the displacement, or convert the mesh to a volume and back: volume NAME on " +
              plan.name);
-             bare->triangles.size());
-             const auto worn = std::make_shared<const mesh::Mesh>(std::move(made.mesh));
-             if (worn->triangles.empty() && !bare->triangles.empty())
-               warn(plan.cells->where, fmt::format("nothing remains of the mesh '{}'", plan.name),
-                    "all of its cells have been removed, and 'holes' cuts the mesh there");
-             return {worn, components_removed(under), made.unfolded_vertices > 0};
+  const auto worn = std::make_shared<const mesh::Mesh>(std::move(made.mesh));
+  if (worn->triangles.empty() && !bare->triangles.empty())
+    warn(plan.cells->where, fmt::format("nothing remains of the mesh '{}'", plan.name),
+         "all of its cells have been removed, and 'holes' cuts the mesh there");
+  return {worn, components_removed(under), made.unfolded_vertices > 0};
 }
 
 Builder::BuiltMesh Builder::build_merged(const shot::MeshPlan& plan) {
