@@ -155,8 +155,8 @@ void add_score(Report& report, const Model& model, const Evidence& evidence, con
   const double most = static_cast<double>(evidence.width()) * evidence.height() *
                       std::max(1.0, inference::log2(evidence.lanes()));
   const bool supervised = model.likelihood() && model.likelihood()->is_supervised();
-  const Model paper(model.rules(), model.limits(), model.width(), model.height(), &evidence,
-                    make_likelihood(supervised ? "supervised" : "paper", evidence));
+  const Model paper(model.rules(), model.limits(), model.width(), model.height(),
+                    {&evidence, make_likelihood(supervised ? "supervised" : "paper", evidence)});
   TreeState state = paper.make_state(tree);
   report.misfit = std::min(most, paper.energy(state) - report.complexity);
   report.score = 1 - (report.complexity + report.misfit) / (report.max_complexity + most);
