@@ -91,12 +91,12 @@ Product make_product(const Kinds<Product>& kinds, const std::string& name,
 /// Opens the only definition that a kind's file exports; used outside of any namespace. Only the
 /// registry of the module declares the function, so a new kind compiles two files.
 ///   VUG_EXPORT_KIND(vug::field, FieldKind, torus_kind) { return ...; }
-#define VUG_EXPORT_KIND(module, Type, function)    \
-  namespace module {                               \
-  static Type make_exported_kind();                \
-  const Type& function() {                         \
-    static const Type kind = make_exported_kind(); \
-    return kind;                                   \
-  }                                                \
-  }                                                \
-  module::Type module::make_exported_kind()
+#define VUG_EXPORT_KIND(module, Type, function) \
+  namespace module {                            \
+  static Type make_##function();                \
+  const Type& function() {                      \
+    static const Type kind = make_##function(); \
+    return kind;                                \
+  }                                             \
+  }                                             \
+  module::Type module::make_##function()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
 #include <vug/cells/flow.h>
+#include <vug/cells/network.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,6 @@
 namespace vug::cells {
 namespace {
 
-constexpr size_t kGrain = 4096;
 constexpr float kGroove = 0.5f;
 constexpr float kLevel = 1e-3f;
 constexpr float kDrop = 1e-6f;
@@ -45,7 +45,7 @@ Flow::Flow(const Pass& pass, RandomKey key, const FlowOptions& options)
             static_cast<float>(RandomStream(key.at(position_key(n.position[i]))).uniform());
         level_[i] = position[i].y + height[i] * (up + kGroove * steep) + rough * steep * drawn;
       },
-      kGrain);
+      kCellGrain);
   const auto steepness = [&](uint32_t from, uint32_t to) {
     const float drop = level_[from] - level_[to];
     if (!(drop > 0) || !distributes(state[from]) || !receives(state[to])) return 0.0f;
@@ -79,7 +79,7 @@ Flow::Flow(const Pass& pass, RandomKey key, const FlowOptions& options)
         steep_[i] = steepest;
         sink_depth_[i] = total > 0 || std::isinf(lowest) ? 0 : std::max(0.0f, lowest - level_[i]);
       },
-      kGrain);
+      kCellGrain);
   share_.resize(links_->to.size());
   parallel_for(
       n.size(),
@@ -91,7 +91,7 @@ Flow::Flow(const Pass& pass, RandomKey key, const FlowOptions& options)
           share_[k] = steep > 0 && total_[from] > 0 ? weight(steep, from, i) / total_[from] : 0.0f;
         }
       },
-      kGrain);
+      kCellGrain);
 }
 
 }  // namespace vug::cells

@@ -10,7 +10,6 @@ constexpr Vec3f kUp(0, 1, 0);
 /// Squared sine of the slope above which a cell's own level direction counts.
 constexpr float kSlope = 0.1f;
 constexpr int kEvening = 24;
-constexpr size_t kGrain = 4096;
 
 Vec3f tangent(const Vec3f& v, const Vec3f& normal) { return v - normal * normal.dot(v); }
 
@@ -70,7 +69,7 @@ void orient(Network& n) {
           const Vec3f flat = tangent(sum, n.normal[i]);
           if (flat.length2() > 1e-4f) next[i] = flat.normalized();
         },
-        kGrain);
+        kCellGrain);
     n.right = next;
   }
 }

@@ -9,8 +9,7 @@
 namespace vug::cells {
 namespace {
 
-constexpr size_t kGrain = 4096;
-constexpr uint32_t kNone = ~0u;
+constexpr uint32_t kNoCell = ~0u;
 constexpr uint32_t kMost = 8;
 
 /// The nearest few candidates, sorted by distance.
@@ -30,11 +29,11 @@ class Nearest {
       distance_[at] = distance_[at - 1], cell_[at] = cell_[at - 1];
     distance_[at] = distance, cell_[at] = cell;
   }
-  /// Sorted by index, with kNone after the last.
+  /// Sorted by index, with kNoCell after the last.
   void write(uint32_t* out) {
     for (uint32_t i = 1; i < count_; ++i)
       for (uint32_t k = i; k > 0 && cell_[k - 1] > cell_[k]; --k) std::swap(cell_[k - 1], cell_[k]);
-    for (uint32_t i = 0; i < full_; ++i) out[i] = i < count_ ? cell_[i] : kNone;
+    for (uint32_t i = 0; i < full_; ++i) out[i] = i < count_ ? cell_[i] : kNoCell;
   }
 
  private:
@@ -79,7 +78,7 @@ std::vector<float> areas(const Network& n, double total) {
           sum += (n.position[to] - n.position[i]).length2();
         area[i] = n.links.degree(cell) > 0 ? sum / static_cast<float>(n.links.degree(cell)) : one;
       },
-      kGrain);
+      kCellGrain);
   const double sum =
       ordered_sum(area.size(), 0.0, [&](size_t i) { return static_cast<double>(area[i]); });
   if (sum > 0)
@@ -108,12 +107,12 @@ Network link(const std::vector<SurfacePoint>& places, const Surface& surface, do
         n.normal[i] = place.normal;
         n.object[i] = surface.triangles()[place.triangle].object;
       },
-      kGrain);
+      kCellGrain);
   const std::vector<uint32_t> held = select_nearest(grid, n.normal, reach, full);
   progress.advance();
   progress.check();
   n.links = make_links(places.size(), [&](uint32_t i, const auto& add) {
-    for (uint32_t k = 0; k < full && held[size_t{i} * full + k] != kNone; ++k) {
+    for (uint32_t k = 0; k < full && held[size_t{i} * full + k] != kNoCell; ++k) {
       const uint32_t to = held[size_t{i} * full + k];
       const uint32_t* row = &held[size_t{to} * full];
       if (std::find(row, row + full, i) != row + full) add(to);

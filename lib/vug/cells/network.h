@@ -15,6 +15,9 @@
 
 namespace vug::cells {
 
+/// Number of cells that a parallel loop processes at once.
+inline constexpr size_t kCellGrain = 4096;
+
 /// Arrays with one element per cell, in an order that follows space: neighbours in space are close
 /// in memory, whatever the order of the polygons.
 struct Network {

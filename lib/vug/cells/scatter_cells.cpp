@@ -11,7 +11,7 @@
 namespace vug::cells {
 namespace {
 
-constexpr size_t kChunk = 256, kGrain = 4096;
+constexpr size_t kChunk = 256;
 /// Rounds of dart throwing, each with one dart per squared gap: further rounds find little room. A
 /// pattern leaves gaps only along its seams.
 constexpr uint64_t kRounds = 6, kSeamRounds = 3;
@@ -58,7 +58,7 @@ void thin(std::vector<SurfacePoint>& places, size_t kept, double radius, RandomK
         sorted[i] = places[grid.order()[i]];
         rank[i] = grid.order()[i] < kept ? 0 : (position_key(sorted[i].position) ^ key.state()) | 1;
       },
-      kGrain);
+      kCellGrain);
   const auto limit = static_cast<float>(radius * radius);
   const auto stays = mesh::eliminate_samples(grid, rank, [&](uint32_t i, uint32_t j) {
     const Vec3f &p = grid.points()[i], &q = grid.points()[j];

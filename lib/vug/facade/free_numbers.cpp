@@ -14,12 +14,10 @@ namespace vug::facade {
 namespace {
 
 /// Relative tolerance of lengths for rounding.
-constexpr double kTiny = 1e-9;
-
-std::string length_text(double metres) { return quantity_text(metres, Dimension::length); }
+constexpr double kLengthTolerance = 1e-9;
 
 std::string text_of(const FreeNumber& request, double value) {
-  return request.whole ? fmt::format("{:.6g}", value) : length_text(value);
+  return request.whole ? fmt::format("{:.6g}", value) : quantity_text(value, Dimension::length);
 }
 
 double sum(const std::vector<double>& values) {
@@ -61,7 +59,7 @@ const std::vector<double>* FreeNumbers::find_fixed(const std::string& name) cons
 
 void FreeNumbers::refuse(const FreeNumber& request, double value) const {
   const bool whole = !request.whole || value == std::floor(value);
-  const double slack = request.whole ? 0 : kTiny * (1 + std::abs(value));
+  const double slack = request.whole ? 0 : kLengthTolerance * (1 + std::abs(value));
   if (whole && value >= request.least - slack && value <= request.most + slack) return;
   if (!whole || !std::isfinite(value))
     throw InfeasiblePlan(Reason::does_not_fit, request.name,
@@ -148,8 +146,9 @@ std::vector<double> FreeNumbers::shares(const std::string& name, const std::stri
     const bool all = given->size() == count;
     if (all ? std::abs(rest) > slack : rest < -slack)
       throw InfeasiblePlan(Reason::does_not_fit, name,
-                           fmt::format("'{}' add up to {} of {}", name, length_text(extent - rest),
-                                       length_text(extent)),
+                           fmt::format("'{}' add up to {} of {}", name,
+                                       quantity_text(extent - rest, Dimension::length),
+                                       quantity_text(extent, Dimension::length)),
                            "omit the last one to give it the rest");
     request.values = *given;
     request.values.resize(count,

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kNode = "node";
 constexpr const char* kWall = "wall";
 /// Distances that differ by less, in metres, are equal: rounding of coordinates.
-constexpr double kSame = 1e-7;
+constexpr double kSameDistance = 1e-7;
 
 Box3d flat_box(const Rect& rect, double depth) {
   return {{rect.x, rect.y, depth}, {rect.right(), rect.top(), depth}};
@@ -68,9 +68,10 @@ int Semantics::node_at(const Vec3d& world) const {
     const Piece& piece = pieces_[item];
     const double away = piece.flat ? std::sqrt(mesh::squared_distance(p, piece.box))
                                    : std::abs(piece.solid.value(p));
-    if (away < least - kSame || (away < least + kSame && piece.node > node)) node = piece.node;
+    if (away < least - kSameDistance || (away < least + kSameDistance && piece.node > node))
+      node = piece.node;
     least = std::min(least, away);
-    return (least + kSame) * (least + kSame);
+    return (least + kSameDistance) * (least + kSameDistance);
   });
   return node;
 }

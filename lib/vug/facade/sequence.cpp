@@ -11,7 +11,7 @@ namespace vug::facade {
 namespace {
 
 /// Relative tolerance of an extent for rounding.
-constexpr double kTiny = 1e-9;
+constexpr double kExtentTolerance = 1e-9;
 /// Default height of a ground floor, metres.
 constexpr double kStorey = 3.5;
 
@@ -110,12 +110,12 @@ std::vector<double> divide(const std::vector<SizedPart>& parts, double extent) {
   const double fixed = std::accumulate(sizes.begin(), sizes.end(), 0.0);
   const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
   const double rest = extent - fixed;
-  if (rest < -kTiny * extent)
+  if (rest < -kExtentTolerance * extent)
     throw Error(ErrorCode::bad_input,
                 fmt::format("the parts do not fit: they need {} of {} ({})", length_text(fixed),
                             length_text(extent), listed(parts, sizes)),
                 {}, "make one of them a proportion of the rest: a number without a unit");
-  if (total > 0 && rest <= kTiny * extent) {
+  if (total > 0 && rest <= kExtentTolerance * extent) {
     const size_t first = static_cast<size_t>(
         std::find_if(shares.begin(), shares.end(), [](double s) { return s > 0; }) -
         shares.begin());

@@ -11,7 +11,7 @@ namespace vug::flora {
 namespace {
 
 constexpr double kMinStep = 1e-3;       // Metres.
-constexpr double kDeepest = 1e4;        // Metres below the top for ground without a bottom.
+constexpr double kGroundDepth = 1e4;    // Metres below the top for ground without a bottom.
 constexpr double kOffTheGround = 0.02;  // Start of the search upwards, metres above the ground.
 
 /// Metres along the direction to the first value that is not above 0; infinite without one.
@@ -111,7 +111,7 @@ Ground ground_of(const field::Field& solid, const GroundOptions& options) {
   if (!std::isfinite(top))
     throw Error(ErrorCode::bad_input, "the ground has no upper bound", {},
                 "give the height from which to look down");
-  const double bottom = std::max(box.min.y - kMinStep, top - kDeepest);
+  const double bottom = std::max(box.min.y - kMinStep, top - kGroundDepth);
   return [solid, top, bottom, headroom = options.headroom](const Vec2d& at) {
     return ground_point_on(solid, at, top, bottom, headroom);
   };

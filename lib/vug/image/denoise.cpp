@@ -17,18 +17,19 @@ constexpr float kOutlierRatio =
 constexpr float kOutlierErrors = 3;  ///< Larger differences in standard errors are not noise.
 
 /// One value per pixel.
-using Plane = std::vector<float>;
+using PixelValues = std::vector<float>;
 
 struct Planes {
   int width = 0, height = 0;
-  Plane colour[3], variance[3], albedo[3];  ///< Colour and variance are those of light / albedo.
-  std::vector<Plane> features;              ///< Scaled such that a difference of 1 is an edge.
+  PixelValues colour[3], variance[3],
+      albedo[3];                      ///< Colour and variance are those of light / albedo.
+  std::vector<PixelValues> features;  ///< Scaled such that a difference of 1 is an edge.
 };
 
 float usable(float v) { return std::isfinite(v) ? v : 0.0f; }
 
-Plane plane(const Image& picture, const std::string& channel) {
-  Plane out(picture.pixel_count());
+PixelValues plane(const Image& picture, const std::string& channel) {
+  PixelValues out(picture.pixel_count());
   const int c = picture.find_channel(channel);
   if (c < 0) return {};
   for (size_t p = 0; p < out.size(); ++p)
@@ -36,8 +37,8 @@ Plane plane(const Image& picture, const std::string& channel) {
   return out;
 }
 
-Plane needed(const Image& picture, const std::string& channel) {
-  Plane out = plane(picture, channel);
+PixelValues needed(const Image& picture, const std::string& channel) {
+  PixelValues out = plane(picture, channel);
   if (out.empty())
     throw Error(ErrorCode::bad_input,
                 "an image without the layer '" + channel + "' cannot be denoised", {},
@@ -46,8 +47,8 @@ Plane needed(const Image& picture, const std::string& channel) {
 }
 
 /// Means over 3 x 3 pixels, because single variances are noisy themselves.
-Plane smoothed(const Plane& in, int width, int height) {
-  Plane out(in.size());
+PixelValues smoothed(const PixelValues& in, int width, int height) {
+  PixelValues out(in.size());
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       float sum = 0, count = 0;
@@ -66,10 +67,10 @@ Plane smoothed(const Plane& in, int width, int height) {
 /// about its square, so nothing distinguishes it from its surroundings, and it would become a
 /// bright patch.
 void clamp_outliers(Planes& all) {
-  const auto luminance = [](const Plane* of, size_t p) {
+  const auto luminance = [](const PixelValues* of, size_t p) {
     return 0.2126f * of[0][p] + 0.7152f * of[1][p] + 0.0722f * of[2][p];
   };
-  Plane light(all.colour[0].size());
+  PixelValues light(all.colour[0].size());
   for (size_t p = 0; p < light.size(); ++p) light[p] = luminance(all.colour, p);
   for (int y = 0; y < all.height; ++y)
     for (int x = 0; x < all.width; ++x) {
@@ -114,7 +115,7 @@ Planes planes_of(const Image& picture) {
       all.colour[c][p] /= albedo;
       all.variance[c][p] /= albedo * albedo;
     }
-    const auto add_feature = [&](Plane values, float scale) {
+    const auto add_feature = [&](PixelValues values, float scale) {
       if (values.empty()) return;
       for (float& v : values) v *= scale;
       all.features.push_back(std::move(values));
@@ -123,9 +124,9 @@ Planes planes_of(const Image& picture) {
     add_feature(plane(picture, std::string("N.") + "XYZ"[c]), 1 / 0.25f);
   }
   clamp_outliers(all);
-  for (Plane& variance : all.variance) variance = smoothed(variance, all.width, all.height);
+  for (PixelValues& variance : all.variance) variance = smoothed(variance, all.width, all.height);
   // Relative differences of depth: the reciprocal slope of its logarithm is the depth itself.
-  Plane depth = plane(picture, "Z");
+  PixelValues depth = plane(picture, "Z");
   if (!depth.empty()) {
     for (float& z : depth) z = std::clamp(z, 1e-3f, 1e6f);
     // The 16th root approximates the logarithm over the depths of one image.
@@ -169,7 +170,7 @@ class Strip {
   }
   float feature_distance(size_t p, size_t q) const {
     float most = 0;
-    for (const Plane& feature : in_.features) {
+    for (const PixelValues& feature : in_.features) {
       const float d = feature[p] - feature[q];
       most = std::max(most, d * d);
     }
@@ -183,7 +184,7 @@ class Strip {
   const DenoiseOptions& options_;
   int y0_, y1_;
   std::vector<float> sums_;  ///< R, G, B and weight.
-  Plane distances_, rows_;
+  PixelValues distances_, rows_;
 };
 
 void Strip::add_shift(int dx, int dy) {

@@ -24,13 +24,13 @@ constexpr Matrix kToXyz = {{{10135552.0 / 24577794, 8788810.0 / 24577794, 443507
 constexpr double kColourExponent = 0.7, kBendAt = 0.4, kBendTo = 0.95;
 constexpr double kFeatureExponent = 0.5, kEdgeWidth = 0.082;
 
-Colour multiply(const Matrix& m, const Colour& c) {
+Colour transform(const Matrix& m, const Colour& c) {
   Colour out{};
   for (size_t i = 0; i < 3; ++i) out[i] = m[i][0] * c[0] + m[i][1] * c[1] + m[i][2] * c[2];
   return out;
 }
 
-Matrix inverse(const Matrix& m) {
+Matrix inverse_matrix(const Matrix& m) {
   const Mat44d full(m[0][0], m[0][1], m[0][2], 0, m[1][0], m[1][1], m[1][2], 0, m[2][0], m[2][1],
                     m[2][2], 0, 0, 0, 0, 1);
   const Mat44d back = full.inverse();
@@ -41,32 +41,32 @@ Matrix inverse(const Matrix& m) {
 }
 
 const Matrix& from_xyz() {
-  static const Matrix matrix = inverse(kToXyz);
+  static const Matrix matrix = inverse_matrix(kToXyz);
   return matrix;
 }
 
 const Colour& white() {
-  static const Colour colour = multiply(kToXyz, {1, 1, 1});
+  static const Colour colour = transform(kToXyz, {1, 1, 1});
   return colour;
 }
 
 /// Opponent colours, linear in light: luminance, red-green, blue-yellow.
 Colour opponent(const Colour& linear) {
-  Colour c = multiply(kToXyz, linear);
+  Colour c = transform(kToXyz, linear);
   for (size_t i = 0; i < 3; ++i) c[i] /= white()[i];
   return {116 * c[1] - 16, 500 * (c[0] - c[1]), 200 * (c[1] - c[2])};
 }
 
 Colour linear_of_opponent(const Colour& c) {
   const double y = (c[0] + 16) / 116;
-  return multiply(from_xyz(),
-                  {(y + c[1] / 500) * white()[0], y * white()[1], (y - c[2] / 200) * white()[2]});
+  return transform(from_xyz(),
+                   {(y + c[1] / 500) * white()[0], y * white()[1], (y - c[2] / 200) * white()[2]});
 }
 
 /// L*a*b* (CIE 1976) with reduced chroma for dark colours after Hunt.
 Colour hunt_lab(const Colour& linear) {
   constexpr double kDelta = 6.0 / 29;
-  Colour c = multiply(kToXyz, linear);
+  Colour c = transform(kToXyz, linear);
   for (size_t i = 0; i < 3; ++i) {
     const double v = c[i] / white()[i];
     c[i] = v > kDelta * kDelta * kDelta ? maths::pow(v, 1.0 / 3)

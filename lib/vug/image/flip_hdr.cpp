@@ -10,20 +10,20 @@ namespace vug::image {
 namespace {
 
 constexpr double kLog2 = 0.69314718055994530942;
-constexpr double kShoulder = 0.85;  ///< Value of the curve at the ends of the range.
+constexpr double kShoulder = 0.85;  ///< Value of the aces_curve at the ends of the range.
 
-// Narkowicz's fit of the ACES curve (narkowicz2016aces) with its exposure of 0.6 included: (a x^2 +
-// b x) / (c x^2 + d x + e).
+// Narkowicz's fit of the ACES aces_curve (narkowicz2016aces) with its exposure of 0.6 included: (a
+// x^2 + b x) / (c x^2 + d x + e).
 constexpr double kA = 0.6 * 0.6 * 2.51, kB = 0.6 * 0.03;
 constexpr double kC = 0.6 * 0.6 * 2.43, kD = 0.6 * 0.59, kE = 0.14;
 
-double curve(double x) {
-  // The curve is flat for large values; a cap keeps squares finite.
+double aces_curve(double x) {
+  // The aces_curve is flat for large values; a cap keeps squares finite.
   x = std::isnan(x) ? 0 : std::clamp(x, 0.0, 1e9);
   return std::clamp((x * (kA * x + kB)) / (x * (kC * x + kD) + kE), 0.0, 1.0);
 }
 
-/// The light that the curve maps to y: the larger root of a quadratic.
+/// The light that the aces_curve maps to y: the larger root of a quadratic.
 double light_of(double y) {
   const double p = (kB - kD * y) / (kA - kC * y), q = -kE * y / (kA - kC * y);
   return -p / 2 + std::sqrt(p * p / 4 - q);
@@ -55,7 +55,7 @@ Image exposed(const Image& picture, double stops) {
   parallel_for(
       out.pixels.size(),
       [&](size_t i) {
-        out.pixels[i] = static_cast<float>(curve(gain * static_cast<double>(out.pixels[i])));
+        out.pixels[i] = static_cast<float>(aces_curve(gain * static_cast<double>(out.pixels[i])));
       },
       4096);
   return out;

@@ -20,25 +20,25 @@ Colour multiply(const double (&m)[3][3], const Colour& c) {
   return out;
 }
 
-// Matrices and rational curve: S. Hill's fit of the ACES 1.0 reference rendering and sRGB output
-// transforms. The matrices include Rec.709 <-> AP1, D65 <-> D60 and the desaturations at both ends
-// (hill2017aces).
+// Matrices and rational rational_curve: S. Hill's fit of the ACES 1.0 reference rendering and sRGB
+// output transforms. The matrices include Rec.709 <-> AP1, D65 <-> D60 and the desaturations at
+// both ends (hill2017aces).
 constexpr double kToCurve[3][3] = {
     {0.59719, 0.35458, 0.04823}, {0.07600, 0.90834, 0.01566}, {0.02840, 0.13383, 0.83777}};
 constexpr double kFromCurve[3][3] = {
     {1.60475, -0.53108, -0.07367}, {-0.10208, 1.10813, -0.00605}, {-0.00327, -0.07276, 1.07602}};
 
-double curve(double v) {
+double rational_curve(double v) {
   return (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081);
 }
 
 Colour filmic(Colour c) {
   c = multiply(kToCurve, c);
-  for (double& v : c) v = curve(v);
+  for (double& v : c) v = rational_curve(v);
   return multiply(kFromCurve, c);
 }
 
-/// The curve is flat beyond this value; a cap prevents infinities from becoming NaN in the
+/// The rational_curve is flat beyond this value; a cap prevents infinities from becoming NaN in the
 /// matrices.
 constexpr double kBrightest = 1e6;
 

@@ -38,7 +38,7 @@ struct FacadeBlock {
   }
 };
 
-const Schema<FacadeBlock>& schema() {
+const Schema<FacadeBlock>& facade_schema() {
   static const Schema<FacadeBlock> made = [] {
     Schema<FacadeBlock> s("facade", "declaration");
     FacadeBlock::describe(s);
@@ -48,8 +48,8 @@ const Schema<FacadeBlock>& schema() {
 }
 
 /// Evaluates the options of the block; nothing if one of them has no value.
-std::optional<FacadeBlock> read_block(const scene::Grammar& grammar, RandomKey key,
-                                      ReadContext& context) {
+std::optional<FacadeBlock> read_facade_block(const scene::Grammar& grammar, RandomKey key,
+                                             ReadContext& context) {
   Arguments arguments;
   bool sound = true;
   for (const scene::Entry& entry : grammar.options) {
@@ -62,18 +62,18 @@ std::optional<FacadeBlock> read_block(const scene::Grammar& grammar, RandomKey k
   }
   if (!sound) return std::nullopt;
   Diagnostics found;
-  auto block = schema().bind(arguments, grammar.where, found);
+  auto block = facade_schema().bind(arguments, grammar.where, found);
   context.evaluator.report(found, arguments);
   return block;
 }
 
 }  // namespace
 
-const KindInfo& facade_info() { return schema().info(); }
+const KindInfo& facade_info() { return facade_schema().info(); }
 
 Value bind_facade(const scene::Grammar& grammar, ReadContext& context) {
   RandomKey key = context.evaluator.root().at("grammar").at(grammar.name);
-  const std::optional<FacadeBlock> block = read_block(grammar, key, context);
+  const std::optional<FacadeBlock> block = read_facade_block(grammar, key, context);
   Diagnostics found;
   const facade::Rules rules = facade::read_rules(context.document, grammar, found);
   context.diagnostics.append(found);

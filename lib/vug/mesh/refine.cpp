@@ -12,7 +12,7 @@
 namespace vug::mesh {
 namespace {
 
-constexpr uint32_t kNone = ~0u;
+constexpr uint32_t kNotSplit = ~0u;
 
 class Refiner {
  public:
@@ -36,11 +36,11 @@ class Refiner {
     return (Vec3d(mesh_.positions[a]) - Vec3d(mesh_.positions[b])).length2();
   }
 
-  /// The vertex in the middle of an edge that is too long, otherwise kNone.
+  /// The vertex in the middle of an edge that is too long, otherwise kNotSplit.
   uint32_t middle(uint32_t a, uint32_t b) {
-    if (!(length2(a, b) > limit2_)) return kNone;
+    if (!(length2(a, b) > limit2_)) return kNotSplit;
     const uint64_t key = uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-    const auto [at, fresh] = middles_.try_emplace(key, kNone);
+    const auto [at, fresh] = middles_.try_emplace(key, kNotSplit);
     const auto half = [](const auto& x, const auto& y) { return (x + y) * 0.5f; };
     if (fresh) at->second = split_edge(mesh_, a, b, half, mesh_);
     return at->second;
@@ -48,7 +48,8 @@ class Refiner {
 
   /// The parts of a triangle; m[k] is the middle of the edge from corner k to the next.
   void split(const Triangle& t, const std::array<uint32_t, 3>& m, std::vector<Triangle>& out) {
-    const auto halved = std::count_if(m.begin(), m.end(), [](uint32_t v) { return v != kNone; });
+    const auto halved =
+        std::count_if(m.begin(), m.end(), [](uint32_t v) { return v != kNotSplit; });
     if (halved == 0) return out.push_back(t);
     if (halved == 3) {
       out.insert(out.end(), {{t[0], m[0], m[2]}, {t[1], m[1], m[0]}, {t[2], m[2], m[1]}});
@@ -56,7 +57,7 @@ class Refiner {
     }
     // Rotated such that the single unsplit edge, or the single split one, comes last.
     size_t last = 0;
-    while ((m[last] == kNone) != (halved == 2)) ++last;
+    while ((m[last] == kNotSplit) != (halved == 2)) ++last;
     const size_t first = (last + 1) % 3, second = (last + 2) % 3;
     const uint32_t a = t[first], b = t[second], c = t[last];
     if (halved == 1) {

@@ -13,7 +13,7 @@ namespace {
 
 RejectedEdit rejected(const std::string& key, const std::string& message,
                       const std::string& hint = {}) {
-  return {key, Error(ErrorCode::bad_input, message, {}, hint)};
+  return {key, edit_error(message, hint)};
 }
 
 /// Runs the work and attributes its errors to that key of the edit.
@@ -52,6 +52,10 @@ void check(const EditKind& kind, const Edit& edit) {
 }
 
 }  // namespace
+
+Error edit_error(const std::string& message, const std::string& hint) {
+  return Error(ErrorCode::bad_input, message, {}, hint);
+}
 
 const EditKind& edit_kind(const std::string& name) {
   std::vector<std::string> known;

@@ -19,6 +19,9 @@ struct Edit {
   bool operator==(const Edit&) const = default;
 };
 
+/// Error(bad_input) for an invalid edit.
+Error edit_error(const std::string& message, const std::string& hint = "");
+
 /// An edit that cannot be performed.
 class RejectedEdit : public Error {
  public:

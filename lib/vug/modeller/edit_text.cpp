@@ -13,10 +13,6 @@ namespace vug::modeller {
 
 namespace {
 
-Error bad(const std::string& message, const std::string& hint = {}) {
-  return Error(ErrorCode::bad_input, message, {}, hint);
-}
-
 std::vector<std::string> split(const std::string& text, char at) {
   std::vector<std::string> out(1);
   for (const char c : text) {
@@ -33,13 +29,14 @@ double read_number(const std::string& name, const std::string& text, double metr
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
   const std::string unit(end, text.data() + text.size());
   if (fault != std::errc() || !std::isfinite(value))
-    throw bad(fmt::format("invalid number '{}={}'", name, text), "such as 4, 2.4m, 90cm, 120px");
+    throw edit_error(fmt::format("invalid number '{}={}'", name, text),
+                     "such as 4, 2.4m, 90cm, 120px");
   if (unit.empty() || unit == "m") return value;
   if (unit == "cm") return value / 100;
-  if (unit != "px") throw bad(fmt::format("unknown unit '{}'", unit), "use m, cm or px");
+  if (unit != "px") throw edit_error(fmt::format("unknown unit '{}'", unit), "use m, cm or px");
   if (!(metres_per_pixel > 0))
-    throw bad(fmt::format("'{}={}': the pixel size is unknown", name, text),
-              "the session has no photo with a scale");
+    throw edit_error(fmt::format("'{}={}': the pixel size is unknown", name, text),
+                     "the session has no photo with a scale");
   return value * metres_per_pixel;
 }
 
@@ -80,20 +77,20 @@ Edit parse_edit(const std::string& text, const std::string& kind, double metres_
   const EditKind& found = edit_kind(out.kind);
   out.node = take_word(rest);
   if (out.node.empty())
-    throw bad(fmt::format("'{}' needs a node", out.kind), "such as 0, 0.1, or .");
+    throw edit_error(fmt::format("'{}' needs a node", out.kind), "such as 0, 0.1, or .");
   const size_t numbers = numbers_at(rest);
   out.rule = trimmed(rest.substr(0, numbers));
   if (!found.rule && !out.rule.empty())
-    throw bad(fmt::format("'{}' takes numbers as name=value, not '{}'", out.kind, out.rule));
+    throw edit_error(fmt::format("'{}' takes numbers as name=value, not '{}'", out.kind, out.rule));
   for (const std::string& word : split(rest.substr(numbers), ' ')) {
     if (word.empty()) continue;
     const size_t equals = word.find('=');
     if (equals == std::string::npos || equals == 0)
-      throw bad(fmt::format("'{}' is not a number of an edit", word),
-                "such as columns=4, or dx=2.1,2.4");
+      throw edit_error(fmt::format("'{}' is not a number of an edit", word),
+                       "such as columns=4, or dx=2.1,2.4");
     const std::string name = word.substr(0, equals), values = word.substr(equals + 1);
     std::vector<double>& list = out.numbers[name];
-    if (!list.empty()) throw bad(fmt::format("'{}' is given twice", name));
+    if (!list.empty()) throw edit_error(fmt::format("'{}' is given twice", name));
     if (values.empty()) continue;
     for (const std::string& value : split(values, ','))
       list.push_back(read_number(name, value, metres_per_pixel));

@@ -15,10 +15,6 @@ using facade::PlanPtr;
 
 namespace {
 
-Error bad(const std::string& message, const std::string& hint = {}) {
-  return Error(ErrorCode::bad_input, message, {}, hint);
-}
-
 std::string node_text(const FacadeState& state, int node) {
   return node == FacadeState::kWhole
              ? "the facade"
@@ -49,25 +45,25 @@ Plan with_part(const Plan& plan, const Plan& part) {
 
 void require_open(const FacadeState& state, int node) {
   if (node == FacadeState::kWhole)
-    throw bad("the facade itself has no rules", "its axiom is node 0");
+    throw edit_error("the facade itself has no rules", "its axiom is node 0");
   if (state.rule(node) >= 0)
     throw InfeasiblePlan(facade::Reason::divided, "",
                          fmt::format("{} is already divided, by {}", node_text(state, node),
                                      state.style().rule_name(state.rule(node))),
                          "retract or change that rule");
   if (state.node(node).element)
-    throw bad(fmt::format("{} is an element", node_text(state, node)),
-              "elements are not divided further");
+    throw edit_error(fmt::format("{} is an element", node_text(state, node)),
+                     "elements are not divided further");
   if (!state.node(node).stuck)
-    throw bad(fmt::format("{} is part of a rule, which divides it", node_text(state, node)));
+    throw edit_error(fmt::format("{} is part of a rule, which divides it", node_text(state, node)));
 }
 
 void require_divided(const FacadeState& state, int node) {
   if (node == FacadeState::kWhole) return;
   const facade::Node& it = state.node(node);
   if (it.stuck || it.element)
-    throw bad(fmt::format("{} is not divided", node_text(state, node)),
-              it.stuck ? "apply a rule first" : "it is an element");
+    throw edit_error(fmt::format("{} is not divided", node_text(state, node)),
+                     it.stuck ? "apply a rule first" : "it is an element");
 }
 
 PlanPtr plan_of(int rule, const facade::NumberValues& numbers) {

@@ -29,11 +29,11 @@ std::vector<double> all_of(const facade::Numbers& numbers, const std::string& na
 }
 
 /// Names of a grid's numbers along one axis.
-struct Axis {
+struct GridAxis {
   const char *count, *first, *steps, *size;
   double Rect::*edge, Rect::*extent;
 };
-constexpr Axis kAcross{"columns", "x", "dx", "width", &Rect::x, &Rect::width},
+constexpr GridAxis kAcross{"columns", "x", "dx", "width", &Rect::x, &Rect::width},
     kUp{"rows", "y", "dy", "height", &Rect::y, &Rect::height};
 
 /// Largest common size of cells that start at these positions within the room.
@@ -143,7 +143,7 @@ class TreeTracer {
   }
 
   /// Edges of all contents of a grid, from its left or lower edge, ascending.
-  std::vector<double> edges(const Node& grid, const Axis& axis) const {
+  std::vector<double> edges(const Node& grid, const GridAxis& axis) const {
     std::vector<double> out;
     for (const int child : grid.children) {
       out.push_back(node(child).rect.*axis.edge - grid.rect.*axis.edge);
@@ -156,7 +156,7 @@ class TreeTracer {
 
   /// Starts of columns or rows. The tree stores the spacing of a regular grid as that of its first
   /// two lines, which may differ from the mean because of whole pixels.
-  std::vector<double> begins(const Node& grid, const Axis& axis) const {
+  std::vector<double> begins(const Node& grid, const GridAxis& axis) const {
     const std::vector<double> count = all_of(grid.numbers, axis.count),
                               first = all_of(grid.numbers, axis.first);
     std::vector<double> steps = all_of(grid.numbers, axis.steps);
@@ -211,7 +211,7 @@ class TreeTracer {
       else if (!most || each.copies.size() > most->copies.size())
         most = &each;
     }
-    for (const Axis& axis : {kAcross, kUp}) {
+    for (const GridAxis& axis : {kAcross, kUp}) {
       out[axis.size] = {most->rect.*axis.extent - kRounding};
       const std::vector<double> at = begins(from, axis);
       if (at.empty()) continue;

@@ -26,7 +26,7 @@ enum VertexField : size_t {
   kNy,
   kNz,
   kSlots,
-  kNone
+  kUnusedField
 };
 
 VertexField field_of(const PlyProperty& property) {
@@ -49,7 +49,7 @@ VertexField field_of(const PlyProperty& property) {
   if (!property.is_list)
     for (const auto& [name, slot] : kNames)
       if (name == property.name) return slot;
-  return kNone;
+  return kUnusedField;
 }
 
 /// Divisor that maps a number of the type to 0..1.
@@ -72,7 +72,7 @@ VertexLayout vertex_layout(const PlyElement& element, const std::string& file) {
   VertexLayout layout;
   for (const PlyProperty& property : element.properties) {
     layout.slots.push_back(field_of(property));
-    if (layout.slots.back() != kNone) layout.given[layout.slots.back()] = true;
+    if (layout.slots.back() != kUnusedField) layout.given[layout.slots.back()] = true;
   }
   if (!layout.all({kX, kY, kZ}))
     throw Error(ErrorCode::bad_input, "the vertices have no x, y or z", {file, element.line, 1});
@@ -105,7 +105,7 @@ void read_vertices(Body& body, const PlyElement& element, const VertexLayout& la
     for (size_t i = 0; i < layout.slots.size(); ++i) {
       const PlyProperty& property = element.properties[i];
       const VertexField slot = layout.slots[i];
-      if (slot == kNone)
+      if (slot == kUnusedField)
         skip_property(body, property);
       else
         value[slot] = body.number(property.type) /

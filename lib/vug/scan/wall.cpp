@@ -81,8 +81,8 @@ class WallFitter {
     constexpr double kBefore = 0.95;
     // Initial width of the robust kernel, in multiples of the noise.
     constexpr double kWidest = 8;
-    constexpr double kBend = 1;  // Metres by which a wall may differ from the plane.
-    for (int round = 0; round < 3; ++round) solve(kBend, 0.5);
+    constexpr double kMaxDeviation = 1;  // Metres by which a wall may differ from the plane.
+    for (int round = 0; round < 3; ++round) solve(kMaxDeviation, 0.5);
     for (double reach = kWidest; reach >= 1; reach *= 0.75)
       for (int round = 0; round < 3; ++round)
         solve(reach * options_.noise, reach > 2 ? kBefore : 0.5);

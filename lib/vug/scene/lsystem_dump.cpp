@@ -7,7 +7,7 @@ namespace vug::scene {
 
 namespace {
 
-std::string dump(const ExprPtr& expr) { return expr ? scene::dump(*expr) : "-"; }
+std::string dump_optional(const ExprPtr& expr) { return expr ? scene::dump(*expr) : "-"; }
 
 std::string dump(const std::vector<Pattern>& patterns) {
   std::string out;
@@ -23,7 +23,7 @@ std::string dump(const ModuleString& word) {
   std::string out;
   for (const Module& module : word) {
     out += ' ' + module.name + '(';
-    for (const ExprPtr& argument : module.arguments) out += dump(argument) + ',';
+    for (const ExprPtr& argument : module.arguments) out += dump_optional(argument) + ',';
     out += ')';
   }
   return out;
@@ -33,8 +33,8 @@ std::string dump(const std::vector<Production>& productions) {
   std::string out;
   for (const Production& one : productions)
     out += fmt::format("  {} <{} >{} @ {} if {} after {} ->{}\n", dump(one.left), dump({one.head}),
-                       dump(one.right), dump(one.weight), dump(one.guard), dump(one.after),
-                       dump(one.word));
+                       dump(one.right), dump_optional(one.weight), dump_optional(one.guard),
+                       dump_optional(one.after), dump(one.word));
   return out;
 }
 
@@ -45,10 +45,11 @@ std::string dump(const LSystem& system) {
   for (const ProductionTable& table : system.tables)
     out += fmt::format("  table {}\n{}", table.name, dump(table.productions));
   for (const ScheduleTurn& turn : system.schedule)
-    out += fmt::format("  turn {} * {}\n", turn.table, dump(turn.count));
+    out += fmt::format("  turn {} * {}\n", turn.table, dump_optional(turn.count));
   for (const auto& [name, stage] :
        {std::pair("decompose", &system.decompose), std::pair("interpret", &system.interpret)})
-    out += fmt::format("  {} depth {}\n{}", name, dump(stage->depth), dump(stage->productions));
+    out += fmt::format("  {} depth {}\n{}", name, dump_optional(stage->depth),
+                       dump(stage->productions));
   for (const auto& [name, list] :
        {std::pair("ignore", &system.ignore), std::pair("consider", &system.consider),
         std::pair("ages", &system.ages)})

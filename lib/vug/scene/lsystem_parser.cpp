@@ -27,7 +27,9 @@ bool starts_module(const Token& token) {
 }
 
 /// Keywords after a rule's head.
-bool is_clause_word(const Token& token) { return token.is_name("if") || token.is_name("after"); }
+bool is_production_clause(const Token& token) {
+  return token.is_name("if") || token.is_name("after");
+}
 
 }  // namespace
 
@@ -270,7 +272,7 @@ void LSystemParser::sides(Production& production) {
 
 std::vector<Pattern> LSystemParser::patterns() {
   std::vector<Pattern> out;
-  while (starts_module(cursor_.peek()) && !is_clause_word(cursor_.peek())) pattern(out);
+  while (starts_module(cursor_.peek()) && !is_production_clause(cursor_.peek())) pattern(out);
   return out;
 }
 

@@ -16,11 +16,11 @@
 namespace vug::building {
 namespace {
 
-const std::string kBall =
+const std::string kBallScene =
     "volume rock = level_set(sphere(1m), voxel: 10cm)\nmesh wall on rock {}\n";
 
 shot::Shot shot_of(const std::string& cells) {
-  const loading::Loaded loaded = loading::load_text(kBall + cells + "\n", "skin.vug");
+  const loading::Loaded loaded = loading::load_text(kBallScene + cells + "\n", "skin.vug");
   EXPECT_TRUE(loaded.usable()) << loaded.report();
   return loaded.shot;
 }

@@ -12,11 +12,6 @@
 namespace vug::cells {
 namespace {
 
-double total(const Simulation& s, const std::string& name) {
-  const auto& values = s.attributes().values<float>(name);
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
 /// Number of links to the nearest of the given cells; -1 if unreachable.
 std::vector<int> links_from(const Network& n, const std::vector<uint32_t>& cells) {
   std::vector<int> away(n.size(), -1);

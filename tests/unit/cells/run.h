@@ -7,6 +7,8 @@
 #include <vug/cells/rule.h>
 #include <vug/cells/simulation.h>
 
+#include <numeric>
+
 namespace vug::cells {
 
 inline NetworkPtr torus(uint32_t across, uint32_t along, uint32_t full) {
@@ -24,6 +26,12 @@ inline NetworkPtr uneven(double spacing = 0.06) {
 inline Stage stage(const std::string& rule, const NamedValues& parameters = {}, int steps = -1,
                    int begin = 0) {
   return {make_product(rules(), rule, parameters), rule, begin, steps, {}};
+}
+
+/// The sum of an attribute over all cells.
+inline double total(const Simulation& s, const std::string& name) {
+  const auto& values = s.attributes().values<float>(name);
+  return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 inline Simulation ran(NetworkPtr network, const std::vector<Stage>& stages, int steps,

@@ -11,11 +11,6 @@
 namespace vug::cells {
 namespace {
 
-double total(const Simulation& s, const std::string& name) {
-  const auto& values = s.attributes().values<float>(name);
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
 NetworkPtr on(mesh::Mesh mesh, const std::string& grid, double spacing) {
   const Surface surface({shared(std::move(mesh))});
   return std::make_shared<const Network>(build(surface, options(grid, spacing)).network);

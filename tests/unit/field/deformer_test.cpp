@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Deformers compared with closed forms and with explicit copies or maps.
+#include "random_point.h"
+
 #include <vug/base/maths.h>
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>
@@ -14,11 +16,6 @@ namespace vug::field {
 namespace {
 
 using Parameters = std::vector<std::pair<std::string, Value>>;
-
-Vec3d random_point(RandomStream& random, double reach) {
-  return {random.uniform(-reach, reach), random.uniform(-reach, reach),
-          random.uniform(-reach, reach)};
-}
 
 Field ball(const Vec3d& centre, double radius) {
   return transformed(make("sphere", {{"radius", radius}}), Transform::translation(centre));

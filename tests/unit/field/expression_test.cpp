@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The core of expressions: evaluation modes agree, and restriction changes nothing inside its ball.
+#include "random_point.h"
+
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
@@ -11,11 +13,6 @@
 
 namespace vug::field {
 namespace {
-
-Vec3d random_point(RandomStream& random, double reach) {
-  return {random.uniform(-reach, reach), random.uniform(-reach, reach),
-          random.uniform(-reach, reach)};
-}
 
 Field sphere_at(const Vec3d& centre, double radius) {
   return transformed(make("sphere", {{"radius", radius}}), Transform::translation(centre));

@@ -11,7 +11,7 @@
 namespace vug::field {
 namespace {
 
-Vec3d random_point(RandomStream& random, double reach) {
+Vec3d random_float_point(RandomStream& random, double reach) {
   return Vec3d(Vec3f(Vec3d(random.uniform(-reach, reach), random.uniform(-reach, reach),
                            random.uniform(-reach, reach))));
 }
@@ -26,8 +26,8 @@ TEST_P(EachNoise, StaysInItsRangeAndBelowItsSlope) {
   RandomStream random(RandomKey(11));
   double least = 1e9, most = -1e9;
   for (int i = 0; i < 20000; ++i) {
-    const Vec3d p = random_point(random, 50);
-    const Vec3d q = p + random_point(random, std::pow(10.0, random.uniform(-4, 0)));
+    const Vec3d p = random_float_point(random, 50);
+    const Vec3d q = p + random_float_point(random, std::pow(10.0, random.uniform(-4, 0)));
     const double a = n.field.value(p), b = n.field.value(q);
     least = std::min(least, a);
     most = std::max(most, a);
@@ -41,13 +41,13 @@ TEST_P(EachNoise, BoundsOverBallsAndBoxesHold) {
   const Noise n = noise();
   RandomStream random(RandomKey(12));
   for (int i = 0; i < 300; ++i) {
-    const Ball ball{random_point(random, 20), std::pow(10.0, random.uniform(-3, 0.5))};
+    const Ball ball{random_float_point(random, 20), std::pow(10.0, random.uniform(-3, 0.5))};
     const Interval range = n.field.restricted(ball).range;
     const Vec3d corner(ball.radius / std::sqrt(3.0));
     const Interval box = n.field.interval({ball.centre - corner, ball.centre + corner});
     for (int k = 0; k < 30; ++k) {
       const double value =
-          n.field.value(ball.centre + random_point(random, ball.radius / std::sqrt(3.0)));
+          n.field.value(ball.centre + random_float_point(random, ball.radius / std::sqrt(3.0)));
       ASSERT_TRUE(range.contains(value));
       ASSERT_TRUE(box.contains(value));
     }
@@ -59,7 +59,7 @@ TEST_P(EachNoise, GradientIsTheLimitOfDifferences) {
   RandomStream random(RandomKey(13));
   int creases = 0;
   for (int i = 0; i < 500; ++i) {
-    const Vec3d p = random_point(random, 20);
+    const Vec3d p = random_float_point(random, 20);
     const Gradient g = n.field.gradient(p);
     EXPECT_NEAR(g.value, n.field.value(p), 1e-12);
     for (int axis = 0; axis < 3; ++axis) {
@@ -76,7 +76,7 @@ TEST_P(EachNoise, BatchesAgreeWithScalars) {
   const Noise n = noise();
   RandomStream random(RandomKey(14));
   std::vector<Vec3f> points;
-  for (int i = 0; i < 3001; ++i) points.push_back(Vec3f(random_point(random, 20)));
+  for (int i = 0; i < 3001; ++i) points.push_back(Vec3f(random_float_point(random, 20)));
   const std::vector<float> values = sample(n.field, points);
   // Coordinates in cells are rounded to a relative 2^-24 before the lattice lookup.
   const double allowed = 4e-6 * n.field.lipschitz() + 2e-6;
@@ -104,8 +104,8 @@ Moments moments(int count, const Function& value) {
 TEST(Noise, GradientNoiseHasMeanZeroAndDeviationOneThird) {
   // 40,000 nearly independent values: the mean is within 5 / 3 / sqrt(40000) of 0.
   RandomStream random(RandomKey(15));
-  const Moments m =
-      moments(40000, [&](int) { return gradient_noise(point(random_point(random, 1000)), 7); });
+  const Moments m = moments(
+      40000, [&](int) { return gradient_noise(point(random_float_point(random, 1000)), 7); });
   EXPECT_NEAR(m.mean, 0, 0.0084);
   EXPECT_NEAR(m.deviation, 1.0 / 3, 0.01);
 }
@@ -115,7 +115,7 @@ TEST(Noise, FbmHasTheSameDeviationForAnyOctaves) {
     const Noise n = make_noise("fbm", {{"octaves", octaves}});
     RandomStream random(RandomKey(16));
     const Moments m =
-        moments(20000, [&](int) { return n.field.value(random_point(random, 1000)); });
+        moments(20000, [&](int) { return n.field.value(random_float_point(random, 1000)); });
     EXPECT_NEAR(m.mean, 0, 0.012);
     EXPECT_NEAR(m.deviation, 1.0 / 3, 0.012);
   }
@@ -129,7 +129,7 @@ TEST(Noise, FbmIsIsotropicAndHomogeneous) {
   for (const Vec3d& way : ways) {
     RandomStream random(RandomKey(17));
     const Moments m = moments(40000, [&](int) {
-      const Vec3d p = random_point(random, 500);
+      const Vec3d p = random_float_point(random, 500);
       return n.field.value(p + 0.3 * way) - n.field.value(p);
     });
     if (first == 0) first = m.deviation;
@@ -137,7 +137,7 @@ TEST(Noise, FbmIsIsotropicAndHomogeneous) {
   }
   RandomStream random(RandomKey(18));
   const Moments plane = moments(40000, [&](int) {
-    Vec3d p = random_point(random, 500);
+    Vec3d p = random_float_point(random, 500);
     p.y = std::floor(p.y);
     return n.field.value(p);
   });
@@ -149,7 +149,7 @@ TEST(Noise, SeedsAreIndependent) {
   RandomStream random(RandomKey(19));
   double product = 0;
   for (int i = 0; i < 40000; ++i) {
-    const Vec3d p = random_point(random, 1000);
+    const Vec3d p = random_float_point(random, 1000);
     product += a.field.value(p) * b.field.value(p);
   }
   EXPECT_NEAR(product / 40000, 0, 5.0 / 9 / 200);
@@ -159,12 +159,12 @@ TEST(Noise, NearestSitesEqualBruteForce) {
   // Brute force: the sites of 7^3 cells, found by queries at many points near each.
   RandomStream random(RandomKey(20));
   for (int i = 0; i < 2000; ++i) {
-    const Point<double> p = point(random_point(random, 30));
+    const Point<double> p = point(random_float_point(random, 30));
     const auto here = nearest_sites(p, 3);
     EXPECT_LE(here.first.squared, here.second.squared);
     const Vec3d site = vector(p) - vector(here.first.offset);
     for (int k = 0; k < 20; ++k) {  // No nearby query finds a site closer to p.
-      const Vec3d q = vector(p) + random_point(random, 1.0);
+      const Vec3d q = vector(p) + random_float_point(random, 1.0);
       const Vec3d other = q - vector(nearest_sites(point(q), 3).first.offset);
       EXPECT_GE((other - vector(p)).length2(), here.first.squared - 1e-12);
       if ((other - site).length() > 1e-9) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Displacement and strata: the range of the surface, and the properties of beds.
+#include "random_point.h"
+
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
@@ -12,11 +14,6 @@
 
 namespace vug::field {
 namespace {
-
-Vec3d random_point(RandomStream& random, double reach) {
-  return {random.uniform(-reach, reach), random.uniform(-reach, reach),
-          random.uniform(-reach, reach)};
-}
 
 std::vector<std::pair<std::string, Field>> samples() {
   const Value ball = as_value(make("sphere", {{"radius", 2.0}}));

@@ -12,14 +12,14 @@
 namespace vug::fit {
 namespace {
 
-constexpr int kWidth = 500, kHeight = 700;
+constexpr int kFigureWidth = 500, kFigureHeight = 700;
 
 /// Grows trees of the published grammar by symbol names.
 class Figure5 : public ::testing::Test {
  protected:
   Figure5()
       : rules_(compile(facade::load_rules(VUG_DATA "/facades/ripperda.vug"))),
-        model_(rules_, {}, kWidth, kHeight),
+        model_(rules_, {}, kFigureWidth, kFigureHeight),
         tree_(model_.axiom_state().tree) {}
 
   /// The production of `head` with exactly these parts; fails the test without one.

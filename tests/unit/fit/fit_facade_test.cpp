@@ -13,7 +13,7 @@
 namespace vug::fit {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 80;
+constexpr int kWallWidth = 96, kWallHeight = 80;
 
 /// Four columns and three rows of windows of 12 x 14 pixels.
 bool is_window(int x, int y) {
@@ -23,14 +23,14 @@ bool is_window(int x, int y) {
 Evidence pixels(double noise, bool supervised) {
   RandomStream stream{RandomKey(4)};
   std::vector<uint32_t> values;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kWallHeight; ++y)
+    for (int x = 0; x < kWallWidth; ++x) {
       const bool odd = stream.uniform() < noise;
       const uint32_t seen = odd ? stream.below(4) : is_window(x, y) ? 1 : 0;
       for (uint32_t lane = 0; lane < kRegionTypes; ++lane)
         values.push_back(supervised ? (lane == seen ? 10 : 300) : (lane == seen ? 1 : 0));
     }
-  return Evidence(kWidth, kHeight, kRegionTypes, values);
+  return Evidence(kWallWidth, kWallHeight, kRegionTypes, values);
 }
 
 const Rules& rules() {
@@ -70,7 +70,8 @@ TEST(FitFacade, FindsWindowsWithEachLikelihood) {
 /// Perturbed trees are repaired if no number is off by more than a few pixels.
 TEST(Polish, NeverIncreasesBitsAndRepairsTrees) {
   const Evidence evidence = pixels(0.2, false);
-  const Model model(rules(), {}, kWidth, kHeight, {&evidence, make_likelihood("kt", evidence)});
+  const Model model(rules(), {}, kWallWidth, kWallHeight,
+                    {&evidence, make_likelihood("kt", evidence)});
   const EdgeHints hints = EdgeHints::from_clusters(evidence);
   const MoveContext context{model, hints};
   RandomStream stream{RandomKey(12)};
@@ -130,10 +131,10 @@ TEST(FitFacade, ReportsDiagnostics) {
   EXPECT_EQ(report.swap_rates.size() + 1, report.temperatures.size());
   EXPECT_EQ(report.moves.size(), move_kinds().size());
   EXPECT_GT(report.max_complexity, report.complexity);
-  EXPECT_NEAR(
-      report.score,
-      1 - (report.complexity + report.misfit) / (report.max_complexity + 2.0 * kWidth * kHeight),
-      1e-12);
+  EXPECT_NEAR(report.score,
+              1 - (report.complexity + report.misfit) /
+                      (report.max_complexity + 2.0 * kWallWidth * kWallHeight),
+              1e-12);
   const nlohmann::json json = nlohmann::json::parse(report_json(report));
   EXPECT_EQ(json["posterior"].size(), report.posterior.size());
   EXPECT_EQ(json["traces"].size(), 3u);

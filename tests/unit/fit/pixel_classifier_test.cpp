@@ -19,7 +19,7 @@
 namespace vug::fit {
 namespace {
 
-const Classes kClasses{{"door", "shop", "window", "stone", "sky"}};
+const Classes kRegionClasses{{"door", "shop", "window", "stone", "sky"}};
 const PixelClassifierOptions kSmall{.first = {.trees = 6, .depth = 10},
                                     .second = {.trees = 6, .depth = 10, .tried_features = 20},
                                     .examples = 600};
@@ -36,14 +36,14 @@ std::vector<LabelledImage> facades(int count) {
 PixelClassifier trained(const std::vector<LabelledImage>& pictures) {
   std::vector<const LabelledImage*> all;
   for (const LabelledImage& picture : pictures) all.push_back(&picture);
-  return PixelClassifier::train(all, kClasses, {}, kSmall, RandomKey(1));
+  return PixelClassifier::train(all, kRegionClasses, {}, kSmall, RandomKey(1));
 }
 
 TEST(PixelClassifier, GeneralisesToUnseenFacades) {
-  ConfusionMatrix table(kClasses.count());
+  ConfusionMatrix table(kRegionClasses.count());
   const std::vector<LabelledImage> pictures = facades(6);
   std::vector<int> seen(pictures.size(), 0);
-  cross_validate(pictures, kClasses, {.classifier = kSmall, .folds = 3}, RandomKey(1),
+  cross_validate(pictures, kRegionClasses, {.classifier = kSmall, .folds = 3}, RandomKey(1),
                  [&](size_t picture, const Planes& maps) {
                    ++seen[picture];
                    table.add(pictures[picture].labels, most_likely_classes(maps));
@@ -51,8 +51,8 @@ TEST(PixelClassifier, GeneralisesToUnseenFacades) {
   EXPECT_EQ(seen, std::vector<int>(6, 1));
   EXPECT_GT(table.accuracy(), 0.95);
   EXPECT_GT(table.iou(kWindow), 0.85);
-  EXPECT_THROW(cross_validate(pictures, kClasses, {.folds = 1}, RandomKey(1), {}), Error);
-  EXPECT_THROW(cross_validate(pictures, kClasses, {.folds = 7}, RandomKey(1), {}), Error);
+  EXPECT_THROW(cross_validate(pictures, kRegionClasses, {.folds = 1}, RandomKey(1), {}), Error);
+  EXPECT_THROW(cross_validate(pictures, kRegionClasses, {.folds = 7}, RandomKey(1), {}), Error);
 }
 
 TEST(PixelClassifier, RoundTripPreservesTheModel) {
@@ -109,14 +109,15 @@ TEST(PixelClassifier, TinyPlainAndUnlabelledPictures) {
   const std::vector<LabelledImage> pictures = facades(1);
   PixelClassifierOptions options = kSmall;
   options.max_memory = 100'000;
-  EXPECT_THROW(PixelClassifier::train({&pictures[0]}, kClasses, {}, options, RandomKey(1)), Error);
+  EXPECT_THROW(PixelClassifier::train({&pictures[0]}, kRegionClasses, {}, options, RandomKey(1)),
+               Error);
 }
 
 TEST(ClassifierEvidence, BitsOfEachRegionType) {
   // A quarter door, a quarter window, the rest stone or sky.
   const Planes maps{1, 1, {{0.25f}, {0}, {0.25f}, {0.25f}, {0.25f}}};
   const auto bits = [&](RegionType type, const ClassifierEvidenceOptions& options) {
-    const Sums sums = classifier_evidence(maps, kClasses, options).sums(0, 0, 1, 1);
+    const Sums sums = classifier_evidence(maps, kRegionClasses, options).sums(0, 0, 1, 1);
     return sums.lane[static_cast<size_t>(type)] * kBitStep;
   };
   const ClassifierEvidenceOptions plain{.windows = 1, .unnamed = 0, .min_probability = 1.0 / 64};

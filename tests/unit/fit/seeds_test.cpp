@@ -52,10 +52,10 @@ TEST(Segments, EmptyIfNothingGains) {
   EXPECT_TRUE(best_segments({0}, {1, 3, 4, 0}).empty());
 }
 
-constexpr int kWidth = 90, kHeight = 80;
+constexpr int kSeedWidth = 90, kSeedHeight = 80;
 
 /// Windows of two widths in four columns and three rows above a wall, one of them bricked up.
-bool is_window(int x, int y) {
+bool is_window_seed(int x, int y) {
   const int lefts[] = {8, 28, 50, 70}, widths[] = {10, 14, 10, 14}, tops[] = {6, 28, 50};
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 3; ++row)
@@ -68,10 +68,10 @@ bool is_window(int x, int y) {
 std::vector<uint8_t> picture(double noise) {
   RandomStream stream{RandomKey(6)};
   std::vector<uint8_t> out;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kSeedHeight; ++y)
+    for (int x = 0; x < kSeedWidth; ++x) {
       const bool odd = stream.uniform() < noise;
-      out.push_back(static_cast<uint8_t>(odd ? stream.below(3) : is_window(x, y) ? 1 : 0));
+      out.push_back(static_cast<uint8_t>(odd ? stream.below(3) : is_window_seed(x, y) ? 1 : 0));
     }
   return out;
 }
@@ -86,15 +86,15 @@ Rules some_rules() {
 
 /// Intersection over union of detected and true window pixels.
 double overlap(const Model& model, const TreeState& state) {
-  std::vector<bool> seen(kWidth * kHeight, false);
+  std::vector<bool> seen(kSeedWidth * kSeedHeight, false);
   model.each_terminal(state, [&](RegionType type, int, const Rect& r) {
     for (int y = r.y0; type == RegionType::window && y < r.y1; ++y)
-      for (int x = r.x0; x < r.x1; ++x) seen[static_cast<size_t>(y * kWidth + x)] = true;
+      for (int x = r.x0; x < r.x1; ++x) seen[static_cast<size_t>(y * kSeedWidth + x)] = true;
   });
   double both = 0, either = 0;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      const bool a = seen[static_cast<size_t>(y * kWidth + x)], b = is_window(x, y);
+  for (int y = 0; y < kSeedHeight; ++y)
+    for (int x = 0; x < kSeedWidth; ++x) {
+      const bool a = seen[static_cast<size_t>(y * kSeedWidth + x)], b = is_window_seed(x, y);
       both += a && b ? 1 : 0, either += a || b ? 1 : 0;
     }
   return both / either;
@@ -103,10 +103,11 @@ double overlap(const Model& model, const TreeState& state) {
 /// Noisy clusters of windows and wall, and everything that chains need.
 struct Site {
   explicit Site(double noise)
-      : evidence(Evidence::from_clusters(kWidth, kHeight, 3, picture(noise))) {}
+      : evidence(Evidence::from_clusters(kSeedWidth, kSeedHeight, 3, picture(noise))) {}
   const Evidence evidence;
   const Rules rules = some_rules();
-  const Model model{rules, {}, kWidth, kHeight, {&evidence, make_likelihood("kt", evidence)}};
+  const Model model{
+      rules, {}, kSeedWidth, kSeedHeight, {&evidence, make_likelihood("kt", evidence)}};
   const EdgeHints hints = EdgeHints::from_clusters(evidence);
   const MoveContext context{model, hints};
 };

@@ -19,14 +19,15 @@ struct Window {
   Corners plot;
   Vec2d from, to;  ///< Corners of the window.
 };
-const Window kSquare{square(kSide), {2, 2}, {kSide - 2, kSide - 2}};
+const Window kSquareWindow{square(kSide), {2, 2}, {kSide - 2, kSide - 2}};
 /// Concave at (12, 12).
-const Window kBent{{{0, 0}, {24, 0}, {24, 12}, {12, 12}, {12, 24}, {0, 24}}, {2, 2}, {10, 22}};
+const Window kBentWindow{
+    {{0, 0}, {24, 0}, {24, 12}, {12, 12}, {12, 24}, {0, 24}}, {2, 2}, {10, 22}};
 
 /// Ripley's K with the known density, over all runs: the number of other points within r of a point
 /// of the window, all of which are inside the plot.
 std::vector<double> k_function(const std::string& name, const NamedValues& parameters,
-                               const Window& window = kSquare) {
+                               const Window& window = kSquareWindow) {
   std::vector<double> pairs(kRadii.size());
   for (uint64_t run = 0; run < kRuns; ++run) {
     const std::vector<Vec2d> points = draw(name, parameters, window.plot, kDensity, run);
@@ -57,7 +58,8 @@ TEST(Clusters, ThomasHasItsTheoreticalKFunction) {
 
 TEST(Clusters, KeepTheirKFunctionInAConcavePlot) {
   const double spread = 0.35, per_clump = 4, clumps = kDensity / per_clump;
-  const auto found = k_function("thomas", {{"per_clump", per_clump}, {"spread", spread}}, kBent);
+  const auto found =
+      k_function("thomas", {{"per_clump", per_clump}, {"spread", spread}}, kBentWindow);
   for (size_t i = 0; i < kRadii.size(); ++i) {
     const double r = kRadii[i];
     const double theory = kPi * r * r + (1 - std::exp(-r * r / (4 * spread * spread))) / clumps;

@@ -9,7 +9,7 @@
 namespace vug::flora {
 namespace {
 
-std::string fault_of(const Corners& corners) {
+std::string plot_fault(const Corners& corners) {
   try {
     const Plot plot(corners);
     return "";
@@ -55,20 +55,20 @@ TEST(Plot, SamplesUniformly) {
 }
 
 TEST(Plot, RejectsNonSimplePolygonsWithTheLocation) {
-  EXPECT_EQ(fault_of({{0, 0}, {1, 0}}), "a polygon needs at least 3 corners, not 2");
-  EXPECT_EQ(fault_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}}),
+  EXPECT_EQ(plot_fault({{0, 0}, {1, 0}}), "a polygon needs at least 3 corners, not 2");
+  EXPECT_EQ(plot_fault({{0, 0}, {2, 2}, {2, 0}, {0, 2}}),
             "sides 1 and 3 of the polygon cross or touch at (1, 1)");
-  EXPECT_EQ(fault_of({{0, 0}, {1, 0}, {1, 0}, {0, 1}}),
+  EXPECT_EQ(plot_fault({{0, 0}, {1, 0}, {1, 0}, {0, 1}}),
             "corners 2 and 3 of the polygon are both at (1, 0)");
-  EXPECT_EQ(fault_of({{0, 0}, {2, 0}, {1, 0}, {1, 1}}),
+  EXPECT_EQ(plot_fault({{0, 0}, {2, 0}, {1, 0}, {1, 1}}),
             "side 2 of the polygon runs back along side 1, from (2, 0)");
   // A corner on another side: the plot would fall apart there.
-  EXPECT_EQ(fault_of({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}),
+  EXPECT_EQ(plot_fault({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}),
             "sides 1 and 4 of the polygon cross or touch at (2, 0)");
-  EXPECT_NE(fault_of({{0, 0}, {1, NAN}, {0, 1}}).find("corner 2"), std::string::npos);
-  EXPECT_NE(fault_of({{0, 0}, {1e7, 0}, {0, 1}}).find("at most 1e6 m"), std::string::npos);
-  EXPECT_NE(fault_of({{0, 0}, {1, 1}, {2, 2}}), "");
-  EXPECT_EQ(fault_of(kBent), "");
+  EXPECT_NE(plot_fault({{0, 0}, {1, NAN}, {0, 1}}).find("corner 2"), std::string::npos);
+  EXPECT_NE(plot_fault({{0, 0}, {1e7, 0}, {0, 1}}).find("at most 1e6 m"), std::string::npos);
+  EXPECT_NE(plot_fault({{0, 0}, {1, 1}, {2, 2}}), "");
+  EXPECT_EQ(plot_fault(kBent), "");
 }
 
 TEST(Plot, TouchingIsExact) {
@@ -76,11 +76,11 @@ TEST(Plot, TouchingIsExact) {
   const auto dented = [](double y) {
     return Corners{{0, 0}, {1000, 0}, {1000, 1}, {300, y}, {0, 1}};
   };
-  EXPECT_EQ(fault_of(dented(0)), "sides 1 and 4 of the polygon cross or touch at (300, 0)");
-  EXPECT_EQ(fault_of(dented(5e-324)), "");
-  EXPECT_NE(fault_of(dented(-5e-324)), "");
+  EXPECT_EQ(plot_fault(dented(0)), "sides 1 and 4 of the polygon cross or touch at (300, 0)");
+  EXPECT_EQ(plot_fault(dented(5e-324)), "");
+  EXPECT_NE(plot_fault(dented(-5e-324)), "");
   // Overlapping sides, which have no single intersection.
-  EXPECT_EQ(fault_of({{0, 0}, {4, 0}, {4, 2}, {3, 2}, {3, 0}, {1, 0}, {1, 2}, {0, 2}}),
+  EXPECT_EQ(plot_fault({{0, 0}, {4, 0}, {4, 2}, {3, 2}, {3, 0}, {1, 0}, {1, 2}, {0, 2}}),
             "sides 1 and 5 of the polygon cross or touch at (3, 0)");
 }
 

@@ -33,7 +33,7 @@ building::FlatScene cast(const std::string& text) {
   std::erase_if(made.objects, [](const render::Object& object) { return !object.instance; });
   return made;
 }
-std::string faults(const std::string& text) {
+std::string grove_faults(const std::string& text) {
   return load_text(std::string(kThings) + "place p { of thin  at grove(" + text + ") }\n", "t.vug")
       .report();
 }
@@ -177,42 +177,47 @@ TEST(GrovePlaces, TooManyAreReportedWithTheirLocation) {
 
 TEST(GrovePlaces, FaultsAreReportedWithTheirLocation) {
   const std::string square = "polygon: [(0, 0), (9, 0), (9, 9), (0, 9)]";
-  EXPECT_NE(faults("polygon: [(0, 0), (2, 2), (2, 0), (0, 2)], density: 10")
+  EXPECT_NE(grove_faults("polygon: [(0, 0), (2, 2), (2, 0), (0, 2)], density: 10")
                 .find("t.vug:10:23: error: sides 1 and 3 of the polygon cross or touch at (1, 1)"),
             std::string::npos)
-      << faults("polygon: [(0, 0), (2, 2), (2, 0), (0, 2)], density: 10");
-  EXPECT_NE(faults("polygon: [(0, 0), (2, 2)], density: 10").find("3 corners"), std::string::npos);
-  EXPECT_NE(faults("polygon: [(0, 0), 3], density: 10").find("corner (x, z)"), std::string::npos);
-  EXPECT_NE(faults(square + ", density: 10, count: 3").find("not both"), std::string::npos);
-  EXPECT_NE(faults(square + ", density: -1").find("at least 0"), std::string::npos);
-  EXPECT_NE(faults(square + ", density: 10, diameter: 5cm").find("diameters"), std::string::npos);
-  EXPECT_NE(faults(square + ", density: 10, distribution: papre").find("distribution"),
+      << grove_faults("polygon: [(0, 0), (2, 2), (2, 0), (0, 2)], density: 10");
+  EXPECT_NE(grove_faults("polygon: [(0, 0), (2, 2)], density: 10").find("3 corners"),
             std::string::npos);
-  EXPECT_NE(faults(square + ", distribution: paper(weights: [-1, 1])").find("at least 0"),
+  EXPECT_NE(grove_faults("polygon: [(0, 0), 3], density: 10").find("corner (x, z)"),
             std::string::npos);
-  EXPECT_NE(faults(square + ", distribution: paper(weights: [0, 0])").find("the smaller one first"),
+  EXPECT_NE(grove_faults(square + ", density: 10, count: 3").find("not both"), std::string::npos);
+  EXPECT_NE(grove_faults(square + ", density: -1").find("at least 0"), std::string::npos);
+  EXPECT_NE(grove_faults(square + ", density: 10, diameter: 5cm").find("diameters"),
+            std::string::npos);
+  EXPECT_NE(grove_faults(square + ", density: 10, distribution: papre").find("distribution"),
+            std::string::npos);
+  EXPECT_NE(grove_faults(square + ", distribution: paper(weights: [-1, 1])").find("at least 0"),
             std::string::npos);
   EXPECT_NE(
-      faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]").find("model number"),
+      grove_faults(square + ", distribution: paper(weights: [0, 0])").find("the smaller one first"),
       std::string::npos);
-  EXPECT_NE(faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]")
+  EXPECT_NE(grove_faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]")
+                .find("model number"),
+            std::string::npos);
+  EXPECT_NE(grove_faults(square + ", count: 5, diameter: 1cm, diameters: [1cm, 2cm]")
                 .find("hint: models are counted from 0, in the order of 'of'"),
             std::string::npos);
-  EXPECT_NE(faults(square + ", count: 5, from: 3m").find("there is no ground 'on'"),
+  EXPECT_NE(grove_faults(square + ", count: 5, from: 3m").find("there is no ground 'on'"),
             std::string::npos);
-  EXPECT_NE(faults(square + ", count: 5, steepest: 20deg").find("there is no ground 'on'"),
+  EXPECT_NE(grove_faults(square + ", count: 5, steepest: 20deg").find("there is no ground 'on'"),
             std::string::npos);
-  EXPECT_NE(faults(square + ", count: 5, margin: 3m").find("'avoid'"), std::string::npos);
-  EXPECT_NE(faults(square + ", count: 5, on: thick")
+  EXPECT_NE(grove_faults(square + ", count: 5, margin: 3m").find("'avoid'"), std::string::npos);
+  EXPECT_NE(grove_faults(square + ", count: 5, on: thick")
                 .find("hint: 'thick' is declared by 'object' on 'large_mesh'"),
             std::string::npos);
-  EXPECT_NE(
-      faults(square + ", count: 5, diameter_spread: 1cm").find("'diameter', which is missing"),
-      std::string::npos);
-  // Only "as many as fit" needs no number.
-  EXPECT_NE(faults(square + ", distribution: thomas").find("'density' per hectare or a 'count'"),
+  EXPECT_NE(grove_faults(square + ", count: 5, diameter_spread: 1cm")
+                .find("'diameter', which is missing"),
             std::string::npos);
-  EXPECT_NE(faults(square).find("'density' per hectare or a 'count'"), std::string::npos);
+  // Only "as many as fit" needs no number.
+  EXPECT_NE(
+      grove_faults(square + ", distribution: thomas").find("'density' per hectare or a 'count'"),
+      std::string::npos);
+  EXPECT_NE(grove_faults(square).find("'density' per hectare or a 'count'"), std::string::npos);
   EXPECT_GT(cast("place p { of thin  at grove(" + square +
                  ", distribution: poisson_disk(distance: 1m)) }\n")
                 .objects.size(),

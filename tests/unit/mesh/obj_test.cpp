@@ -8,11 +8,11 @@
 namespace vug::mesh {
 namespace {
 
-Mesh read(const std::string& text) { return format_of("x.obj").read(text, "x.obj"); }
+Mesh read_obj_text(const std::string& text) { return format_of("x.obj").read(text, "x.obj"); }
 
 constexpr const char* kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-double area(const Mesh& mesh) {
+double area_along_z(const Mesh& mesh) {
   double sum = 0;
   for (size_t face = 0; face < mesh.triangles.size(); ++face)
     sum += double_area_vector(mesh, face).z / 2;
@@ -25,22 +25,22 @@ TEST(Obj, ReadsEveryFormOfCorner) {
         "f -4 -3 -2 -1", "f -4/-1/-1 -3/-1/-1 -2/-1/-1 -1/-1/-1", "f 1 2 \\\n 3 4 # done",
         "\tf  1/ 2/ 3/ 4/\r"}) {
     SCOPED_TRACE(face);
-    const Mesh mesh =
-        read(std::string("mtllib a.mtl\n") + kSquare + "vt 0 0\nvn 0 0 1\ng side\n" + face + "\n");
+    const Mesh mesh = read_obj_text(std::string("mtllib a.mtl\n") + kSquare +
+                                    "vt 0 0\nvn 0 0 1\ng side\n" + face + "\n");
     EXPECT_EQ(mesh.triangles.size(), 2U);
-    EXPECT_DOUBLE_EQ(area(mesh), 1);
+    EXPECT_DOUBLE_EQ(area_along_z(mesh), 1);
   }
 }
 
 TEST(Obj, KeepsNormalsWhereEachVertexHasOne) {
   const std::string points = std::string(kSquare) + "vn 0 0 1\nvn 0 1 0\nvn 0 0 1\n";
-  EXPECT_EQ(read(points + "f 1//1 2//1 3//1\nf 1//3 3//1 4//1\n").normals.size(), 4U);
-  EXPECT_TRUE(read(points + "f 1//1 2//1 3//1\nf 1//2 3//1 4//1\n").normals.empty());
-  EXPECT_TRUE(read(points + "f 1//1 2//1 3//1\n").normals.empty());
+  EXPECT_EQ(read_obj_text(points + "f 1//1 2//1 3//1\nf 1//3 3//1 4//1\n").normals.size(), 4U);
+  EXPECT_TRUE(read_obj_text(points + "f 1//1 2//1 3//1\nf 1//2 3//1 4//1\n").normals.empty());
+  EXPECT_TRUE(read_obj_text(points + "f 1//1 2//1 3//1\n").normals.empty());
 }
 
 TEST(Obj, ReadsVertexColours) {
-  const Mesh mesh = read("v 0 0 0 1 0.5 0\nv 1 0 0 0 0 1\nv 0 1 0\nf 1 2 3\n");
+  const Mesh mesh = read_obj_text("v 0 0 0 1 0.5 0\nv 1 0 0 0 0 1\nv 0 1 0\nf 1 2 3\n");
   const Attribute* colour = find_attribute(mesh, kColour, 3);
   ASSERT_NE(colour, nullptr);
   EXPECT_EQ(colour->values, (std::vector<float>{1, 0.5F, 0, 0, 0, 1, 1, 1, 1}));
@@ -48,15 +48,15 @@ TEST(Obj, ReadsVertexColours) {
 
 TEST(Obj, ConcavePolygonsStayConcave) {
   // An arrowhead whose fan from the first corner would cover the concavity.
-  const Mesh mesh = read("v 0 0 0\nv 2 -2 0\nv 0.5 0 0\nv 2 2 0\nf 2 3 4 1\n");
-  EXPECT_DOUBLE_EQ(area(mesh), 1);
+  const Mesh mesh = read_obj_text("v 0 0 0\nv 2 -2 0\nv 0.5 0 0\nv 2 2 0\nf 2 3 4 1\n");
+  EXPECT_DOUBLE_EQ(area_along_z(mesh), 1);
   for (size_t face = 0; face < mesh.triangles.size(); ++face)
     EXPECT_GT(double_area_vector(mesh, face).z, 0);
-  const Mesh comb = read(
+  const Mesh comb = read_obj_text(
       "v 0 0 0\nv 5 0 0\nv 5 3 0\nv 4 3 0\nv 4 1 0\nv 3 1 0\nv 3 3 0\nv 2 3 0\nv 2 1 0\n"
       "v 1 1 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4 5 6 7 8 9 10 11 12\n");
   EXPECT_EQ(comb.triangles.size(), 10U);
-  EXPECT_DOUBLE_EQ(area(comb), 11);
+  EXPECT_DOUBLE_EQ(area_along_z(comb), 11);
   for (size_t face = 0; face < comb.triangles.size(); ++face)
     EXPECT_GT(double_area_vector(comb, face).z, 0);
 }

@@ -10,10 +10,10 @@
 namespace vug::mesh {
 namespace {
 
-Mesh read(const std::string& text) { return format_of("x.ply").read(text, "x.ply"); }
+Mesh read_ply_text(const std::string& text) { return format_of("x.ply").read(text, "x.ply"); }
 
 TEST(Ply, ReadsAnyOrderOfPropertiesInText) {
-  const Mesh mesh = read(
+  const Mesh mesh = read_ply_text(
       "ply\r\nformat ascii 1.0\r\ncomment by hand\r\nelement vertex 3\r\nproperty uchar green\r\n"
       "property double z\r\nproperty list uchar int spare\r\nproperty float x\r\n"
       "property uchar blue\r\nproperty float age\r\nproperty uchar red\r\nproperty short y\r\n"
@@ -43,7 +43,7 @@ TEST(Ply, ReadsBothByteOrders) {
     }
     put(bytes, static_cast<uint16_t>(4), big);
     bytes.append({0, 1, 2, 3});
-    const Mesh mesh = read(bytes);
+    const Mesh mesh = read_ply_text(bytes);
     EXPECT_EQ(mesh.positions,
               (std::vector<Vec3f>{{0, 0, -300}, {1, 0, -300}, {1, 1, -300}, {0, 1, -300}}));
     EXPECT_EQ(mesh.triangles.size(), 2U);
@@ -59,7 +59,7 @@ TEST(Ply, AttributesOfAnyArityComeBack) {
                      {"uv", 2, {0, 0, 1, 0, 0, 1}}};
   std::string bytes;
   format_of("x.ply").write(mesh, {}, [&](std::string_view more) { bytes += more; });
-  EXPECT_EQ(read(bytes), mesh);
+  EXPECT_EQ(read_ply_text(bytes), mesh);
   mesh.attributes.push_back({"moss", 1, {0, 0, 0}});
   EXPECT_THROW(format_of("x.ply").write(mesh, {}, [](std::string_view) {}), Error);
 }
@@ -68,14 +68,16 @@ TEST(Ply, CountsBeyondTheFileAreRefusedBeforeAllocation) {
   const std::string point = "property float x\nproperty float y\nproperty float z\n";
   for (const std::string encoding : {"ascii", "binary_little_endian"}) {
     const std::string head = "ply\nformat " + encoding + " 1.0\n";
-    EXPECT_THROW(read(head + "element vertex 4000000000\n" + point + "end_header\n"), Error);
-    EXPECT_THROW(read(head + "element vertex 99999999999999999999\n" + point + "end_header\n"),
+    EXPECT_THROW(read_ply_text(head + "element vertex 4000000000\n" + point + "end_header\n"),
                  Error);
-    EXPECT_THROW(read(head + "element vertex -1\n" + point + "end_header\n"), Error);
+    EXPECT_THROW(
+        read_ply_text(head + "element vertex 99999999999999999999\n" + point + "end_header\n"),
+        Error);
+    EXPECT_THROW(read_ply_text(head + "element vertex -1\n" + point + "end_header\n"), Error);
   }
-  EXPECT_THROW(read("ply\nformat ascii 1.0\nelement vertex 1\n" + point +
-                    "element face 1\nproperty list uint int vertex_index\nend_header\n"
-                    "0 0 0\n4000000000 0 0 0\n"),
+  EXPECT_THROW(read_ply_text("ply\nformat ascii 1.0\nelement vertex 1\n" + point +
+                             "element face 1\nproperty list uint int vertex_index\nend_header\n"
+                             "0 0 0\n4000000000 0 0 0\n"),
                Error);
 }
 

@@ -27,7 +27,7 @@ std::vector<uint32_t> ring(Mesh& mesh, double x, double y, double radius, int co
 }
 
 /// Area towards (0, -0.8, 0.6), the normal of the plane.
-double area(const Mesh& mesh) {
+double tilted_area(const Mesh& mesh) {
   double sum = 0;
   for (size_t i = 0; i < mesh.triangles.size(); ++i)
     sum += 0.5 * double_area_vector(mesh, i).dot(Vec3d(0, -0.8, 0.6));
@@ -47,7 +47,7 @@ TEST(Polygon, RingsLeaveHolesOutAndIslandsIn) {
   const auto second = ring(mesh, -0.35, 0.1, 0.1, 7, false);
   add_rings(mesh, {outer, hole, island, second});
   const double expected = disc(1, 40, true) - disc(0.3, 30) + disc(0.1, 5) - disc(0.1, 7);
-  EXPECT_NEAR(area(mesh), expected, 1e-6);
+  EXPECT_NEAR(tilted_area(mesh), expected, 1e-6);
   const Topology t = inspect(mesh);
   EXPECT_EQ(t.boundary_loops, 4u);
   EXPECT_EQ(t.components, 2u);
@@ -56,7 +56,7 @@ TEST(Polygon, RingsLeaveHolesOutAndIslandsIn) {
   mesh.triangles.clear();
   std::reverse(hole.begin(), hole.end());
   add_rings(mesh, {outer, hole, island, second});
-  EXPECT_NEAR(area(mesh), expected, 1e-6);
+  EXPECT_NEAR(tilted_area(mesh), expected, 1e-6);
 }
 
 TEST(Polygon, KeepsConcavitiesForAnyNumberOfCorners) {
@@ -65,7 +65,7 @@ TEST(Polygon, KeepsConcavitiesForAnyNumberOfCorners) {
     const auto star = ring(mesh, 0.2, 0.3, 1, corners, true);
     add_polygon(mesh, star);
     EXPECT_EQ(mesh.triangles.size(), star.size() - 2);
-    EXPECT_NEAR(area(mesh), disc(1, corners, true), 1e-5) << corners;
+    EXPECT_NEAR(tilted_area(mesh), disc(1, corners, true), 1e-5) << corners;
   }
 }
 

@@ -22,7 +22,7 @@ double longest_edge(const Mesh& mesh) {
   return longest;
 }
 
-double volume(const Mesh& mesh) {
+double volume_of(const Mesh& mesh) {
   double sum = 0;
   for (const Triangle& t : mesh.triangles)
     sum += Vec3d(mesh.positions[t[0]])
@@ -46,7 +46,7 @@ TEST(Refine, KeepsTheSurfaceClosedAndInPlace) {
   EXPECT_EQ(topology.boundary_edges, 0u);
   EXPECT_EQ(topology.nonmanifold_edges, 0u);
   EXPECT_EQ(topology.misoriented_edges, 0u);
-  EXPECT_NEAR(volume(fine), 1.2, 1e-6);
+  EXPECT_NEAR(volume_of(fine), 1.2, 1e-6);
   // Less than ten times the number of triangles with three edges of this length.
   EXPECT_LT(fine.triangles.size(), 10 * 2 * (4 * 1 + 4 * 0.3 + 1 * 0.3) / (0.433 * 0.2 * 0.2));
   for (size_t v = 0; v < fine.positions.size(); ++v) {

@@ -6,7 +6,7 @@
 namespace vug::mesh {
 namespace {
 
-Mesh read(const std::string& text) { return format_of("x.stl").read(text, "x.stl"); }
+Mesh read_stl_text(const std::string& text) { return format_of("x.stl").read(text, "x.stl"); }
 
 constexpr const char* kText =
     "solid a name of several words\n"
@@ -16,17 +16,17 @@ constexpr const char* kText =
     "  endloop\n endfacet\nendsolid a name\n";
 
 TEST(Stl, TextIsReadAndWelded) {
-  const Mesh mesh = read(kText);
+  const Mesh mesh = read_stl_text(kText);
   EXPECT_EQ(mesh.positions.size(), 4U);
   EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
-  EXPECT_EQ(read(std::string(kText) + kText).triangles.size(), 4U);
+  EXPECT_EQ(read_stl_text(std::string(kText) + kText).triangles.size(), 4U);
 }
 
 TEST(Stl, BinaryFilesMayBeginWithSolid) {
   std::string bytes;
-  format_of("x.stl").write(read(kText), {}, [&](std::string_view more) { bytes += more; });
+  format_of("x.stl").write(read_stl_text(kText), {}, [&](std::string_view more) { bytes += more; });
   bytes.replace(0, 5, "solid");
-  EXPECT_EQ(read(bytes).triangles.size(), 2U);
+  EXPECT_EQ(read_stl_text(bytes).triangles.size(), 2U);
 }
 
 TEST(Stl, FaultsOfTextNameTheirLine) {

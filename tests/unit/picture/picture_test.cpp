@@ -7,7 +7,7 @@
 namespace vug::picture {
 namespace {
 
-constexpr const char* kScene = R"(
+constexpr const char* kPictureScene = R"(
 camera left  { eye (-5, 0, 0) }
 camera right { eye (5, 0, 0) }
 camera above { eye (0, 5, 0)  target (1, 0, 0) }
@@ -29,7 +29,7 @@ std::string camera_of(const shot::Shot& shot, const std::string& render,
 }
 
 TEST(RenderPlan, TakesItsCameraElseTheOneOfItsNameElseTheFirst) {
-  const loading::Loaded loaded = loading::load_text(kScene, "t.vug");
+  const loading::Loaded loaded = loading::load_text(kPictureScene, "t.vug");
   ASSERT_EQ(loaded.report(), "");
   EXPECT_EQ(camera_of(loaded.shot, "plain"), "left");
   EXPECT_EQ(camera_of(loaded.shot, "right"), "right");

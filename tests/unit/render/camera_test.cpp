@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "chi2.h"
+#include "uniform.h"
 
 #include <vug/base/error.h>
 #include <vug/base/rng.h>
@@ -68,11 +69,6 @@ TEST(Perspective, MatricesProjectPointsToTheFilm) {
   }
 }
 
-Vec2f two(RandomStream& random) {
-  return {static_cast<float>(random.bits() >> 8) * 0x1p-24f,
-          static_cast<float>(random.bits() >> 8) * 0x1p-24f};
-}
-
 bool has_parameter(const KindInfo& info, const std::string& name) {
   for (const ParamInfo& p : info.params)
     if (p.name == name) return true;
@@ -83,7 +79,7 @@ void expect_places(const Camera& camera, float aspect) {
   const auto matrices = camera.matrices(aspect);
   RandomStream random(RandomKey(3));
   for (int i = 0; i < 200; ++i) {
-    const Vec2f film = two(random);
+    const Vec2f film = uniform_2d(random);
     const Ray ray = camera.ray(film, aspect, Vec2f(0.5f));
     EXPECT_NEAR(length(ray.direction), 1, 1e-6);
     const Vec3f point = ray.at(7);
@@ -192,7 +188,7 @@ TEST(EveryCamera, SamplesDirectionsUniformlyOnTheFilm) {
     const Chi2 result = chi2(
         axis, cap, kSamples,
         [&](int) -> DirectionSample {
-          const Vec3f d = arrival(two(random));
+          const Vec3f d = arrival(uniform_2d(random));
           return {d, std::max(density(d), 1e-9)};
         },
         density);
@@ -236,7 +232,7 @@ TEST(EveryCamera, SamplesItsApertureUniformly) {
         }
       RandomStream random(RandomKey(5).at(static_cast<uint64_t>(blades)));
       for (int i = 0; i < kSamples; ++i) {
-        const Vec3f at = camera->ray({0.3f, 0.8f}, 1.5f, two(random)).origin;
+        const Vec3f at = camera->ray({0.3f, 0.8f}, 1.5f, uniform_2d(random)).origin;
         ASSERT_NEAR(at.z, 5, 1e-6);
         ASSERT_TRUE(inside(0.9999 * static_cast<double>(at.x) / kRadius,
                            0.9999 * static_cast<double>(at.y) / kRadius));

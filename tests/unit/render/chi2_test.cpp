@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "chi2.h"
+#include "uniform.h"
 
 #include <vug/base/rng.h>
 #include <vug/base/scratch_folder.h>
@@ -19,11 +20,6 @@ constexpr int kSamples = 200000;
 /// Significance level of one of `tests` tests such that all of them together fail by chance in 1 of
 /// 100 cases (Sidak).
 double level(int tests) { return 1 - std::pow(0.99, 1.0 / tests); }
-
-Vec2f two(RandomStream& random) {
-  return {static_cast<float>(random.bits() >> 8) * 0x1p-24f,
-          static_cast<float>(random.bits() >> 8) * 0x1p-24f};
-}
 
 /// A sky picture with a bright spot and a gradient, for lights that require a file.
 std::string sky_file() {
@@ -79,14 +75,13 @@ TEST(ChiSquare, EveryLightSamplesItsDensity) {
       const Vec3f axis = all_round ? Vec3f(0, 1, 0) : normalized(light->center() - position);
       double sine = 0;  // of the widest angle; only lights within a hemisphere get here
       for (int i = 0; i < 10000 && !all_round; ++i)
-        sine = std::max(
-            sine,
-            static_cast<double>(length(cross(axis, light->sample(point, two(random)).direction))));
+        sine = std::max(sine, static_cast<double>(length(cross(
+                                  axis, light->sample(point, uniform_2d(random)).direction))));
       const double cap = all_round ? 2 : 1.1 * (sine * sine / (1 + std::sqrt(1 - sine * sine)));
       const Chi2 result = chi2(
           axis, cap, kSamples,
           [&](int) -> DirectionSample {
-            const LightSample s = light->sample(point, two(random));
+            const LightSample s = light->sample(point, uniform_2d(random));
             EXPECT_NEAR(length(s.direction), 1, 1e-5);
             return {s.direction, static_cast<double>(s.pdf)};
           },
@@ -109,7 +104,7 @@ TEST(ChiSquare, EveryPhaseFunctionSamplesItsDensity) {
       const Chi2 result = chi2(
           travel, 2, kSamples,
           [&](int) -> DirectionSample {
-            const Vec3f d = medium->sample_phase(travel, two(random));
+            const Vec3f d = medium->sample_phase(travel, uniform_2d(random));
             mean_cosine += static_cast<double>(dot(d, travel)) / kSamples;
             return {d, static_cast<double>(medium->phase(dot(d, travel)))};
           },
@@ -132,7 +127,7 @@ TEST(ChiSquare, DistancesAreExponential) {
     int through = 0;
     double sum = 0;
     for (int i = 0; i < kSamples; ++i) {
-      const DistanceSample s = medium->sample_distance(ray, segment, two(random).x, numbers);
+      const DistanceSample s = medium->sample_distance(ray, segment, uniform_2d(random).x, numbers);
       if (!s.scattered) {
         ++through;
         continue;

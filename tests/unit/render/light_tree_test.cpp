@@ -2,6 +2,7 @@
 // The light tree: the choice is unbiased, its probabilities are as reported, and it pays off.
 #include "chi2.h"
 #include "scenes.h"
+#include "uniform.h"
 
 #include <vug/base/rng.h>
 #include <vug/render/lighting/light_set.h>
@@ -15,7 +16,6 @@
 namespace vug::render {
 namespace {
 
-float one(RandomStream& random) { return static_cast<float>(random.bits() >> 8) * 0x1p-24f; }
 Vec3d place(RandomStream& random) {
   const double x = random.uniform(-4, 4), y = random.uniform(-4, 4);
   return {x, y, random.uniform(-4, 4)};
@@ -83,7 +83,7 @@ TEST(LightTree, EveryLightIsChosenWithItsProbability) {
       for (int i = 0; i < kDraws; ++i) {
         double sum = 0;
         std::set<LightId> at_once;
-        for (const LightChoice& c : set.choose(point, one(random), selection)) {
+        for (const LightChoice& c : set.choose(point, uniform(random), selection)) {
           const float share = set.pmf(c.light, point, selection);
           ASSERT_NEAR(c.probability, share, 1e-4f * share);
           ASSERT_TRUE(at_once.insert(c.light).second) << "the same light twice";
@@ -130,7 +130,7 @@ TEST(LightTree, EveryLightIsChosenWithItsProbabilityAlongRays) {
       std::map<LightId, std::pair<int, float>> seen;
       for (int i = 0; i < kDraws; ++i)
         for (const LightChoice& c :
-             set.choose_along(ray, {0.5f, 3}, one(random), selection,
+             set.choose_along(ray, {0.5f, 3}, uniform(random), selection,
                               trial % 2 == 1 ? chances : VisibilityCache())) {
           auto& [times, probability] = seen[c.light];
           if (times++ > 0) {
@@ -186,7 +186,7 @@ TEST(LightTree, NoContributingLightIsLeftOut) {
     LightSelection selection;
     set.choose(point, 0.5f, selection);
     for (LightId id = 0; id < ids; ++id) {
-      const LightSample s = set.sample(id, point, {one(random), one(random)});
+      const LightSample s = set.sample(id, point, {uniform(random), uniform(random)});
       if (!(s.pdf > 0) || (point.on_surface() && dot(s.direction, point.normal) < 1e-3f)) continue;
       EXPECT_GT(set.pmf(id, point, selection), 0) << "light " << id;
       ++lit;
@@ -214,8 +214,8 @@ TEST(LightTree, HasTheMeanOfAUniformChoiceWithMuchLessNoise) {
     const LightSampleContext point{{static_cast<float>(random.uniform(-50, 50)), -2.5f, 0},
                                    {0, 1, 0}};
     const auto light = [&](LightId id) {
-      const float u = one(random);
-      const LightSample s = set.sample(id, point, {u, one(random)});
+      const float u = uniform(random);
+      const LightSample s = set.sample(id, point, {u, uniform(random)});
       return s.pdf > 0 ? static_cast<double>(s.radiance.y * std::max(0.0f, s.direction.y) / s.pdf)
                        : 0.0;
     };
@@ -229,7 +229,7 @@ TEST(LightTree, HasTheMeanOfAUniformChoiceWithMuchLessNoise) {
         double value = 0;
         if (tree) {
           LightSelection selection;
-          for (const LightChoice& c : set.choose(point, one(random), selection))
+          for (const LightChoice& c : set.choose(point, uniform(random), selection))
             value = light(c.light) / static_cast<double>(c.probability);
         } else {
           value = kLights * light(random.below(kLights));
@@ -253,7 +253,7 @@ TEST(LightTree, DistinguishesNearbyCrystalFaces) {
   RandomStream random{RandomKey(41)};
   mesh::Mesh mesh;
   for (uint32_t i = 0; i < 1500; ++i) {
-    const Vec3f at(8 * one(random), 0.05f, 8 * one(random));
+    const Vec3f at(8 * uniform(random), 0.05f, 8 * uniform(random));
     for (const Vec3f& corner : {Vec3f(0.02f, 0, -0.012f), Vec3f(-0.02f, 0, -0.012f),
                                 Vec3f(0, 0, 0.024f), Vec3f(0, 0.06f, 0)})
       mesh.positions.push_back(at + corner);
@@ -270,14 +270,15 @@ TEST(LightTree, DistinguishesNearbyCrystalFaces) {
   double relative = 0;
   constexpr int kPoints = 50, kDraws = 2000;
   for (int trial = 0; trial < kPoints; ++trial) {
-    const LightSampleContext point{{1 + 6 * one(random), 0, 1 + 6 * one(random)}, {0, 1, 0}};
+    const LightSampleContext point{{1 + 6 * uniform(random), 0, 1 + 6 * uniform(random)},
+                                   {0, 1, 0}};
     double sum = 0, squares = 0;
     for (int i = 0; i < kDraws; ++i) {
       double value = 0;
       LightSelection selection;
-      for (const LightChoice& c : set.choose(point, one(random), selection)) {
-        const float u = one(random);
-        const LightSample s = set.sample(c.light, point, {u, one(random)});
+      for (const LightChoice& c : set.choose(point, uniform(random), selection)) {
+        const float u = uniform(random);
+        const LightSample s = set.sample(c.light, point, {u, uniform(random)});
         if (s.pdf > 0 && s.direction.y > 0)
           value += static_cast<double>(s.direction.y / (s.pdf * c.probability));
       }
@@ -304,8 +305,8 @@ TEST(LightTree, UnionsOfConesContainBoth) {
     EXPECT_EQ(both.strength, 2);
     for (const LightBounds& b : parts)
       for (int i = 0; i < 20; ++i) {
-        const float off = (1 - b.cos_spread) * one(random);
-        const Vec3f inside = Frame(b.axis).to_world(direction_off_axis(off, one(random)));
+        const float off = (1 - b.cos_spread) * uniform(random);
+        const Vec3f inside = Frame(b.axis).to_world(direction_off_axis(off, uniform(random)));
         EXPECT_GE(dot(inside, both.axis), both.cos_spread - 1e-5f);
       }
   }
@@ -364,8 +365,8 @@ TEST(Emitters, TrianglesSampleTheirDensity) {
     const Chi2 result = chi2(
         axis, std::min(2.0, 1.05 * widest), 200000,
         [&](int) -> DirectionSample {
-          const float u = one(random);
-          const LightSample s = emitters.sample(0, point, {u, one(random)});
+          const float u = uniform(random);
+          const LightSample s = emitters.sample(0, point, {u, uniform(random)});
           return {s.direction, static_cast<double>(s.pdf)};
         },
         [&](const Vec3f& d) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kinds of lights against closed forms, their colours and powers, and light linking.
 #include "scenes.h"
+#include "uniform.h"
 
 #include <vug/base/error.h>
 #include <vug/base/rng.h>
@@ -14,8 +15,6 @@
 
 namespace vug::render {
 namespace {
-
-float one(RandomStream& random) { return static_cast<float>(random.bits() >> 8) * 0x1p-24f; }
 
 /// The required parameters of a kind of light.
 NamedValues needed(const KindInfo& info) {
@@ -205,10 +204,11 @@ TEST(Lights, EveryLightEmitsItsLumen) {
     RandomStream random{RandomKey(21)};
     double sum = 0;
     for (int i = 0; i < kSamples; ++i) {
-      const float a = one(random);
-      const Vec3f out = sample_sphere({a, one(random)});
-      const float u = one(random);
-      const LightSample s = light->sample({light->center() + out * kAway, -out}, {u, one(random)});
+      const float a = uniform(random);
+      const Vec3f out = sample_sphere({a, uniform(random)});
+      const float u = uniform(random);
+      const LightSample s =
+          light->sample({light->center() + out * kAway, -out}, {u, uniform(random)});
       if (s.pdf > 0)
         sum += static_cast<double>(luminance(s.radiance) * -dot(s.direction, out) / s.pdf);
     }
@@ -227,12 +227,12 @@ TEST(Lights, BranchBoundsContainTheirLights) {
     RandomStream random{RandomKey(22)};
     int contributions = 0;
     for (int i = 0; i < 20000; ++i) {
-      const float a = one(random), far = 0.05f + 4 * one(random) * one(random);
-      LightSampleContext point{light->center() + sample_sphere({a, one(random)}) * far};
-      const float b = one(random);
-      if (i % 2) point.normal = sample_sphere({b, one(random)});
-      const float u = one(random);
-      const LightSample s = light->sample(point, {u, one(random)});
+      const float a = uniform(random), far = 0.05f + 4 * uniform(random) * uniform(random);
+      LightSampleContext point{light->center() + sample_sphere({a, uniform(random)}) * far};
+      const float b = uniform(random);
+      if (i % 2) point.normal = sample_sphere({b, uniform(random)});
+      const float u = uniform(random);
+      const LightSample s = light->sample(point, {u, uniform(random)});
       if (!(s.pdf > 0) || is_black(s.radiance)) continue;
       if (point.on_surface() && !(dot(point.normal, s.direction) > 1e-3f)) continue;
       ++contributions;

@@ -3,6 +3,7 @@
 // and white conserves energy. Cases are the kind's defaults, and each fraction in 0..1 set to 1, so
 // that a new kind or lobe is tested as soon as it is listed.
 #include "chi2.h"
+#include "uniform.h"
 
 #include <vug/base/rng.h>
 #include <vug/render/kinds.h>
@@ -16,11 +17,7 @@ constexpr int kSamples = 100000;
 
 double level(int tests) { return 1 - std::pow(0.99, 1.0 / tests); }
 
-Vec2f two(RandomStream& random) {
-  return {static_cast<float>(random.bits() >> 8) * 0x1p-24f,
-          static_cast<float>(random.bits() >> 8) * 0x1p-24f};
-}
-float one(RandomStream& random) { return two(random).x; }
+float one(RandomStream& random) { return uniform_2d(random).x; }
 
 Value as_value(const MaterialPtr& material) { return ValueTraits<MaterialPtr>::write(material); }
 
@@ -120,7 +117,7 @@ TEST(Materials, SampleTheirDensity) {
             {0, 0, side}, 1 + 1e-6, kSamples,  // past the horizon by rounding
             [&](int) -> DirectionSample {
               const float lobe = one(random);
-              const BsdfSample s = bsdf.sample(lobe, two(random));
+              const BsdfSample s = bsdf.sample(lobe, uniform_2d(random));
               if (!(s.pdf > 0) || s.subsurface || s.direction.z * side < 0) return {};
               const Scattering f = bsdf.evaluate(s.direction);
               const auto agrees = [&](float weighed, float value) {
@@ -155,7 +152,8 @@ TEST(Materials, AreReciprocal) {
       return static_cast<double>(bsdf.evaluate(in).total().y / std::fabs(in.z));
     };
     for (int trial = 0; trial < 300; ++trial) {
-      Vec3f a = sample_cosine_hemisphere(two(random)), b = sample_cosine_hemisphere(two(random));
+      Vec3f a = sample_cosine_hemisphere(uniform_2d(random)),
+            b = sample_cosine_hemisphere(uniform_2d(random));
       a.z = std::max(a.z, 1e-3f), b.z = std::max(b.z, 1e-3f);
       a.normalize(), b.normalize();
       const double there = f(a, b, false);

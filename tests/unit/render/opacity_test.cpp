@@ -15,10 +15,6 @@ Value as_mask(std::function<double(const paint::EvalPoint&)> f) {
 MaterialPtr black(const Value& opacity) {
   return make_material("surface", {{"color", Vec3d(0)}, {"specular", 0.0}, {"opacity", opacity}});
 }
-mesh::Mesh at_height(mesh::Mesh mesh, float height) {
-  for (Vec3f& p : mesh.positions) p.y = height;
-  return mesh;
-}
 /// A light of radiance 1 below, seen from above through `sheets` of the material.
 Scene over_a_light(const MaterialPtr& material, int sheets) {
   Scene scene;

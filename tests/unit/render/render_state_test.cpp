@@ -10,7 +10,7 @@
 namespace vug::render {
 namespace {
 
-Scene lit_floor() {
+Scene floor_with_two_lights() {
   Scene scene;
   scene.camera = view({0, 1.5, 4}, {0, 0.5, 0}, 1.1);
   scene.objects = {object(floor_mesh(4), 0.5)};
@@ -23,14 +23,14 @@ RenderState rendered(const Options& o, const RenderSlice& slice = {},
                      const RenderCallbacks& callbacks = {}) {
   RenderState state = begin_render(o, slice);
   Progress progress;
-  continue_render(lit_floor(), o, state, callbacks, progress);
+  continue_render(floor_with_two_lights(), o, state, callbacks, progress);
   return state;
 }
 
 TEST(RenderState, SlicesHaveTheBitsOfTheWhole) {
   Options o = options(50, 37, 10, 2);
   o.aovs = plan_aovs({"all"}, {});
-  const image::Image whole = render(lit_floor(), o);
+  const image::Image whole = render(floor_with_two_lights(), o);
   o.threads = 1;
   RenderState joint = begin_render(o);
   for (const int tile : {2, 0, 1})
@@ -46,7 +46,7 @@ TEST(RenderState, PassesHaveTheBitsOfTheWhole) {
   std::vector<uint32_t> seen;
   RenderCallbacks callbacks;
   callbacks.pass = [&](const RenderState& state) { seen.push_back(state.done[3]); };
-  EXPECT_EQ(develop(rendered(o, {}, callbacks), o.aovs), render(lit_floor(), o));
+  EXPECT_EQ(develop(rendered(o, {}, callbacks), o.aovs), render(floor_with_two_lights(), o));
   EXPECT_EQ(seen, (std::vector<uint32_t>{4, 8, 16, 21}));
 }
 
@@ -57,7 +57,7 @@ TEST(RenderState, SavingChangesNoDecision) {
   callbacks.save_every = 0;
   int saves = 0;
   callbacks.save = [&](const RenderState&) { ++saves; };
-  EXPECT_EQ(develop(rendered(o, {}, callbacks), o.aovs), render(lit_floor(), o));
+  EXPECT_EQ(develop(rendered(o, {}, callbacks), o.aovs), render(floor_with_two_lights(), o));
   EXPECT_GT(saves, 0);
 }
 
@@ -65,7 +65,7 @@ TEST(RenderState, CancelledRendersCanBeResumed) {
   for (const double noise : {0.0, 0.08}) {
     Options o = options(50, 37, 64, 2);
     o.noise = noise;
-    const image::Image whole = render(lit_floor(), o);
+    const image::Image whole = render(floor_with_two_lights(), o);
     RenderState kept = begin_render(o);
     for (int stop = 0; stop < 12; ++stop) {
       // Saves after every tile, and cancels after some of them.
@@ -80,7 +80,7 @@ TEST(RenderState, CancelledRendersCanBeResumed) {
         if (++saves == 1 + 2 * stop) progress.cancel();
       };
       try {
-        continue_render(lit_floor(), o, state, callbacks, progress);
+        continue_render(floor_with_two_lights(), o, state, callbacks, progress);
         break;
       } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::cancelled);
@@ -88,7 +88,7 @@ TEST(RenderState, CancelledRendersCanBeResumed) {
     }
     EXPECT_GT(kept.fraction(), 0);
     Progress progress;
-    continue_render(lit_floor(), o, kept, {}, progress);
+    continue_render(floor_with_two_lights(), o, kept, {}, progress);
     EXPECT_TRUE(kept.complete());
     EXPECT_EQ(develop(kept, o.aovs), whole) << noise;
   }
@@ -96,9 +96,9 @@ TEST(RenderState, CancelledRendersCanBeResumed) {
 
 TEST(RenderState, ACropHasThePixelsOfTheWhole) {
   Options o = options(50, 37, 4, 2);
-  const image::Image whole = render(lit_floor(), o);
+  const image::Image whole = render(floor_with_two_lights(), o);
   o.crop = {11, 5, 31, 30};
-  const image::Image part = render(lit_floor(), o);
+  const image::Image part = render(floor_with_two_lights(), o);
   ASSERT_EQ(part.width, 20);
   ASSERT_EQ(part.height, 25);
   for (int y = 0; y < part.height; ++y)
@@ -106,7 +106,7 @@ TEST(RenderState, ACropHasThePixelsOfTheWhole) {
       for (size_t c = 0; c < part.channels.size(); ++c)
         ASSERT_EQ(part.at(x, y, c), whole.at(x + 11, y + 5, c));
   o.crop = {0, 0, 51, 10};
-  EXPECT_THROW(render(lit_floor(), o), Error);
+  EXPECT_THROW(render(floor_with_two_lights(), o), Error);
 }
 
 TEST(RenderState, InvalidSlicesAreRejected) {

@@ -28,6 +28,12 @@ inline mesh::Mesh floor_mesh(float half) {
   return mesh;
 }
 
+/// The mesh, flattened onto the plane y = height.
+inline mesh::Mesh at_height(mesh::Mesh mesh, float height) {
+  for (Vec3f& p : mesh.positions) p.y = height;
+  return mesh;
+}
+
 /// Adds normals that point inwards or outwards from the origin.
 inline mesh::Mesh with_radial_normals(mesh::Mesh mesh, float sign) {
   for (const Vec3f& p : mesh.positions) mesh.normals.push_back(p * (sign / p.length()));

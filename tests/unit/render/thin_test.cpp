@@ -82,11 +82,6 @@ TEST(Thin, LightsBehindARoughFaceAreSampled) {
   EXPECT_GT(expected, 0.01);
 }
 
-mesh::Mesh at_height(mesh::Mesh mesh, float height) {
-  for (Vec3f& p : mesh.positions) p.y = height;
-  return mesh;
-}
-
 TEST(Thin, WhiteSheetsVanishInAWhiteSky) {
   Scene scene;
   scene.camera = view({0.2, 1, 0.5}, {0, 0, 0}, 0.5);

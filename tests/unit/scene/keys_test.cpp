@@ -8,19 +8,19 @@
 namespace vug::scene {
 namespace {
 
-struct Read {
+struct KeyedValue {
   std::string value;  ///< Value of `let x`; errors as "! message".
   bool moves = false;
 };
 
-Read read(const std::string& text, double frame) {
+KeyedValue read(const std::string& text, double frame) {
   Diagnostics diagnostics;
   const Document document = parse(text, "t.vug", diagnostics);
   FakeResolver resolver;
   EvaluatorOptions options;
   options.frame = frame;
   Evaluator evaluator(document, resolver, diagnostics, options);
-  Read out;
+  KeyedValue out;
   if (const Let* x = document.find_let("x"))
     out.value = to_string(evaluator.eval(*x->value, evaluator.root()));
   for (const Diagnostic& one : diagnostics.all()) out.value += "! " + one.message;

@@ -39,7 +39,7 @@ std::string kinds(const std::string& text) {
   return out + (diagnostics.has_errors() ? " !" : "");
 }
 
-Number number(const std::string& text) {
+Number number_token(const std::string& text) {
   Diagnostics diagnostics;
   const auto tokens = lex(text, "t", diagnostics);
   EXPECT_EQ(tokens.size(), 2u) << text;
@@ -74,17 +74,17 @@ TEST(Lexer, CommentsAndSemicolons) {
 }
 
 TEST(Lexer, UnitsAreExact) {
-  EXPECT_EQ(number("52%").value, 0.52);
-  EXPECT_EQ(number("30cm").value, 0.3);
-  EXPECT_EQ(number("7mm").value, 0.007);
-  EXPECT_EQ(number("1in").value, 0.0254);
-  EXPECT_EQ(number("1ft").value, 0.3048);
-  EXPECT_EQ(number("180deg").value, kPi);
-  EXPECT_EQ(number("250ms").value, 0.25);
-  EXPECT_EQ(number("2km").value, 2000);
-  EXPECT_EQ(number("1e-400").value, 0);
-  EXPECT_EQ(number("30deg").dimension, Dimension::angle);
-  EXPECT_EQ(number("30").dimension, Dimension::none);
+  EXPECT_EQ(number_token("52%").value, 0.52);
+  EXPECT_EQ(number_token("30cm").value, 0.3);
+  EXPECT_EQ(number_token("7mm").value, 0.007);
+  EXPECT_EQ(number_token("1in").value, 0.0254);
+  EXPECT_EQ(number_token("1ft").value, 0.3048);
+  EXPECT_EQ(number_token("180deg").value, kPi);
+  EXPECT_EQ(number_token("250ms").value, 0.25);
+  EXPECT_EQ(number_token("2km").value, 2000);
+  EXPECT_EQ(number_token("1e-400").value, 0);
+  EXPECT_EQ(number_token("30deg").dimension, Dimension::angle);
+  EXPECT_EQ(number_token("30").dimension, Dimension::none);
 }
 
 TEST(Lexer, ColumnsCountCharacters) {

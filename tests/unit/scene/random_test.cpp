@@ -22,16 +22,16 @@ Value drawn(const std::string& text, const std::string& let, uint64_t seed = 1) 
   return value;
 }
 
-double number(const std::string& text, const std::string& let = "a", uint64_t seed = 1) {
+double let_value(const std::string& text, const std::string& let = "a", uint64_t seed = 1) {
   return drawn(text, let, seed).get<Number>()->value;
 }
 
 TEST(Random, DependsOnSeedAndPathOnly) {
-  const double first = number("let a = 0..1");
-  EXPECT_EQ(first, number("let a = 0..1"));
-  EXPECT_EQ(first, number("let b = 0..1\n\n# more\nlet a = 0 .. 1\nlet c = 0..1"));
-  EXPECT_NE(first, number("let a = 0..1", "a", 2));
-  EXPECT_NE(first, number("let b = 0..1", "b"));
+  const double first = let_value("let a = 0..1");
+  EXPECT_EQ(first, let_value("let a = 0..1"));
+  EXPECT_EQ(first, let_value("let b = 0..1\n\n# more\nlet a = 0 .. 1\nlet c = 0..1"));
+  EXPECT_NE(first, let_value("let a = 0..1", "a", 2));
+  EXPECT_NE(first, let_value("let b = 0..1", "b"));
 }
 
 /// Identities of the ranges of an expression, by the path of names that leads to them.

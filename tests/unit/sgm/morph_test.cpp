@@ -11,7 +11,7 @@
 namespace vug::sgm {
 namespace {
 
-Vec3d unit(RandomStream& random) {
+Vec3d direction(RandomStream& random) {
   const double z = random.uniform(-1, 1), phi = random.uniform(0, 2 * kPi);
   const double r = std::sqrt(1 - z * z);
   return {r * std::cos(phi), r * std::sin(phi), z};
@@ -21,7 +21,7 @@ TEST(Morph, OfConcentricBallsIsTheBallBetween) {
   const Field f = field::morph(ball(30), ball(60), 0.52);
   RandomStream random(RandomKey(1));
   for (int i = 0; i < 1000; ++i) {
-    const Vec3d u = unit(random);
+    const Vec3d u = direction(random);
     ASSERT_NEAR(100 - *first_hit(f, u * 100, -u, 100), 0.48 * 30 + 0.52 * 60, 1e-11);
   }
 }
@@ -34,7 +34,7 @@ TEST(Morph, OfTwoBallsIsTheEllipsoidWithTheirCentresAsFoci) {
     const double a = 1, b = std::sqrt(1 - distance * distance / 4);
     RandomStream random(RandomKey(2));
     for (int i = 0; i < 1000; ++i) {
-      const Vec3d u = unit(random);
+      const Vec3d u = direction(random);
       ASSERT_NEAR(f.value({a * u.x, b * u.y, b * u.z}), 0, 1e-14);
     }
   }
@@ -46,7 +46,7 @@ TEST(Morph, EndsAreTheOperandsBitForBit) {
   const Field a = torus(1, 0.3), b = moved(box({1, 2, 0.5}), {0.3, 0, 0});
   RandomStream random(RandomKey(3));
   for (int i = 0; i < 10000; ++i) {
-    const Vec3d p = unit(random) * random.uniform(0, 5);
+    const Vec3d p = direction(random) * random.uniform(0, 5);
     ASSERT_EQ(field::morph(a, b, 0).value(p), a.value(p));
     ASSERT_EQ(field::morph(a, b, 1).value(p), b.value(p));
   }
@@ -69,7 +69,7 @@ TEST(Morph, ProductionsFoldInOrder) {
   }
   RandomStream random(RandomKey(4));
   for (int i = 0; i < 1000; ++i) {
-    const Vec3d p = unit(random) * random.uniform(0, 9);
+    const Vec3d p = direction(random) * random.uniform(0, 9);
     const double first = 0.7 * ball(3).value(p) + 0.3 * placed[0].value(p);
     ASSERT_NEAR(growth.field().value(p), 0.6 * first + 0.4 * placed[1].value(p), 1e-12);
   }

@@ -10,7 +10,7 @@
 namespace vug::volume {
 namespace {
 
-LevelSet ball() {
+LevelSet moved_ball() {
   VoxelizeOptions options;
   options.voxel = 0.1;
   const field::Field at_origin = field::make("sphere", {{"radius", 1.0}});
@@ -21,7 +21,7 @@ const Transform kToCentimetresAndZUp(Vec3d(100, 0, 0), Vec3d(0, 0, 100), Vec3d(0
                                      Vec3d(0, 0, 0));
 
 TEST(Converted, DistancesAndPositionsScale) {
-  const LevelSet here = ball();
+  const LevelSet here = moved_ball();
   const LevelSet there(converted(here, kToCentimetresAndZUp));
   EXPECT_TRUE(check(there).good()) << check(there).fault;
   EXPECT_NEAR(there.voxel(), 10, 1e-9);
@@ -36,7 +36,7 @@ TEST(Converted, DistancesAndPositionsScale) {
 }
 
 TEST(Converted, FogKeepsItsDensityAndTheOriginalIsUnchanged) {
-  const LevelSet here = ball();
+  const LevelSet here = moved_ball();
   const Grid before = fog(here);
   const Digest content = before.content();
   const Grid there = converted(before, kToCentimetresAndZUp);

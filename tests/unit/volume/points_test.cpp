@@ -24,7 +24,7 @@ constexpr double kRadius = 1.7;
 
 /// Points on a ball around a position where floats still have 23 bits per metre, with all
 /// attributes of cells. Numbered by `id`.
-Points ball(size_t count) {
+Points ball_points(size_t count) {
   Points out;
   std::vector<float> pscale(count), heat(count);
   std::vector<Vec3f> normal(count), color(count);
@@ -65,7 +65,7 @@ class PointFiles : public testing::Test {
 };
 
 TEST_F(PointFiles, SurviveARoundTripWithinTheirPrecision) {
-  const Points points = ball(20000);
+  const Points points = ball_points(20000);
   const double voxel = voxel_for_ball(points.size());
   write(path("a.vdb"), {point_grid(points, voxel).named("cells")});
   const Points back = read_points(path("a.vdb"));
@@ -97,7 +97,7 @@ TEST_F(PointFiles, SurviveARoundTripWithinTheirPrecision) {
 }
 
 TEST_F(PointFiles, InfoDescribesTheirAttributes) {
-  const Points points = ball(5000);
+  const Points points = ball_points(5000);
   write(path("a.vdb"), {point_grid(points, 0.1).named("cells")});
   const FileInfo file = info(path("a.vdb"));
   ASSERT_EQ(file.grids.size(), 1u);
@@ -121,7 +121,7 @@ TEST_F(PointFiles, InfoDescribesTheirAttributes) {
 }
 
 TEST_F(PointFiles, SameBytesForAnyNumberOfThreads) {
-  const Points points = ball(20000);
+  const Points points = ball_points(20000);
   const WriteOptions options{.half = false, .metadata = {{"vug:seed", int64_t{7}}}};
   std::string first;
   for (const int threads : {1, 2, 7}) {
@@ -138,7 +138,7 @@ TEST_F(PointFiles, SameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(PointFiles, TwelvePointsShareAVoxel) {
-  const Points points = ball(50000);
+  const Points points = ball_points(50000);
   const Grid grid = point_grid(points, voxel_for_ball(points.size()));
   const double each = 50000.0 / static_cast<double>(grid.statistics().active_voxels);
   EXPECT_NEAR(each, 12, 2) << "a voxel whose corner is cut has none at times";
@@ -172,7 +172,7 @@ std::string fault(const Work& work) {
 }
 
 TEST_F(PointFiles, FaultsAreReportedInSentences) {
-  const Points good = ball(10);
+  const Points good = ball_points(10);
   Points points = good;
   points.position[3].y = std::nanf("");
   points.position[4].x = 1e12f;

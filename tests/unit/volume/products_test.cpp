@@ -14,14 +14,14 @@
 namespace vug::volume {
 namespace {
 
-LevelSet ball(double voxel) {
+LevelSet product_ball(double voxel) {
   VoxelizeOptions options;
   options.voxel = voxel;
   return voxelize(sphere_at({0.1, 0.2, 0.3}, 1), options);
 }
 
 TEST(Grid, StatisticsOfABall) {
-  const LevelSet grid = ball(0.05);
+  const LevelSet grid = product_ball(0.05);
   const Statistics s = grid.statistics();
   // Shell of +-3 voxels about radius 20: 4/3 pi (23^3 - 17^3) lattice points.
   const double expected = 4.0 / 3 * kPi * (23.0 * 23 * 23 - 17 * 17 * 17);
@@ -38,7 +38,7 @@ TEST(Grid, StatisticsOfABall) {
 }
 
 TEST(Grid, NamesAndMetadataDoNotChangeTheContent) {
-  const LevelSet grid = ball(0.1);
+  const LevelSet grid = product_ball(0.1);
   const Grid other = grid.named("rock").with({{"vug:seed", int64_t{7}}});
   EXPECT_EQ(other.name(), "rock");
   EXPECT_EQ(grid.name(), "");
@@ -48,30 +48,30 @@ TEST(Grid, NamesAndMetadataDoNotChangeTheContent) {
 }
 
 TEST(LevelSet, SamplesLinearlyBetweenVoxels) {
-  const LevelSet grid = ball(0.05);
+  const LevelSet grid = product_ball(0.05);
   const double a = grid.value({1.10, 0.2, 0.3}), b = grid.value({1.15, 0.2, 0.3});
   EXPECT_NEAR(grid.value({1.125, 0.2, 0.3}), 0.5 * (a + b), 1e-7);
   EXPECT_NEAR(a, 0, 1e-6);
 }
 
 TEST(LevelSet, RefusesOtherGrids) {
-  const Grid density = fog(ball(0.1));
+  const Grid density = fog(product_ball(0.1));
   EXPECT_THROW(LevelSet{density}, Error);
 }
 
 TEST(Fog, DensityRisesFromTheSurfaceInwards) {
-  const LevelSet grid = ball(0.05);
+  const LevelSet grid = product_ball(0.05);
   const Grid density = fog(grid);
   EXPECT_EQ(density.grid_class(), GridClass::fog);
   const Statistics s = density.statistics();
   const double volume = 4.0 / 3 * kPi * 20 * 20 * 20;
   EXPECT_NEAR(static_cast<double>(s.active_voxels), volume, 0.02 * volume);
   EXPECT_NE(density.content(), fog(grid, {.falloff = 0.05}).content());
-  EXPECT_EQ(grid.content(), ball(0.05).content());  // The source is unchanged.
+  EXPECT_EQ(grid.content(), product_ball(0.05).content());  // The source is unchanged.
 }
 
 TEST(Polygons, BallIsClosedAndWoundOutwards) {
-  const Polygons mesh = polygons_of(ball(0.05));
+  const Polygons mesh = polygons_of(product_ball(0.05));
   double volume = 0;
   std::map<std::pair<uint32_t, uint32_t>, int> edges;
   auto corner = [&](uint32_t i) { return Vec3d(mesh.points[i]); };

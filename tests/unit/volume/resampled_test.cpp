@@ -11,14 +11,14 @@ namespace vug::volume {
 namespace {
 
 /// A ball of fog: a shell of increasing density around constant blocks.
-Grid ball() {
+Grid ball_grid() {
   VoxelizeOptions options;
   options.voxel = 0.05;
   return fog(voxelize(sphere_at({0, 0, 0}, 1), options));
 }
 
 TEST(Resampled, EveryVoxelHasItsValue) {
-  const Grid where = ball();
+  const Grid where = ball_grid();
   const Grid made = resampled(where, [](const Vec3f& p) { return 2 + p.x + 10 * p.y; });
   EXPECT_EQ(made.grid_class(), GridClass::fog);
   EXPECT_EQ(made.statistics().active_voxels, where.statistics().active_voxels);
@@ -31,7 +31,7 @@ TEST(Resampled, EveryVoxelHasItsValue) {
 }
 
 TEST(Resampled, VectorsWorkAndConstantBlocksAreTiles) {
-  const Grid where = ball();
+  const Grid where = ball_grid();
   const Grid red = resampled_vectors(where, [](const Vec3f&) { return Vec3f(1, 0.5f, 0.25f); });
   EXPECT_EQ(red.value_type(), "vec3s");
   EXPECT_EQ(red.statistics().active_voxels, where.statistics().active_voxels);

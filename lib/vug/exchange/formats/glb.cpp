@@ -24,9 +24,10 @@ namespace {
 
 using tinygltf::Value;
 
-class Writer {
+class GlbWriter {
  public:
-  Writer(const Assembly& assembly, const std::filesystem::path& file, const FormatOptions& options)
+  GlbWriter(const Assembly& assembly, const std::filesystem::path& file,
+            const FormatOptions& options)
       : assembly_(assembly), file_(file), options_(options), buffer_(model_) {
     model_.scenes.resize(1);
     model_.scenes[0].name = assembly.name;
@@ -274,7 +275,7 @@ class Writer {
 
 WriteReport write_glb(const Assembly& assembly, const std::filesystem::path& file,
                       const FormatOptions& options, Progress& progress) {
-  Writer writer(assembly, file, options);
+  GlbWriter writer(assembly, file, options);
   writer.add_groups(progress);
   writer.add_cameras();
   writer.add_lights();

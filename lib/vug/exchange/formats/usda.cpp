@@ -17,10 +17,10 @@
 namespace vug::exchange {
 namespace {
 
-class Writer {
+class UsdaWriter {
  public:
-  Writer(const Assembly& assembly, const FormatOptions& options, UsdText& out,
-         std::filesystem::path file, WriteReport& written)
+  UsdaWriter(const Assembly& assembly, const FormatOptions& options, UsdText& out,
+             std::filesystem::path file, WriteReport& written)
       : assembly_(assembly),
         options_(options),
         out_(out),
@@ -193,7 +193,7 @@ WriteReport write_usda(const Assembly& assembly, const std::filesystem::path& fi
   WriteReport written{{file}, {}};
   mesh::write_file(file, [&](const mesh::ByteSink& sink) {
     UsdText text(sink);
-    Writer(assembly, options, text, file, written).write(progress);
+    UsdaWriter(assembly, options, text, file, written).write(progress);
   });
   return written;
 }

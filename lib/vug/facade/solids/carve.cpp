@@ -29,7 +29,7 @@ struct Carve : FacadeParams {
   std::string fault() const { return facade_fault(); }
 };
 
-field::Field made(const Carve& c) {
+field::Field carved_field(const Carve& c) {
   const FacadeInstance placed = c.placed();
   const Tree& tree = *placed.tree;
   const Transform frame = placed.frame.transform(tree.width);
@@ -48,4 +48,4 @@ field::Field made(const Carve& c) {
 }  // namespace
 }  // namespace vug::facade
 
-VUG_FACADE_SOLID(carve) { return field::field_kind<Carve>("carve", "operator", made); }
+VUG_FACADE_SOLID(carve) { return field::field_kind<Carve>("carve", "operator", carved_field); }

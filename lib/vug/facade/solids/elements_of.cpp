@@ -41,7 +41,7 @@ struct ElementsOf : FacadeParams {
   }
 };
 
-field::Field made(const ElementsOf& e) {
+field::Field elements_field(const ElementsOf& e) {
   const FacadeInstance placed = e.placed();
   return field::transformed(zones(*placed.tree, e.kinds, e.behind, e.before),
                             placed.frame.transform(placed.tree->width));
@@ -51,5 +51,5 @@ field::Field made(const ElementsOf& e) {
 }  // namespace vug::facade
 
 VUG_FACADE_SOLID(elements_of) {
-  return field::field_kind<ElementsOf>("elements_of", "operator", made);
+  return field::field_kind<ElementsOf>("elements_of", "operator", elements_field);
 }

@@ -16,7 +16,7 @@ struct Infill : FacadeParams {
   std::string fault() const { return facade_fault(); }
 };
 
-field::Field made(const Infill& i) {
+field::Field infill_field(const Infill& i) {
   const FacadeInstance placed = i.placed();
   return with_facade(placed, field::transformed(carve(*placed.tree).fill,
                                                 placed.frame.transform(placed.tree->width)));
@@ -25,4 +25,4 @@ field::Field made(const Infill& i) {
 }  // namespace
 }  // namespace vug::facade
 
-VUG_FACADE_SOLID(infill) { return field::field_kind<Infill>("infill", "operator", made); }
+VUG_FACADE_SOLID(infill) { return field::field_kind<Infill>("infill", "operator", infill_field); }

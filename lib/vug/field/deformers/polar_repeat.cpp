@@ -23,7 +23,7 @@ struct PolarRepeat {
   std::string fault() const { return axis.length2() > 0 ? "" : "the axis must not be zero"; }
 };
 
-Field repeated(const PolarRepeat& r) {
+Field polar_repeated(const PolarRepeat& r) {
   std::vector<Field> copies;
   for (int i = 0; i < r.count; ++i)
     copies.push_back(
@@ -36,5 +36,5 @@ Field repeated(const PolarRepeat& r) {
 }  // namespace vug::field
 
 VUG_FIELD_KIND(polar_repeat) {
-  return field_kind<PolarRepeat>("polar_repeat", "deformer", repeated);
+  return field_kind<PolarRepeat>("polar_repeat", "deformer", polar_repeated);
 }

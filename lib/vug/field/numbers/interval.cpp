@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/vec.h>
 #include <vug/field/numbers/interval.h>
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 namespace vug {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kEverything = std::numeric_limits<double>::infinity();
 
 /// 0 * infinity is defined as 0: a bound times a zero factor is zero.

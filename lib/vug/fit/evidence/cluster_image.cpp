@@ -28,7 +28,7 @@ Spread spread(const Plane& plane) {
 
 /// Adds a plane divided by its standard deviation; planes that hardly vary get less weight, since
 /// they are mostly noise.
-void add(Plane& sum, const Plane& plane, double weight) {
+void add_weighted(Plane& sum, const Plane& plane, double weight) {
   constexpr double kNoise = 0.5;  // units of L*a*b*
   const Spread of = spread(plane);
   const double scale = weight / std::max(of.deviation, kNoise);
@@ -96,10 +96,11 @@ Planes glass_cue(const image::Image& linear) {
   Planes out{width, height, {Plane(lab.pixels(), 0)}};
   // Weights by how well each cue separates windows from the rest on stone facades
   // (docs/explanation/theory/facades.md).
-  add(out.planes[0], soft(flat.planes[2], unit), 1);
-  add(out.planes[0], soft(flat.planes[1], unit), 0.5);
-  add(out.planes[0], difference(light.mean(3 * unit), light.rows(unit)), 0.5);
-  add(out.planes[0], soft(central_differences(width, height, lab.planes[0], true), 4 * unit), -1);
+  add_weighted(out.planes[0], soft(flat.planes[2], unit), 1);
+  add_weighted(out.planes[0], soft(flat.planes[1], unit), 0.5);
+  add_weighted(out.planes[0], difference(light.mean(3 * unit), light.rows(unit)), 0.5);
+  add_weighted(out.planes[0],
+               soft(central_differences(width, height, lab.planes[0], true), 4 * unit), -1);
   // Reduces regions larger than windows, such as shops, sky and shadows, to their borders.
   out.planes[0] = difference(out.planes[0], soft(out.planes[0], std::max(1, height / 14)));
   return out;

@@ -6,7 +6,7 @@
 namespace vug::fit {
 namespace {
 
-constexpr double kTiny = 1e-9;
+constexpr double kMinGain = 1e-9;
 
 /// The largest gain of these sizes in each cell, or 0.
 std::vector<double> best_of(const SizeGains& gains, const std::vector<size_t>& sizes) {
@@ -41,7 +41,7 @@ double exchange(const SizeGains& gains, std::vector<size_t>& sizes, double gain)
       for (const size_t& other : sizes)
         if (&other != &size) others.push_back(other);
       const auto [at, most] = best_addition(gains, best_of(gains, others));
-      if (!(most > gain + kTiny)) continue;
+      if (!(most > gain + kMinGain)) continue;
       size = at, gain = most, better = true;
     }
   }
@@ -66,7 +66,7 @@ std::vector<SizeChoice> choose_sizes(const SizeGains& gains, int most, double co
   double gain = 0;
   while (static_cast<int>(sizes.size()) < most && (sizes.empty() || limit - gain > cost)) {
     const auto [size, with] = best_addition(gains, best_of(gains, sizes));
-    if (!sizes.empty() && !(with > gain + kTiny)) break;
+    if (!sizes.empty() && !(with > gain + kMinGain)) break;
     sizes.push_back(size);
     gain = exchange(gains, sizes, with);
     out.push_back(chosen(gains, sizes));

@@ -9,7 +9,7 @@
 namespace vug::fit {
 namespace {
 
-constexpr int kMaxJitter = 2;  // Pixels.
+constexpr int kMaxLineJitter = 2;  // Pixels.
 
 int span_of(const Lines& lines, int count) {
   return lines[static_cast<size_t>(count - 1)] - lines[0];
@@ -19,11 +19,11 @@ int span_of(const Lines& lines, int count) {
 std::vector<int> spans(const Lines& lines, int count) {
   std::vector<int> out;
   const int middle = span_of(lines, count);
-  for (int span = std::max(1, middle - kMaxJitter); span <= middle + kMaxJitter; ++span) {
+  for (int span = std::max(1, middle - kMaxLineJitter); span <= middle + kMaxLineJitter; ++span) {
     const Lines even = even_lines(lines[0], span, count);
     bool near = true;
     for (size_t i = 1; i < static_cast<size_t>(count); ++i)
-      near = near && std::abs(lines[i] - even[i]) <= kMaxJitter;
+      near = near && std::abs(lines[i] - even[i]) <= kMaxLineJitter;
     if (near) out.push_back(span);
   }
   return out;
@@ -33,8 +33,8 @@ void jitter_lines(Lines& lines, int count, Choices& forward, Choices& back) {
   if (count < 2) return;
   const int span = span_of(lines, count);
   for (int i = 1; i < count; ++i)
-    lines[static_cast<size_t>(i)] = static_cast<int16_t>(lines[static_cast<size_t>(i)] +
-                                                         forward.between(-kMaxJitter, kMaxJitter));
+    lines[static_cast<size_t>(i)] = static_cast<int16_t>(
+        lines[static_cast<size_t>(i)] + forward.between(-kMaxLineJitter, kMaxLineJitter));
   const std::vector<int> near = spans(lines, count);
   back.below(static_cast<int>(near.size()),
              static_cast<int>(std::find(near.begin(), near.end(), span) - near.begin()));
@@ -49,7 +49,7 @@ bool even_out_lines(Lines& lines, int count, Choices& forward, Choices& back) {
   for (int i = 1; i < count; ++i) {
     int16_t& line = lines[static_cast<size_t>(i)];
     const int straight = even[static_cast<size_t>(i)];
-    back.between(-kMaxJitter, kMaxJitter, line - straight);
+    back.between(-kMaxLineJitter, kMaxLineJitter, line - straight);
     line = static_cast<int16_t>(straight);
   }
   return true;

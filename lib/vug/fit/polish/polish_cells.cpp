@@ -11,7 +11,7 @@
 namespace vug::fit {
 namespace {
 
-constexpr double kTiny = 1e-9;
+constexpr double kMinCellGain = 1e-9;
 
 /// The window sizes of a grid and the gains of its cells.
 class WindowCells {
@@ -37,7 +37,7 @@ class WindowCells {
         std::vector<WindowSize> others = sizes;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
         const std::vector<double> beside = gains_of(grid, others);
-        double most = total_gain(grid, beside, old) + kTiny;
+        double most = total_gain(grid, beside, old) + kMinCellGain;
         for (int height = old.height - kReach; height <= old.height + kReach; ++height)
           for (int width = old.width - kReach; width <= old.width + kReach; ++width) {
             if (width < min_size_ || height < min_size_) continue;
@@ -133,7 +133,7 @@ bool polish_cells(const MoveContext& context, const Evidence& evidence, TreeStat
         Node moved = now;
         (along_x ? moved.left : moved.top)[static_cast<size_t>(line)] = static_cast<int16_t>(place);
         SizeChoice here = cells.followed(moved);
-        if (here.gain > choice.gain + kTiny) choice = std::move(here), best = moved;
+        if (here.gain > choice.gain + kMinCellGain) choice = std::move(here), best = moved;
       }
       TreeState other = state;
       other.tree[grid].left = best.left, other.tree[grid].top = best.top;

@@ -59,7 +59,7 @@ std::unique_ptr<OIIO::ImageInput> open_any(const std::filesystem::path& path) {
   return input;
 }
 
-std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& path) {
+std::unique_ptr<OIIO::ImageInput> open_input(const std::filesystem::path& path) {
   auto input = open_any(path);
   if (input->spec().deep)
     throw read_error(path, "it is not a flat image",
@@ -129,7 +129,7 @@ FileInfo info_of(const std::vector<OIIO::ImageSpec>& parts) {
 }  // namespace
 
 Pixels read(const std::filesystem::path& path) {
-  const auto input = open(path);
+  const auto input = open_input(path);
   const std::vector<OIIO::ImageSpec> parts = parts_of(*input);
   const OIIO::ImageSpec& spec = parts.front();
   const std::vector<std::string> channels = channels_of(parts);
@@ -147,7 +147,9 @@ Pixels read(const std::filesystem::path& path) {
   return {std::move(image), !spec.format.is_floating_point()};
 }
 
-FileInfo read_info(const std::filesystem::path& path) { return info_of(parts_of(*open(path))); }
+FileInfo read_info(const std::filesystem::path& path) {
+  return info_of(parts_of(*open_input(path)));
+}
 
 std::optional<DeepInfo> read_deep_info(const std::filesystem::path& path) {
   const auto input = open_any(path);

@@ -8,7 +8,7 @@
 namespace vug::loading {
 namespace {
 
-Schema<shot::CellsPlan> schema() {
+Schema<shot::CellsPlan> cells_schema() {
   Schema<shot::CellsPlan> s("cells", "declaration");
   ParamSpec spacing = positive_length("distance between neighbouring cells");
   spacing.required = true;
@@ -107,7 +107,7 @@ Arguments arguments_of(const scene::Declaration& declaration, ReadContext& conte
            entry.where});
   }
   const auto is_choice = [](const std::string& key, const std::string& word) {
-    return has_choice(schema().info(), key, word);
+    return has_choice(cells_schema().info(), key, word);
   };
   for (Argument& each : block_arguments(plain, is_choice, context)) {
     const Number* number = each.value.get<Number>();
@@ -169,14 +169,14 @@ shot::MeshPtr combined(const std::string& name, const std::vector<shot::MeshPtr>
 
 const DeclarationKind& cells_declaration() {
   static const DeclarationKind kind = {
-      schema().info(),
+      cells_schema().info(),
       [](const scene::Declaration& declaration, ReadContext& context) -> Value {
         std::optional<shot::CellsPlan> plan;
         Arguments arguments;
         bool still = false;
         if (has_block(declaration, context)) {
           arguments = arguments_of(declaration, context, still);
-          plan = bind_block(schema(), arguments, declaration, context);
+          plan = bind_block(cells_schema(), arguments, declaration, context);
         }
         const std::vector<shot::MeshPtr> on = supports(declaration, context);
         if (!plan || on.empty()) return Value();

@@ -19,7 +19,7 @@ std::vector<std::pair<std::string, std::string>> formats() {
   return names;
 }
 
-struct Block : shot::MeshPlan {
+struct MeshBlock : shot::MeshPlan {
   std::filesystem::path file;
   double scale = 1;
   shot::MeshSource of;
@@ -27,8 +27,8 @@ struct Block : shot::MeshPlan {
   double tolerance = 0.2e-3;
 };
 
-Schema<Block> schema() {
-  Schema<Block> s("mesh", "declaration");
+Schema<MeshBlock> mesh_schema() {
+  Schema<MeshBlock> s("mesh", "declaration");
   s.doc(
        "A triangle mesh, written next to the .vdb: of a level set with mesh NAME on VOLUME { ... "
        "}, "
@@ -46,19 +46,19 @@ Schema<Block> schema() {
            .min = 0})
       .param("paint", &shot::MeshPlan::paint, {.doc = "vertex colours: a paint or one colour"})
       .param(
-          "elements", &Block::elements_of,
+          "elements", &MeshBlock::elements_of,
           {.doc = "facades, or solids that they are carved into: the vertices store their node and "
                   "their kind of element"})
-      .choice("format", static_cast<std::string Block::*>(&shot::MeshPlan::format), formats(),
+      .choice("format", static_cast<std::string MeshBlock::*>(&shot::MeshPlan::format), formats(),
               "format of the written file");
-  s.param("file", &Block::file, {.doc = "an OBJ, PLY or STL file, which may be open"})
-      .param("scale", &Block::scale,
+  s.param("file", &MeshBlock::file, {.doc = "an OBJ, PLY or STL file, which may be open"})
+      .param("scale", &MeshBlock::scale,
              {.doc = "metres in one unit of the file, e.g. 0.01 for centimetres",
               .min = 0,
               .above_min = true})
-      .param("of", &Block::of,
+      .param("of", &MeshBlock::of,
              {.doc = "stems(...), an L-system with polygons, leaf(...) or spray(...)"})
-      .param("tolerance", &Block::tolerance,
+      .param("tolerance", &MeshBlock::tolerance,
              positive_length("by which straight edges around a stem may deviate from it"));
   return s;
 }
@@ -89,7 +89,7 @@ void warn_about_empty_mesh(const shot::MeshSource& drawn, const scene::Entry& en
 }
 
 /// The plan of a mesh from a file or a source; null, with a diagnostic, for invalid entries.
-mesh::MeshPtr read_source(const Block& block, const scene::Declaration& declaration,
+mesh::MeshPtr read_source(const MeshBlock& block, const scene::Declaration& declaration,
                           ReadContext& context) {
   const bool drawn = declaration.find_entry("of") != nullptr;
   const scene::Entry& entry = *declaration.find_entry(drawn ? "of" : "file");
@@ -137,8 +137,8 @@ shot::VolumePtr read_volume(const scene::Declaration& declaration, ReadContext& 
 }
 
 /// Fills plan.elements; false, with a diagnostic, for values that are not facades.
-bool read_elements(const Block& block, const scene::Declaration& declaration, ReadContext& context,
-                   shot::MeshPlan& plan) {
+bool read_elements(const MeshBlock& block, const scene::Declaration& declaration,
+                   ReadContext& context, shot::MeshPlan& plan) {
   for (const field::Field& each : block.elements_of) {
     const std::optional<facade::FacadeInstance> placed = facade::find_facade(each);
     if (!placed) {
@@ -158,9 +158,9 @@ bool read_elements(const Block& block, const scene::Declaration& declaration, Re
 
 const DeclarationKind& mesh_declaration() {
   static const DeclarationKind kind = {
-      schema().info(),
+      mesh_schema().info(),
       [](const scene::Declaration& declaration, ReadContext& context) -> Value {
-        std::optional<Block> block = read_block(schema(), declaration, context);
+        std::optional<MeshBlock> block = read_block(mesh_schema(), declaration, context);
         const bool is_given = declaration.find_entry("file") || declaration.find_entry("of");
         const shot::VolumePtr volume = is_given ? nullptr : read_volume(declaration, context);
         if (!block) return Value();

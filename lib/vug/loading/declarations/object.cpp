@@ -8,25 +8,25 @@
 namespace vug::loading {
 namespace {
 
-struct Block : shot::ObjectPlan {
+struct ObjectBlock : shot::ObjectPlan {
   shot::MeshOrLevelSet of;
 };
 
-Schema<Block> schema() {
-  Schema<Block> s("object", "declaration");
+Schema<ObjectBlock> object_schema() {
+  Schema<ObjectBlock> s("object", "declaration");
   s.doc("A mesh with a material, for rendering: object NAME on MESH { material ... }.")
-      .param("material", &Block::material, {.doc = "material of the surface"})
-      .param("flat", &Block::flat, {.doc = "shade every face flat"})
+      .param("material", &ObjectBlock::material, {.doc = "material of the surface"})
+      .param("flat", &ObjectBlock::flat, {.doc = "shade every face flat"})
       .param(
-          "direct", &Block::direct,
+          "direct", &ObjectBlock::direct,
           {.doc = "trace the level set itself instead of a mesh; needs a fraction of the memory"})
-      .param("emission", &Block::emission,
+      .param("emission", &ObjectBlock::emission,
              {.doc = "emitted radiance in W/sr/m^2, on its outer side",
               .min = 0,
               .max = render::kMaxRadiance})
-      .param("light_group", &Block::light_group,
+      .param("light_group", &ObjectBlock::light_group,
              {.doc = "light group of its emission, for light group AOVs"})
-      .param("of", &Block::of,
+      .param("of", &ObjectBlock::of,
              {.doc = "one of several meshes with the same cells; default: all of them"});
   return s;
 }
@@ -71,9 +71,9 @@ std::vector<shot::MeshPtr> shown(const shot::MeshPtr& mesh, const shot::MeshPtr&
 
 const DeclarationKind& object_declaration() {
   static const DeclarationKind kind = {
-      schema().info(),
+      object_schema().info(),
       [](const scene::Declaration& declaration, ReadContext& context) -> Value {
-        std::optional<Block> block = read_block(schema(), declaration, context);
+        std::optional<ObjectBlock> block = read_block(object_schema(), declaration, context);
         const shot::MeshPtr mesh = read_target<shot::MeshPtr>(declaration, context);
         if (!block || !mesh) return Value();
         for (const shot::MeshPtr& part : shown(mesh, block->of.mesh, declaration, context)) {

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Schema<shot::PointInstancer> schema() {
+Schema<shot::PointInstancer> place_schema() {
   Schema<shot::PointInstancer> s("place", "declaration");
   s.doc(
        "Instances of objects or scenes: place NAME { of OBJECT at PLACES }. A placed "
@@ -148,8 +148,9 @@ std::optional<Error> find_mismatch(const shot::PointInstancer& plan,
 
 const DeclarationKind& place_declaration() {
   static const DeclarationKind kind = {
-      schema().info(), [](const scene::Declaration& declaration, ReadContext& context) -> Value {
-        std::optional<shot::PointInstancer> plan = read_block(schema(), declaration, context);
+      place_schema().info(),
+      [](const scene::Declaration& declaration, ReadContext& context) -> Value {
+        std::optional<shot::PointInstancer> plan = read_block(place_schema(), declaration, context);
         if (!plan) return Value();
         plan->name = declaration.name;
         plan->where = declaration.where;

@@ -11,7 +11,7 @@ struct OnMesh {
   bool half = false;
 };
 
-Schema<OnMesh> schema() {
+Schema<OnMesh> volume_schema() {
   Schema<OnMesh> s("volume", "declaration");
   s.param("voxel", &OnMesh::voxel, positive_length("edge of a voxel"))
       .param("half_width", &OnMesh::half_width,
@@ -29,7 +29,7 @@ double voxel_of(const shot::MeshPlan& mesh) {
 }
 
 shot::VolumePtr read_on_mesh(const scene::Declaration& declaration, ReadContext& context) {
-  const auto block = read_block(schema(), declaration, context);
+  const auto block = read_block(volume_schema(), declaration, context);
   const shot::MeshPtr mesh = read_target<shot::MeshPtr>(declaration, context);
   if (!block || !mesh) return nullptr;
   shot::VolumePlan plan;

@@ -18,7 +18,7 @@ constexpr std::string_view kIgnored[] = {
     "hole", "scrv",  "sp",    "end",   "con",      "bmat",     "step",   "cstype",     "maplib",
     "call", "csh",   "ctech", "stech", "c_interp", "d_interp", "usemap", "shadow_obj", "trace_obj"};
 
-constexpr uint32_t kNone = UINT32_MAX;
+constexpr uint32_t kNoNormal = UINT32_MAX;
 constexpr uint32_t kMany = UINT32_MAX - 1;
 
 struct Reader {
@@ -84,8 +84,8 @@ struct Reader {
     const size_t second = word.find('/', std::min(first + 1, word.size()));
     if (second == std::string_view::npos || second + 1 == word.size()) return;
     const uint32_t n = index(word.substr(second + 1), normals.size(), "normal");
-    normal_of.resize(mesh.positions.size(), kNone);
-    if (normal_of[v] == kNone)
+    normal_of.resize(mesh.positions.size(), kNoNormal);
+    if (normal_of[v] == kNoNormal)
       normal_of[v] = n;
     else if (normal_of[v] != kMany && normals[normal_of[v]] != normals[n])
       normal_of[v] = kMany;
@@ -121,7 +121,7 @@ struct Reader {
       colours.resize(3 * mesh.positions.size(), 1.0F);
       mesh.attributes.push_back({std::string(kColour), 3, std::move(colours)});
     }
-    normal_of.resize(mesh.positions.size(), kNone);
+    normal_of.resize(mesh.positions.size(), kNoNormal);
     if (std::all_of(normal_of.begin(), normal_of.end(), [](uint32_t n) { return n < kMany; })) {
       for (const uint32_t n : normal_of) mesh.normals.push_back(normals[n]);
     }

@@ -21,7 +21,7 @@ std::vector<int> rules_of(const Style& style, const std::string& symbol, const s
   return {style.find_rule(symbol, name)};
 }
 
-FacadeState run(const FacadeState& state, int node, const Edit& edit) {
+FacadeState run_act(const FacadeState& state, int node, const Edit& edit) {
   require_open(state, node);
   const Style& style = state.style();
   std::vector<facade::PlanPtr> plans;
@@ -51,5 +51,5 @@ VUG_EDIT_KIND(act) {
           true,
           true,
           {},
-          run};
+          run_act};
 }

@@ -4,7 +4,7 @@
 namespace vug::modeller {
 namespace {
 
-FacadeState run(const FacadeState& state, int node, const Edit& edit) {
+FacadeState run_apply(const FacadeState& state, int node, const Edit& edit) {
   require_open(state, node);
   const int rule = state.style().find_rule(state.node(node).symbol, edit.rule);
   return state.with(node, plan_of(rule, edit.numbers));
@@ -16,5 +16,5 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
 VUG_EDIT_KIND(apply) {
   return {"apply", "divides an open node by one rule; omitted numbers get their defaults",
           true,    true,
-          {},      run};
+          {},      run_apply};
 }

@@ -6,10 +6,6 @@ namespace {
 
 using facade::Plan;
 
-Error bad(const std::string& message, const std::string& hint = {}) {
-  return Error(ErrorCode::bad_input, message, {}, hint);
-}
-
 /// Keeps the plans of parts that exist under both rules: at the same positions, translated to the
 /// symbols in `bare`, whose parts are undecided.
 void keep_parts(const FacadeState& bare, int node, const Plan& old, Plan& plan) {
@@ -22,10 +18,10 @@ void keep_parts(const FacadeState& bare, int node, const Plan& old, Plan& plan) 
   }
 }
 
-FacadeState run(const FacadeState& state, int node, const Edit& edit) {
+FacadeState run_change(const FacadeState& state, int node, const Edit& edit) {
   require_divided(state, node);
   if (node == FacadeState::kWhole || state.rule(node) < 0)
-    throw bad("the node is part of a rule", "change the rule that divides its ancestor");
+    throw edit_error("the node is part of a rule", "change the rule that divides its ancestor");
   const Plan& old = state.plan_of_node(node);
   const Style& style = state.style();
   Plan plan = old;
@@ -33,7 +29,7 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   plan.numbers.clear();
   plan.rule = style.find_rule(state.node(node).symbol, edit.rule);
   if (plan.rule == old.rule)
-    throw bad("that rule divides the node already", "use 'set' to change its numbers");
+    throw edit_error("that rule divides the node already", "use 'set' to change its numbers");
   const bool hands_on = style.passes_to(plan.rule).has_value();
   if (!hands_on) plan.numbers = merged(old.numbers, edit.numbers);
 
@@ -42,7 +38,8 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
   plan.numbers = bare.plan_of_node(here).numbers;
   keep_parts(bare, here, old, plan);
   if (hands_on && !edit.numbers.empty()) {
-    if (plan.parts.empty()) throw bad("no remaining part has free numbers", "omit the numbers");
+    if (plan.parts.empty())
+      throw edit_error("no remaining part has free numbers", "omit the numbers");
     Plan part = *plan.parts.begin()->second;
     part.numbers = merged(part.numbers, edit.numbers);
     plan.parts.begin()->second = std::make_shared<const Plan>(std::move(part));
@@ -60,5 +57,5 @@ VUG_EDIT_KIND(change) {
           true,
           true,
           {},
-          run};
+          run_change};
 }

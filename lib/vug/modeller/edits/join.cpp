@@ -4,7 +4,7 @@
 namespace vug::modeller {
 namespace {
 
-FacadeState run(const FacadeState& state, int node, const Edit&) {
+FacadeState run_join(const FacadeState& state, int node, const Edit&) {
   require_divided(state, node);
   facade::Plan plan = state.plan_of_node(node);
   if (!plan.apart) throw Error(ErrorCode::bad_input, "the node's parts have not been separated");
@@ -31,5 +31,5 @@ VUG_EDIT_KIND(join) {
       false,
       false,
       {},
-      run};
+      run_join};
 }

@@ -7,7 +7,7 @@
 namespace vug::modeller {
 namespace {
 
-FacadeState run(const FacadeState& state, int node, const Edit& edit) {
+FacadeState run_move(const FacadeState& state, int node, const Edit& edit) {
   require_divided(state, node);
   const std::vector<Line> all = lines(state, node);
   const double number = edit.numbers.at("line")[0];
@@ -30,5 +30,5 @@ VUG_EDIT_KIND(move) {
   return {
       "move",         "moves a line between two parts, or the start of a column or row of a grid",
       false,          false,
-      {"line", "to"}, run};
+      {"line", "to"}, run_move};
 }

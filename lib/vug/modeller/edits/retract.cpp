@@ -4,7 +4,7 @@
 namespace vug::modeller {
 namespace {
 
-FacadeState run(const FacadeState& state, int node, const Edit&) {
+FacadeState run_retract(const FacadeState& state, int node, const Edit&) {
   if (!state.planned(node).plan)
     throw Error(ErrorCode::bad_input, "there are no decisions about the node", {},
                 "no rule divides it yet");
@@ -17,5 +17,5 @@ FacadeState run(const FacadeState& state, int node, const Edit&) {
 VUG_EDIT_KIND(retract) {
   return {"retract", "removes the rule that divides a node, and everything below it",
           false,     false,
-          {},        run};
+          {},        run_retract};
 }

@@ -6,7 +6,7 @@
 namespace vug::modeller {
 namespace {
 
-FacadeState run(const FacadeState& state, int node, const Edit&) {
+FacadeState run_separate(const FacadeState& state, int node, const Edit&) {
   require_divided(state, node);
   const std::vector<int> parts = state.parts(node);
   if (std::all_of(parts.begin(), parts.end(),
@@ -30,5 +30,5 @@ FacadeState run(const FacadeState& state, int node, const Edit&) {
 VUG_EDIT_KIND(separate) {
   return {"separate", "breaks a symmetry: copies made by the node's split become separate parts",
           false,      false,
-          {},         run};
+          {},         run_separate};
 }

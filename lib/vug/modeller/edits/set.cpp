@@ -8,7 +8,7 @@
 namespace vug::modeller {
 namespace {
 
-FacadeState run(const FacadeState& state, int node, const Edit& edit) {
+FacadeState run_set(const FacadeState& state, int node, const Edit& edit) {
   require_divided(state, node);
   if (edit.numbers.empty()) throw Error(ErrorCode::bad_input, "no number to set");
   facade::Plan plan = state.plan_of_node(node);
@@ -31,5 +31,5 @@ FacadeState run(const FacadeState& state, int node, const Edit& edit) {
 VUG_EDIT_KIND(set) {
   return {"set", "sets counts and sizes of a divided node; a name without a number resets it",
           false, true,
-          {},    run};
+          {},    run_set};
 }

@@ -20,7 +20,7 @@ int whole(const facade::Node& grid, const Edit& edit, const std::string& name,
                                fmt::format("the grid has {} {}, counted from 0", most, counts));
 }
 
-FacadeState run(const FacadeState& state, int node, const Edit& edit) {
+FacadeState run_toggle(const FacadeState& state, int node, const Edit& edit) {
   require_divided(state, node);
   if (node == FacadeState::kWhole || state.node(node).split != "grid")
     throw Error(ErrorCode::bad_input, "the node is not divided by a grid");
@@ -46,5 +46,5 @@ VUG_EDIT_KIND(toggle) {
           false,
           false,
           {"column", "row"},
-          run};
+          run_toggle};
 }

@@ -18,7 +18,7 @@
 namespace vug::render {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using SaveClock = std::chrono::steady_clock;
 
 /// Limits of the automatic save interval in seconds: a crash loses only minutes, and large films
 /// are not written all the time.
@@ -74,9 +74,9 @@ class AccumulatingSink final : public TileSink {
   }
   void save() {
     if (!callbacks_.save) return;
-    const Clock::time_point begun = Clock::now();
+    const SaveClock::time_point begun = SaveClock::now();
     callbacks_.save(state_);
-    const Clock::time_point ended = Clock::now();
+    const SaveClock::time_point ended = SaveClock::now();
     constexpr double kMaxShare = 0.01;
     const double seconds = std::chrono::duration<double>(ended - begun).count();
     interval_ = callbacks_.save_every.value_or(
@@ -86,7 +86,7 @@ class AccumulatingSink final : public TileSink {
 
  private:
   bool due() const {
-    const std::chrono::duration<double> since = Clock::now().time_since_epoch() - saved_.load();
+    const std::chrono::duration<double> since = SaveClock::now().time_since_epoch() - saved_.load();
     return since.count() >= interval_;
   }
 
@@ -95,7 +95,7 @@ class AccumulatingSink final : public TileSink {
   const RenderCallbacks& callbacks_;
   std::map<uint32_t, bool> stops_;
   std::shared_mutex saving_;
-  std::atomic<Clock::duration> saved_ = Clock::now().time_since_epoch();
+  std::atomic<SaveClock::duration> saved_ = SaveClock::now().time_since_epoch();
   std::atomic<double> interval_;  ///< Save interval in seconds.
 };
 

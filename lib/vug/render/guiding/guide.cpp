@@ -9,7 +9,7 @@ namespace {
 
 /// Edges of the cubes that average luminance and of the regions that share visibility, as fractions
 /// of the scene's diagonal.
-constexpr float kCube = 1.0f / 64, kRegion = 1.0f / 16;
+constexpr float kCube = 1.0f / 64, kVisibilityRegion = 1.0f / 16;
 /// Clusters that give less than this fraction of all light are ignored.
 constexpr float kMinMixtureWeight = 0.02f;
 /// A wider cone, beyond 45 degrees from its axis, is no better than BSDF sampling.
@@ -33,7 +33,7 @@ Guide::Guide(const std::vector<RadianceSample>& radiance_samples, const Box3f& b
 }
 
 void Guide::update_visibility(const std::vector<VisibilitySample>& visibility_samples) {
-  visibility_ = VisibilityCache(bounds_, kRegion, ConeMixture::kMax, visibility_samples);
+  visibility_ = VisibilityCache(bounds_, kVisibilityRegion, ConeMixture::kMax, visibility_samples);
 }
 
 ConeMixture Guide::at(const Vec3f& point, const Vec3f& normal) const {

@@ -5,7 +5,7 @@ namespace vug::render {
 namespace {
 
 /// Number of prior samples, with the mean over all regions, in each region.
-constexpr float kPrior = 2;
+constexpr float kVisibilityPrior = 2;
 
 }  // namespace
 
@@ -30,7 +30,8 @@ VisibilityCache::VisibilityCache(const Box3f& bounds, float edge, size_t targets
     const float usual = (reached[target] + 1) / (tried[target] + 2);
     roots_[target] = std::sqrt(usual);
     for (size_t at = targets + target; at < roots_.size(); at += targets)
-      roots_[at] = std::sqrt((reached[at] + kPrior * usual) / (tried[at] + kPrior));
+      roots_[at] =
+          std::sqrt((reached[at] + kVisibilityPrior * usual) / (tried[at] + kVisibilityPrior));
   }
 }
 

@@ -14,9 +14,9 @@ namespace vug::render {
 namespace {
 
 /// Reads the lines of a text and then its numbers; counts lines for messages.
-class Reader {
+class IesReader {
  public:
-  Reader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  IesReader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
   [[noreturn]] void fail(const std::string& what) const {
     throw Error(ErrorCode::bad_input,
@@ -92,7 +92,7 @@ Between find(const std::vector<double>& table, double x) {
 }  // namespace
 
 IesProfile::IesProfile(std::string_view text, const std::string& name) {
-  Reader in(text, name);
+  IesReader in(text, name);
   std::string_view line = in.line();
   if (line.substr(0, 5) != "IESNA") in.fail("the file does not begin with IESNA");
   while (line.substr(0, 5) != "TILT=") {

@@ -7,7 +7,7 @@
 namespace vug::render {
 namespace {
 
-constexpr int kCosines = 32, kRoughnesses = 16;
+constexpr int kFuzzCosines = 32, kFuzzRoughnesses = 16;
 constexpr float kMinFuzzRoughness = 0.1f;
 
 /// Slope distribution over visibility (smooth form of Neubelt and Pettineo), in 1/sr.
@@ -20,23 +20,24 @@ float fibres(const Vec3f& out, const Vec3f& in, float roughness) {
 }
 
 struct FuzzTable {
-  std::array<std::array<float, kCosines>, kRoughnesses> albedo;
-  std::array<float, kRoughnesses> mean, largest;
+  std::array<std::array<float, kFuzzCosines>, kFuzzRoughnesses> albedo;
+  std::array<float, kFuzzRoughnesses> mean, largest;
 };
 
 float node_roughness(int j) {
-  return kMinFuzzRoughness + (1 - kMinFuzzRoughness) * static_cast<float>(j) / (kRoughnesses - 1);
+  return kMinFuzzRoughness +
+         (1 - kMinFuzzRoughness) * static_cast<float>(j) / (kFuzzRoughnesses - 1);
 }
 float node_cosine(int i) {
-  const float x = static_cast<float>(i) / (kCosines - 1);
+  const float x = static_cast<float>(i) / (kFuzzCosines - 1);
   return std::max(x * x, 1e-3f);
 }
 
 float lerp(float a, float b, float t) { return a + (b - a) * t; }
 
-float along(const std::array<float, kCosines>& row, float cosine) {
-  const float place = std::sqrt(std::clamp(cosine, 0.0f, 1.0f)) * (kCosines - 1);
-  const auto i = static_cast<size_t>(std::min(static_cast<int>(place), kCosines - 2));
+float along(const std::array<float, kFuzzCosines>& row, float cosine) {
+  const float place = std::sqrt(std::clamp(cosine, 0.0f, 1.0f)) * (kFuzzCosines - 1);
+  const auto i = static_cast<size_t>(std::min(static_cast<int>(place), kFuzzCosines - 2));
   return lerp(row[i], row[i + 1], place - static_cast<float>(i));
 }
 
@@ -44,8 +45,8 @@ const FuzzTable& fuzz_table() {
   static const FuzzTable made = [] {
     constexpr int kSteps = 96, kTurns = 16;
     FuzzTable s{};
-    for (size_t j = 0; j < kRoughnesses; ++j) {
-      for (size_t i = 0; i < kCosines; ++i) {
+    for (size_t j = 0; j < kFuzzRoughnesses; ++j) {
+      for (size_t i = 0; i < kFuzzCosines; ++i) {
         const Vec3f out = direction_at(node_cosine(static_cast<int>(i)), 0);
         double sum = 0;
         for (int a = 0; a < kSteps; ++a)
@@ -73,11 +74,13 @@ struct RoughnessPosition {
   float share;
   explicit RoughnessPosition(float roughness) {
     const float place = (std::clamp(roughness, kMinFuzzRoughness, 1.0f) - kMinFuzzRoughness) /
-                        (1 - kMinFuzzRoughness) * (kRoughnesses - 1);
-    at = static_cast<size_t>(std::min(static_cast<int>(place), kRoughnesses - 2));
+                        (1 - kMinFuzzRoughness) * (kFuzzRoughnesses - 1);
+    at = static_cast<size_t>(std::min(static_cast<int>(place), kFuzzRoughnesses - 2));
     share = place - static_cast<float>(at);
   }
-  float of(const std::array<float, kRoughnesses>& v) const { return lerp(v[at], v[at + 1], share); }
+  float of(const std::array<float, kFuzzRoughnesses>& v) const {
+    return lerp(v[at], v[at + 1], share);
+  }
 };
 
 float albedo_at(float cosine, float roughness) {

@@ -12,7 +12,7 @@
 namespace vug::render {
 namespace {
 
-constexpr uint64_t kSalt = 0x6f70656e73ull;
+constexpr uint64_t kPortalSalt = 0x6f70656e73ull;
 
 constexpr size_t kPaths = 1u << 13;
 constexpr size_t kPathPoints = 4;  ///< Points on one path.
@@ -30,7 +30,7 @@ struct PathPoint {
 std::vector<PathPoint> path_points(const TrainingContext& context, Progress& progress) {
   std::vector<PathPoint> all(kPaths * kPathPoints);
   raytree::parallel_interleaved(kPaths, [&](size_t path) {
-    SampleCursor numbers(context.sampler, context.sample_id(kSalt + 0, path, kPaths));
+    SampleCursor numbers(context.sampler, context.sample_id(kPortalSalt + 0, path, kPaths));
     const Vec2f film = numbers.pair(), lens = numbers.pair();
     Ray ray = context.camera.ray(film, context.aspect, lens);
     Hit hit;
@@ -52,8 +52,8 @@ double sample_hemispheres(const TrainingContext& context, const std::vector<Path
     const PathPoint& point = from[i];
     if (point.normal == Vec3f(0.0f)) return;
     for (size_t ray = 0; ray < kRays; ++ray) {
-      SampleCursor numbers(context.sampler,
-                           context.sample_id(kSalt + 1, i * kRays + ray, from.size() * kRays));
+      SampleCursor numbers(context.sampler, context.sample_id(kPortalSalt + 1, i * kRays + ray,
+                                                              from.size() * kRays));
       const Vec3f way = Frame(point.normal).to_world(sample_cosine_hemisphere(numbers.pair()));
       if (context.world.occluded({point.origin, way}, kFar)) continue;
       hits.count({point.origin, way});
@@ -74,7 +74,7 @@ void refine_hits(const TrainingContext& context, const std::vector<PathPoint>& f
     const PathPoint& point = from[i];
     if (point.normal == Vec3f(0.0f)) return;
     for (size_t k = 0; k < shapes.size(); ++k) {
-      SampleCursor numbers(context.sampler, context.sample_id(kSalt + 2 + k, i, from.size()));
+      SampleCursor numbers(context.sampler, context.sample_id(kPortalSalt + 2 + k, i, from.size()));
       const LightSample s = shapes[k].sample(point.origin, numbers.pair());
       if (!(s.pdf > 0) || !(dot(s.direction, point.normal) > 0)) continue;
       const Ray ray{point.origin, s.direction};

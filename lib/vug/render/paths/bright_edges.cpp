@@ -8,13 +8,13 @@
 namespace vug::render {
 namespace {
 
-constexpr uint64_t kSalt = 0x65646765ull;
+constexpr uint64_t kEdgeSalt = 0x65646765ull;
 /// A difference above this fraction of the brightest value is an edge, not a gradient of the sky.
 constexpr float kDifference = 0.2f;
 
-struct Range {
+struct ValueRange {
   float min = kFar, max = 0;
-  void include(const Range& other) {
+  void include(const ValueRange& other) {
     min = std::min(min, other.min), max = std::max(max, other.max);
   }
 };
@@ -26,13 +26,13 @@ BrightEdges::BrightEdges(const PreparedScene& world, const Region& region,
     : region_(region) {
   const Region wide = Region{region.x0 - 1, region.y0 - 1, region.x1 + 1, region.y1 + 1}.overlap(
       {0, 0, width_height.x, width_height.y});
-  std::vector<Range> seen(wide.pixels());
+  std::vector<ValueRange> seen(wide.pixels());
   progress.begin("looking for bright edges", static_cast<uint64_t>(wide.height()));
   const auto width = static_cast<size_t>(wide.width());
   raytree::parallel_interleaved(wide.pixels(), [&](size_t pixel) {
     if (pixel % width == 0) progress.check();
     SampleId id;
-    id.seed = sampling.seed ^ kSalt, id.spp = sampling.rays_per_pixel;
+    id.seed = sampling.seed ^ kEdgeSalt, id.spp = sampling.rays_per_pixel;
     id.x = static_cast<uint32_t>(wide.x0) + static_cast<uint32_t>(pixel % width);
     id.y = static_cast<uint32_t>(wide.y0) + static_cast<uint32_t>(pixel / width);
     for (id.index = 0; id.index < sampling.rays_per_pixel; ++id.index) {
@@ -47,7 +47,7 @@ BrightEdges::BrightEdges(const PreparedScene& world, const Region& region,
   edges_.resize(region.pixels());
   for (int y = region.y0; y < region.y1; ++y)
     for (int x = region.x0; x < region.x1; ++x) {
-      Range around;
+      ValueRange around;
       const Region across = Region{x - 1, y, x + 2, y + 1}.overlap(wide);
       const Region along = Region{x, y - 1, x + 1, y + 2}.overlap(wide);
       for (int u = across.x0; u < across.x1; ++u) around.include(seen[wide.index(u, y)]);

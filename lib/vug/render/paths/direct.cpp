@@ -16,7 +16,7 @@ constexpr float kCandidates = 3;
 constexpr float kEven = 0.05f;
 
 /// Light that arrives unless it is occluded or attenuated.
-struct Candidate {
+struct LightCandidate {
   LightId from = kNoLight;
   Ray ray;
   float distance = 0;
@@ -26,8 +26,9 @@ struct Candidate {
   float weight = 0;  ///< Expected contribution of its shadow ray.
 };
 
-Candidate candidate(const PreparedScene& world, const LightChoice& chosen,
-                    const ScatteringSurface& surface, const PathVertex& vertex, const Vec2f& u) {
+LightCandidate candidate(const PreparedScene& world, const LightChoice& chosen,
+                         const ScatteringSurface& surface, const PathVertex& vertex,
+                         const Vec2f& u) {
   const auto& [hit, bsdf, frame] = surface;
   const LightSample s = world.lights().sample(chosen.light, vertex.point, u);
   if (!(s.pdf > 0)) return {};
@@ -44,14 +45,14 @@ Candidate candidate(const PreparedScene& world, const LightChoice& chosen,
   if (s.distance == kFar)
     density += world.lights().sky_pdf(vertex.point, vertex.selection, s.direction, chosen.light);
   if (is_black(f) || is_black(light) || !(density > 0)) return {};
-  Candidate c{chosen.light, {behind ? hit.behind : hit.origin, s.direction}, s.distance};
+  LightCandidate c{chosen.light, {behind ? hit.behind : hit.origin, s.direction}, s.distance};
   c.scattering = f * (1 / density), c.diffuse = scattering.diffuse * (1 / density);
   c.light = light;
   c.weight = luminance(c.scattering * light) * chosen.visibility;
   return c;
 }
 
-Rgb arriving(const PreparedScene& world, const Candidate& c, const Hit& hit, float probability,
+Rgb arriving(const PreparedScene& world, const LightCandidate& c, const Hit& hit, float probability,
              TrackingRng& numbers, LightPathRecorder* recorder) {
   if (occluded(world, c.ray, c.distance)) return Rgb(0.0f);
   const float part = transmittance(world, c.ray, c.distance, numbers) / probability;
@@ -71,7 +72,7 @@ Rgb direct_light(const PreparedScene& world, const ScatteringSurface& surface, P
   const float rays = vertex.selection.samples;
   if (world.lights().branches() < world.lights().size())
     vertex.selection.samples = std::min(rays * kCandidates, static_cast<float>(LightChoices::kMax));
-  std::array<Candidate, LightChoices::kMax> candidates;
+  std::array<LightCandidate, LightChoices::kMax> candidates;
   size_t size = 0;
   float all = 0;
   for (const LightChoice& chosen :

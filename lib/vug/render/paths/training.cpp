@@ -13,7 +13,7 @@
 namespace vug::render {
 namespace {
 
-constexpr uint64_t kSalt = 0x6775696465ull;
+constexpr uint64_t kTrainingSalt = 0x6775696465ull;
 
 /// Training rounds; each has twice the paths of the previous one and is guided by it, so that paths
 /// found by chance become frequent in the next round.
@@ -25,7 +25,7 @@ constexpr double kPointsPerPath = 0.5;
 /// Number of lights tested from each point.
 constexpr size_t kLightsPerPoint = 4;
 /// Edge of the regions that share visibility and radiance: see Regions.
-constexpr float kRegion = 1.0f / 32;
+constexpr float kRadianceRegion = 1.0f / 32;
 
 constexpr uint32_t kNothing = ~0u;
 
@@ -50,7 +50,8 @@ std::vector<RadianceSample> trace_training_paths(const TrainingContext& context,
     raytree::run_interleaved(
         std::min(paths - begin, kChunk),
         [&](size_t i) {
-          SampleCursor numbers(context.sampler, context.sample_id(kSalt + salt, begin + i, paths));
+          SampleCursor numbers(context.sampler,
+                               context.sample_id(kTrainingSalt + salt, begin + i, paths));
           const Vec2f film = numbers.pair(), lens = numbers.pair();
           PathRecorder path_recorder(seen[i % raytree::kMaxInFlight]);
           trace(context.camera.ray(film, context.aspect, lens), numbers, guiding, path_recorder);
@@ -80,7 +81,7 @@ std::vector<VisibilitySample> sample_cluster_visibility(
   raytree::parallel_interleaved(places, [&](size_t place) {
     progress.check();
     const RadianceSample& at = radiance_samples[place * step];
-    SampleCursor numbers(context.sampler, context.sample_id(kSalt + salt, place, places));
+    SampleCursor numbers(context.sampler, context.sample_id(kTrainingSalt + salt, place, places));
     const ConeMixture cones = guide.at(at.point, at.normal);
     for (size_t i = 2 * place; i < 2 * place + 2; ++i) {
       const Vec2f which = numbers.pair(), u = numbers.pair();
@@ -127,7 +128,7 @@ std::vector<VisibilitySample> sample_light_visibility(
   raytree::parallel_interleaved(places, [&](size_t place) {
     progress.check();
     const RadianceSample& at = radiance_samples[place * step];
-    SampleCursor numbers(context.sampler, context.sample_id(kSalt + salt, place, places));
+    SampleCursor numbers(context.sampler, context.sample_id(kTrainingSalt + salt, place, places));
     LightSampleContext point{at.point, at.normal};
     if (world.medium() && place % 2 == 1) point = point_in_medium(world, at, numbers);
     for (size_t i = each * place; i < each * (place + 1); ++i) {
@@ -164,7 +165,7 @@ GuidingData train(const TrainingContext& context, uint64_t paths, const Training
     progress.advance();
     if (branches > 1)
       guiding.light_visibility = VisibilityCache(
-          bounds, kRegion, branches,
+          bounds, kRadianceRegion, branches,
           sample_light_visibility(context, places, salt + 1, radiance_samples, progress));
     guiding.guide = Guide(radiance_samples, bounds);
     if (!guiding.guide.empty())
@@ -173,7 +174,7 @@ GuidingData train(const TrainingContext& context, uint64_t paths, const Training
     progress.advance();
   }
   // Not earlier: paths that ended by it would underestimate the radiance that they end by.
-  guiding.radiance = RadianceCache(radiance_samples, bounds, kRegion);
+  guiding.radiance = RadianceCache(radiance_samples, bounds, kRadianceRegion);
   progress.end();
   return guiding;
 }
