@@ -11,7 +11,7 @@ namespace vug::render {
 namespace {
 
 /// A closed room with one opening to the sky, so that every step of the preparation has work.
-Scene room() {
+Scene open_room() {
   mesh::Mesh walls = mesh::box_mesh({Vec3d(-2), Vec3d(2)});
   walls.triangles.pop_back();
   Scene scene;
@@ -23,7 +23,7 @@ Scene room() {
 }
 
 TEST(Prepare, RendersTheSamePictureAnyNumberOfTimes) {
-  const Scene scene = room();
+  const Scene scene = open_room();
   Options o = options(64, 64, 16, 4);
   const image::Image expected = render(scene, o);
   PreparedRender first = prepare(scene, o);
@@ -35,7 +35,7 @@ TEST(Prepare, RendersTheSamePictureAnyNumberOfTimes) {
 }
 
 TEST(Prepare, TimesTheStepsThatItRuns) {
-  const Scene scene = room();
+  const Scene scene = open_room();
   const PreparationTimings large = prepare(scene, options(64, 64, 16, 4)).timings;
   EXPECT_GT(large.bvh, 0);
   EXPECT_GT(large.portals, 0);
@@ -54,14 +54,14 @@ TEST(Prepare, RunsItsStagesInOrder) {
   Progress progress([&](const std::string& stage, double) {
     if (stages.empty() || stages.back() != stage) stages.push_back(stage);
   });
-  prepare(room(), options(64, 64, 16, 4), progress);
+  prepare(open_room(), options(64, 64, 16, 4), progress);
   EXPECT_EQ(stages, (std::vector<std::string>{"preparing the scene", "finding openings to the sky",
                                               "learning where light comes from",
                                               "looking for bright edges"}));
 }
 
 TEST(Prepare, RejectsInvalidOptions) {
-  Scene scene = room();
+  Scene scene = open_room();
   EXPECT_THROW(prepare(scene, options(0, 8, 1, 1)), Error);
   EXPECT_THROW(prepare(scene, options(8, 8, 0, 1)), Error);
   Options o = options(8, 8, 1, 1);
