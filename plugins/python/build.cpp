@@ -102,18 +102,6 @@ std::vector<std::filesystem::path> save(Build& build, const std::filesystem::pat
   return paths;
 }
 
-constexpr const char* kRender =
-    "Renders a render block, by default the first, and returns a vug.Image. Arguments replace the\n"
-    "values of the block: camera (name), size (width, height), spp (samples per pixel), crop "
-    "(left,\n"
-    "top, right, bottom), layers (names of AOVs), noise (relative error at which sampling stops),\n"
-    "seed (of the samples), exposure (stops), denoise, deep, full_float, multi_part, tiled "
-    "(bools),\n"
-    "eye ('left', 'right'), working_space, view, display (names), ocio (file), checkpoint (file "
-    "of\n"
-    "the unfinished picture; if it exists, rendering continues from it, and Image.save to an EXR\n"
-    "removes it).";
-
 /// The method with an additional keyword argument `progress`.
 template <class Result, class What>
 auto with_progress(Result (*call)(Build&, const What&)) {
@@ -161,11 +149,9 @@ void bind_build(py::module_& module) {
           [](Build& build, const std::string& name, const Callback& progress,
              const py::kwargs& given) {
             const Build::ProgressOverride listening(build, progress);
-            picture::RenderOptions options = render_options(*build.scene(), given);
-            options.picture.render = name;
-            return render(build, options);
+            return render(build, render_arguments(*build.scene(), name, given));
           },
-          "name"_a = "", "progress"_a = py::none(), kRender)
+          "name"_a = "", "progress"_a = py::none(), render_doc().c_str())
       .def_property_readonly(
           "scene", [](const Build& b) { return std::const_pointer_cast<Scene>(b.scene()); })
       .def_property(
@@ -197,13 +183,12 @@ void bind_build(py::module_& module) {
       "render",
       [](const std::shared_ptr<Scene>& self, const std::string& name, const Memory& memory,
          int threads, const Callback& progress, const py::kwargs& given) {
-        picture::RenderOptions options = render_options(*self, given);
-        options.picture.render = name;
+        const RenderArguments arguments = render_arguments(*self, name, given);
         Build build = make_build(self, memory, threads, progress, {});
-        return render(build, options);
+        return render(build, arguments);
       },
       "name"_a = "", "max_memory"_a = py::none(), "threads"_a = 0, "progress"_a = py::none(),
-      kRender);
+      render_doc().c_str());
 }
 
 }  // namespace vug::python

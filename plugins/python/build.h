@@ -75,9 +75,17 @@ uint64_t memory_limit_of(const Memory& given);
 /// The argument itself. ValueError unless it is from 0 to 1024.
 int checked_threads(int given);
 
-/// The options of `render`, from its keyword arguments.
-picture::RenderOptions render_options(const Scene& scene, const py::kwargs& given);
+/// The arguments of `render`.
+struct RenderArguments {
+  picture::PictureOptions picture;
+  picture::RenderOptions render;
+};
+/// From the name of the render block and the keyword arguments. The scene must outlive the result.
+RenderArguments render_arguments(const Scene& scene, const std::string& name,
+                                 const py::kwargs& given);
+/// The documentation of `render`, which lists all arguments.
+std::string render_doc();
 
-Image render(Build& build, const picture::RenderOptions& options);
+Image render(Build& build, const RenderArguments& arguments);
 
 }  // namespace vug::python

@@ -25,17 +25,16 @@ image::ImageUnderTest image_under_test(const Picture& given, const std::string& 
   if (const auto* file = std::get_if<std::filesystem::path>(&given))
     return image::read_image_under_test(*file);
   const Image& rendered = std::get<Image>(given);
-  const picture::OutputSettings look =
-      picture::from_header_attributes(rendered.part().header.notes);
+  const picture::PictureOutput& output = rendered.part().output;
   image::ImageUnderTest out;
   out.name = name;
   out.image = rendered.in_stereo()
                   ? image::stereo_image(rendered.image(), *rendered.rendered->at(1).image)
                   : rendered.image();
-  out.metadata = look.metadata;
+  out.metadata = output.metadata;
   out.left = rendered.part().header.crop.x0;
   out.top = rendered.part().header.crop.y0;
-  out.space = look.space;
+  out.space = output.settings.working_space;
   return out;
 }
 

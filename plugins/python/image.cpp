@@ -60,9 +60,7 @@ py::array pixels(const Image& self) {
 
 py::dict metadata(const Image& self) {
   py::dict out;
-  for (const auto& [name, text] :
-       picture::from_header_attributes(self.part().header.notes).metadata)
-    out[py::str(name)] = text;
+  for (const auto& [name, text] : self.part().output.metadata) out[py::str(name)] = text;
   return out;
 }
 

@@ -5,13 +5,10 @@
 #include <fmt/format.h>
 #include <vug/base/diagnostics.h>
 
-#include <cmath>
-#include <map>
+#include <algorithm>
 
 namespace vug::python {
 namespace {
-
-using picture::PictureOptions;
 
 template <class T>
 T read(const std::string& name, const py::handle& given, const std::string& meaning) {
@@ -22,27 +19,67 @@ T read(const std::string& name, const py::handle& given, const std::string& mean
   }
 }
 
-double number(const std::string& name, const py::handle& given, double low, double high) {
-  const auto value = read<double>(name, given, "a number");
-  if (!(value >= low && value <= high))
-    throw py::value_error(fmt::format("{} must be from {} to {}, not {}", name, low, high, value));
+Value number(const ParamInfo& info, const py::handle& given) {
+  const auto value = read<double>(info.name, given, "a number");
+  if (!(value >= info.min && value <= info.max))
+    throw py::value_error(
+        fmt::format("{} must be from {} to {}, not {}", info.name, info.min, info.max, value));
   return value;
 }
 
-int whole(const std::string& name, const py::handle& given, int low) {
-  const int value = read<int>(name, given, "an integer");
-  if (value < low) throw py::value_error(fmt::format("{} must be at least {}", name, low));
+Value whole_number(const ParamInfo& info, const py::handle& given) {
+  const int value = read<int>(info.name, given, "an integer");
+  if (value < info.min)
+    throw py::value_error(fmt::format("{} must be at least {}", info.name, info.min));
+  if (value > info.max)
+    throw py::value_error(fmt::format("{} must be at most {}", info.name, info.max));
   return value;
 }
 
-image::WorkingSpace space(const std::string& name) {
-  std::vector<std::string> names;
-  for (const image::WorkingSpaceInfo& each : image::working_spaces()) {
-    if (each.name == name) return each.space;
-    names.push_back(each.name);
-  }
-  throw py::value_error(
-      fmt::format("unknown working space '{}'; {}", name, suggestion(name, names)));
+Value name_of_choice(const ParamInfo& info, const py::handle& given) {
+  const auto name = read<std::string>(info.name, given, "a name");
+  if (std::find(info.choices.begin(), info.choices.end(), name) == info.choices.end())
+    throw py::value_error(
+        fmt::format("unknown {} '{}'; {}", info.name, name, suggestion(name, info.choices)));
+  return Value::Name{name};
+}
+
+Value truth(const std::string& name, const py::handle& given) {
+  if (!py::isinstance<py::bool_>(given)) throw py::type_error(name + " must be True or False");
+  return given.cast<bool>();
+}
+
+Value texts(const std::string& name, const py::handle& given) {
+  const auto all = py::isinstance<py::str>(given)
+                       ? std::vector{given.cast<std::string>()}
+                       : read<std::vector<std::string>>(name, given, "a list of names");
+  return List(all.begin(), all.end());
+}
+
+Value size(const py::handle& given) {
+  const auto both = read<std::pair<int, int>>("size", given, "two integers");
+  if (both.first < 1 || both.second < 1) throw py::value_error("size must be at least 1 x 1");
+  return List{both.first, both.second};
+}
+
+Value crop(const py::handle& given) {
+  const auto box = read<std::array<int, 4>>("crop", given, "four integers");
+  if (box[0] < 0 || box[1] < 0 || box[0] >= box[2] || box[1] >= box[3])
+    throw py::value_error("crop must be left, top, right, bottom; right and bottom are exclusive");
+  return List(box.begin(), box.end());
+}
+
+/// The value of a setting; nothing for a setting that is an object.
+std::optional<Value> setting_value(const ParamInfo& info, const py::handle& given) {
+  if (info.name == "size") return size(given);
+  if (info.name == "crop") return crop(given);
+  if (info.type == "true or false") return truth(info.name, given);
+  if (info.type == "number") return number(info, given);
+  if (info.type == "whole number") return whole_number(info, given);
+  if (info.type == "text") return read<std::string>(info.name, given, "a string");
+  if (info.type == "name") return name_of_choice(info, given);
+  if (info.type == "list of text") return texts(info.name, given);
+  return std::nullopt;
 }
 
 int eye(const std::string& name) {
@@ -51,106 +88,82 @@ int eye(const std::string& name) {
   throw py::value_error("eye must be 'left' or 'right'");
 }
 
-Vec2i size(const py::handle& given) {
-  const auto both = read<std::pair<int, int>>("size", given, "two integers");
-  if (both.first < 1 || both.second < 1) throw py::value_error("size must be at least 1 x 1");
-  return {both.first, both.second};
+/// Applies an argument that is not a setting of the table; false for an unknown name.
+bool apply_other(RenderArguments& arguments, const std::string& name, const py::handle& given) {
+  picture::PictureOptions& picture = arguments.picture;
+  if (name == "camera")
+    picture.camera = read<std::string>(name, given, "a string");
+  else if (name == "seed")
+    picture.seed = read<uint64_t>(name, given, "an integer of at least 0");
+  else if (name == "eye")
+    picture.eye = eye(read<std::string>(name, given, "'left' or 'right'"));
+  else if (name == "ocio")
+    picture.config = read<std::filesystem::path>(name, given, "a file");
+  else if (name == "full_float")
+    picture.settings.emplace_back("half", !*truth(name, given).get<bool>());
+  else if (name == "checkpoint") {
+    arguments.render.checkpoint = read<std::filesystem::path>(name, given, "a file");
+    arguments.render.resume = true;
+  } else {
+    return false;
+  }
+  return true;
 }
 
-std::vector<int> crop(const py::handle& given) {
-  const auto box = read<std::array<int, 4>>("crop", given, "four integers");
-  if (box[0] < 0 || box[1] < 0 || box[0] >= box[2] || box[1] >= box[3])
-    throw py::value_error("crop must be left, top, right, bottom; right and bottom are exclusive");
-  return {box.begin(), box.end()};
+[[noreturn]] void refuse_unknown(const std::string& name) {
+  std::vector<std::string> names = {"camera", "seed", "eye", "ocio", "full_float", "checkpoint"};
+  for (const ParamInfo& info : shot::render_schema().info().params) names.push_back(info.name);
+  throw py::type_error(
+      fmt::format("render: unknown option '{}'; {}", name, suggestion(name, names)));
 }
 
-using Setter = void (*)(PictureOptions&, const std::string&, const py::handle&);
-
-template <bool PictureOptions::*member>
-void flag(PictureOptions& o, const std::string& name, const py::handle& given) {
-  if (!py::isinstance<py::bool_>(given)) throw py::type_error(name + " must be True or False");
-  o.*member = given.cast<bool>();
-}
-template <std::string PictureOptions::*member>
-void text(PictureOptions& o, const std::string& name, const py::handle& given) {
-  o.*member = read<std::string>(name, given, "a string");
-}
-
-const std::map<std::string, Setter>& setters() {
-  using P = PictureOptions;
-  static const std::map<std::string, Setter> all = {
-      {"camera", text<&P::camera>},
-      {"view", text<&P::view>},
-      {"display", text<&P::display>},
-      {"denoise", flag<&P::denoise>},
-      {"deep", flag<&P::deep>},
-      {"full_float", flag<&P::full_float>},
-      {"multi_part", flag<&P::multi_part>},
-      {"tiled", flag<&P::tiled>},
-      {"size", [](P& o, const std::string&, const py::handle& v) { o.size = size(v); }},
-      {"crop", [](P& o, const std::string&, const py::handle& v) { o.crop = crop(v); }},
-      {"spp", [](P& o, const std::string& n, const py::handle& v) { o.spp = whole(n, v, 1); }},
-      {"seed",
-       [](P& o, const std::string& n, const py::handle& v) {
-         o.seed = read<uint64_t>(n, v, "an integer of at least 0");
-       }},
-      {"noise",
-       [](P& o, const std::string& n, const py::handle& v) { o.noise = number(n, v, 0, 1); }},
-      {"exposure",
-       [](P& o, const std::string& n, const py::handle& v) { o.exposure = number(n, v, -30, 30); }},
-      {"layers",
-       [](P& o, const std::string& n, const py::handle& v) {
-         o.layers = py::isinstance<py::str>(v)
-                        ? std::vector{v.cast<std::string>()}
-                        : read<std::vector<std::string>>(n, v, "names of layers");
-       }},
-      {"eye",
-       [](P& o, const std::string& n, const py::handle& v) {
-         o.eye = eye(read<std::string>(n, v, "'left' or 'right'"));
-       }},
-      {"working_space",
-       [](P& o, const std::string& n, const py::handle& v) {
-         o.working_space = space(read<std::string>(n, v, "a name"));
-       }},
-      {"ocio", [](P& o, const std::string& n, const py::handle& v) {
-         o.config = read<std::filesystem::path>(n, v, "a file");
-       }}};
-  return all;
+void apply(RenderArguments& arguments, const std::string& name, const py::handle& given) {
+  for (const ParamInfo& info : shot::render_schema().info().params) {
+    if (info.name != name) continue;
+    if (const auto value = setting_value(info, given))
+      return arguments.picture.settings.emplace_back(name, *value), void();
+  }
+  if (!apply_other(arguments, name, given)) refuse_unknown(name);
 }
 
 }  // namespace
 
-picture::RenderOptions render_options(const Scene& scene, const py::kwargs& given) {
-  picture::RenderOptions options;
-  options.picture.config = image::environment_config();
-  options.picture.seed = scene.settings().load.seed;
+RenderArguments render_arguments(const Scene& scene, const std::string& name,
+                                 const py::kwargs& given) {
+  RenderArguments arguments;
+  arguments.picture.render = name;
+  arguments.picture.config = image::environment_config();
+  arguments.picture.seed = scene.settings().load.seed;
+  arguments.picture.source = &scene.source();
   for (const auto& [key, value] : given) {
-    const auto name = key.cast<std::string>();
-    if (name == "checkpoint" && !value.is_none()) {
-      options.checkpoint = read<std::filesystem::path>(name, value, "a file");
-      options.resume = true;
-      continue;
-    }
-    const auto setter = setters().find(name);
-    if (setter == setters().end()) {
-      std::vector<std::string> names = {"checkpoint"};
-      for (const auto& each : setters()) names.push_back(each.first);
-      throw py::type_error(
-          fmt::format("render: unknown option '{}'; {}", name, suggestion(name, names)));
-    }
-    if (!value.is_none()) setter->second(options.picture, name, value);
+    if (!value.is_none()) apply(arguments, key.cast<std::string>(), value);
   }
-  options.picture.shot_at_frame = scene.shot_at_frame();
-  return options;
+  return arguments;
 }
 
-Image render(Build& build, const picture::RenderOptions& options) {
+std::string render_doc() {
+  std::string doc =
+      "Renders a render block, by default the first, and returns a vug.Image. Arguments replace\n"
+      "the settings of the block, and choose the view of the scene:\n\n";
+  for (const ParamInfo& info : shot::render_schema().info().params)
+    doc += fmt::format("{}: {}\n", info.name, info.doc);
+  return doc +
+         "full_float: store colours as 32-bit floats\n"
+         "seed: seed of the samples\n"
+         "eye: view of a stereo camera, 'left' or 'right'\n"
+         "ocio: OpenColorIO configuration, a file\n"
+         "checkpoint: file of the unfinished picture; if it exists, rendering continues from it,\n"
+         "and Image.save to an EXR removes it";
+}
+
+Image render(Build& build, const RenderArguments& arguments) {
   auto rendered = std::make_shared<std::vector<picture::RenderResult>>();
   build.work([&](building::Builder& builder) {
-    *rendered = picture::render_views(builder, options);
+    const picture::PicturePlan plan = picture::plan_picture(builder.shot(), arguments.picture);
+    *rendered = picture::render_views(builder, plan, arguments.render);
     picture::warn_about_exposure(builder, rendered->front());
   });
-  return {rendered, {}, options.checkpoint};
+  return {rendered, {}, arguments.render.checkpoint};
 }
 
 }  // namespace vug::python

@@ -183,36 +183,18 @@ void bind_names(py::class_<Scene, SharedScene>& type) {
 }  // namespace
 
 Scene::Scene(std::string text, std::string file, LoadSettings settings)
-    : text_(std::move(text)), file_(std::move(file)), settings_(std::move(settings)) {
+    : settings_(std::move(settings)) {
+  const auto reload = [&] {
+    source_ = std::make_unique<const loading::SceneSource>(text, file, settings_.load);
+    loaded_ = source_->at(settings_.load.frame);
+  };
   {
     const py::gil_scoped_release others;
-    loaded_ = at(settings_.load.frame);
-    if (!loaded_.usable() && add_angle_units(settings_, loaded_)) {
-      static_cache_ = {};
-      loaded_ = at(settings_.load.frame);
-    }
+    reload();
+    if (!loaded_.usable() && add_angle_units(settings_, loaded_)) reload();
   }
   if (!loaded_.usable()) raise(loaded_);
   warn(warnings_of(loaded_, loaded_.diagnostics));
-}
-
-loading::Loaded Scene::at(double frame) const {
-  const std::lock_guard lock(load_mutex_);
-  loading::LoadOptions options = settings_.load;
-  options.frame = frame;
-  options.static_cache = &static_cache_;
-  return loading::load_text(text_, file_, options);
-}
-
-std::function<std::shared_ptr<const shot::Shot>(double)> Scene::shot_at_frame() const {
-  return [this](double frame) {
-    loading::Loaded loaded = at(frame);
-    for (const Diagnostic& each : loaded.diagnostics.all())
-      if (each.severity == Severity::error)
-        throw Error(ErrorCode::bad_input, each.message, each.where, each.hint)
-            .within(fmt::format("loading frame {}", frame));
-    return std::make_shared<const shot::Shot>(std::move(loaded.shot));
-  };
 }
 
 void bind_scene(py::module_& module) {

@@ -4,11 +4,9 @@
 
 #include "binding.h"
 
-#include <vug/loading/load.h>
+#include <vug/loading/scene_source.h>
 
-#include <functional>
 #include <memory>
-#include <mutex>
 #include <set>
 #include <string>
 
@@ -29,23 +27,15 @@ class Scene {
 
   const loading::Loaded& loaded() const { return loaded_; }
   const shot::Shot& shot() const { return loaded_.shot; }
-  const std::string& text() const { return text_; }
-  const std::string& file() const { return file_; }
+  const std::string& text() const { return source_->text(); }
+  const std::string& file() const { return source_->file(); }
   const LoadSettings& settings() const { return settings_; }
-
-  /// Loads the scene at a frame and reuses everything that does not depend on the frame. Errors are
-  /// in the diagnostics of the result.
-  loading::Loaded at(double frame) const;
-  /// The function for PictureOptions::shot_at_frame. Any thread may call it during the lifetime of
-  /// the scene.
-  std::function<std::shared_ptr<const shot::Shot>(double)> shot_at_frame() const;
+  /// The scene at other frames.
+  const loading::SceneSource& source() const { return *source_; }
 
  private:
-  std::string text_;
-  std::string file_;
   LoadSettings settings_;
-  mutable loading::StaticCache static_cache_;  ///< Shared by all frames.
-  mutable std::mutex load_mutex_;              ///< Guards static_cache_.
+  std::unique_ptr<const loading::SceneSource> source_;
   loading::Loaded loaded_;
 };
 using ScenePtr = std::shared_ptr<const Scene>;

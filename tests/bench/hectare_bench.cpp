@@ -19,14 +19,14 @@ using namespace vug;
 
 int main(int argc, char** argv) {
   try {
-    picture::RenderOptions options;
-    options.picture.spp = 1;
+    picture::PictureOptions options;
+    options.settings = {{"spp", 1}};
     int width = 0, height = 0;
     if (argc > 1) {
       if (std::sscanf(argv[1], "%dx%d", &width, &height) != 2)
         throw Error(ErrorCode::bad_input,
                     fmt::format("invalid size '{}': expected WIDTHxHEIGHT", argv[1]));
-      options.picture.size = Vec2i(width, height);
+      options.settings.emplace_back("size", List{width, height});
     }
     const auto start = std::chrono::steady_clock::now();
     const auto seconds = [&] {
@@ -43,7 +43,8 @@ int main(int argc, char** argv) {
     size_t culms = 0;
     for (const shot::PointInstancer& place : loaded.shot.instancers)
       for (const shot::InstanceSource& at : place.at) culms += (*at)(builder, place.key).size();
-    const picture::RenderResult picture = picture::render_picture(builder, options);
+    const picture::RenderResult picture =
+        picture::render_picture(builder, picture::plan_picture(loaded.shot, options));
     fmt::print("{:24} {:6.1f} s, peak {:5.0f} MB (wanted: less than 500)\n",
                fmt::format("{}x{}, {} culms", picture.image->width, picture.image->height, culms),
                seconds(), 1e-6 * peak_memory());

@@ -71,6 +71,26 @@ Error unknown_verb_error(const std::string& word, const std::vector<std::string>
                suggestion(word, verbs));
 }
 
+std::vector<int> parse_numbers(const std::string& text, const std::string& pattern,
+                               const std::string& what, const std::string& hint) {
+  std::vector<int> numbers;
+  const char *at = text.data(), *end = text.data() + text.size();
+  bool good = true;
+  for (const char c : pattern) {
+    if (c != 'N') {
+      good = good && at != end && *at == c;
+      if (good) ++at;
+      continue;
+    }
+    const auto read = std::from_chars(at, end, numbers.emplace_back());
+    good = good && read.ec == std::errc() && numbers.back() >= 0;
+    at = read.ptr;
+  }
+  if (!good || at != end)
+    throw Error(ErrorCode::bad_input, fmt::format("invalid {} '{}'", what, text), {}, hint);
+  return numbers;
+}
+
 void require_extension(const std::string& file, const std::string& ending,
                        const std::string& hint) {
   const std::string name = std::filesystem::path(file).filename().string();

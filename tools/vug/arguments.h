@@ -20,6 +20,11 @@ CLI::Validator integer_in(int low, int high);
 /// Validator for an integer from 0 to 2^64 - 1.
 CLI::Validator seed_number();
 
+/// The numbers of a text of the form `pattern`, in which each 'N' stands for a non-negative
+/// integer. Error(bad_input) with `what` and `hint` for other texts.
+std::vector<int> parse_numbers(const std::string& text, const std::string& pattern,
+                               const std::string& what, const std::string& hint);
+
 /// The error for a command line with a missing verb (`word` is empty) or an unknown one. `before`
 /// is the parent command, "facade", or empty.
 Error unknown_verb_error(const std::string& word, const std::vector<std::string>& verbs,

@@ -12,6 +12,16 @@
 #include <cstdio>
 
 namespace vug::cli {
+namespace {
+
+/// The loaded scene, after its diagnostics have been printed.
+loading::Loaded usable(loading::Loaded loaded) {
+  fmt::print(stderr, "{}", loaded.report());
+  if (!loaded.usable()) throw ExitRequest{kUnusable};
+  return loaded;
+}
+
+}  // namespace
 
 void SceneOptions::add_to(CLI::App& app, const WorkOptions* work) {
   work_ = work;
@@ -46,35 +56,14 @@ loading::LoadOptions SceneOptions::load_options() const {
   return options;
 }
 
-loading::Loaded SceneOptions::load() const { return load(load_options()); }
+loading::Loaded SceneOptions::load() const { return usable(loading::load(scene, load_options())); }
 
-loading::Loaded SceneOptions::load(double at, loading::StaticCache& static_cache) const {
-  loading::LoadOptions options = load_options();
-  options.frame = at;
-  options.static_cache = &static_cache;
-  return load(options);
+loading::SceneSource SceneOptions::source() const {
+  return loading::SceneSource(scene, load_options());
 }
 
-std::function<std::shared_ptr<const shot::Shot>(double)> SceneOptions::shot_at_frame(
-    loading::StaticCache& static_cache) const {
-  return [this, &static_cache](double at) {
-    loading::LoadOptions options = load_options();
-    options.frame = at;
-    options.static_cache = &static_cache;
-    const loading::Loaded loaded = loading::load(scene, options);
-    if (!loaded.usable()) {
-      fmt::print(stderr, "{}", loaded.report());
-      throw ExitRequest{kUnusable};
-    }
-    return std::make_shared<const shot::Shot>(loaded.shot);
-  };
-}
-
-loading::Loaded SceneOptions::load(const loading::LoadOptions& options) const {
-  loading::Loaded loaded = loading::load(scene, options);
-  fmt::print(stderr, "{}", loaded.report());
-  if (!loaded.usable()) throw ExitRequest{kUnusable};
-  return loaded;
+loading::Loaded SceneOptions::load(const loading::SceneSource& source, double at) const {
+  return usable(source.at(at));
 }
 
 void WorkOptions::add_to(CLI::App& app) {

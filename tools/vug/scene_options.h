@@ -6,9 +6,8 @@
 #include "verb.h"
 
 #include <vug/building/builder.h>
-#include <vug/loading/load.h>
+#include <vug/loading/scene_source.h>
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,18 +30,14 @@ struct SceneOptions {
   /// Loads the scene; prints its diagnostics on stderr. Throws ExitRequest{kUnusable} when it has
   /// errors.
   loading::Loaded load() const;
-  /// Loads the scene at a frame of a sequence; see loading::StaticCache.
-  loading::Loaded load(double at, loading::StaticCache& static_cache) const;
-  /// The function for PictureOptions::shot_at_frame. The options and `static_cache` must outlive
-  /// it.
-  std::function<std::shared_ptr<const shot::Shot>(double)> shot_at_frame(
-      loading::StaticCache& static_cache) const;
+  /// The scene, to be loaded at several frames. Error(bad_input) if the file cannot be read.
+  loading::SceneSource source() const;
+  /// Loads a frame of `source()` in the same way.
+  loading::Loaded load(const loading::SceneSource& source, double at) const;
   loading::LoadOptions load_options() const;
 
  private:
   const WorkOptions* work_ = nullptr;
-
-  loading::Loaded load(const loading::LoadOptions& options) const;
 };
 
 /// Threads, memory limit and progress output of a run.

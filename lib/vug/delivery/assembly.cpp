@@ -2,7 +2,7 @@
 #include <vug/building/flat_scene.h>
 #include <vug/delivery/assembly.h>
 #include <vug/delivery/bake.h>
-#include <vug/picture/picture.h>
+#include <vug/picture/picture_plan.h>
 #include <vug/shot/cells_plan.h>
 
 #include <fmt/format.h>
@@ -127,15 +127,15 @@ class Collector {
 Vec2i size_of(const shot::Shot& shot, const shot::CameraPlan& camera) {
   const shot::RenderPlan* plan = shot.renders.empty() ? nullptr : &shot.renders.front();
   for (const shot::RenderPlan& each : shot.renders)
-    if (each.camera == camera.camera || each.name == camera.name) plan = &each;
-  const std::vector<int> size = plan ? plan->size : shot::RenderPlan().size;
+    if (each.settings.camera == camera.camera || each.name == camera.name) plan = &each;
+  const std::vector<int> size = plan ? plan->settings.size : shot::RenderSettings().size;
   return {size.at(0), size.at(1)};
 }
 
 /// The cameras, with that of the first picture first: many programs use the first camera.
 std::vector<shot::CameraPlan> in_order(const shot::Shot& shot) {
   std::vector<shot::CameraPlan> cameras = shot.cameras;
-  const std::string first = picture::camera_name(shot, picture::render_plan(shot, {}));
+  const std::string first = picture::camera_name(shot, picture::plan_picture(shot).render);
   std::stable_partition(cameras.begin(), cameras.end(),
                         [&](const shot::CameraPlan& each) { return each.name == first; });
   return cameras;

@@ -135,7 +135,7 @@ Json describe_part(const std::filesystem::path& file) {
   const render::PartialRenderInfo part = render::read_partial_render_info(file);
   render::verify_partial_render(file);
   const render::PartialRenderHeader& header = part.header;
-  const picture::OutputSettings look = picture::from_header_attributes(header.notes);
+  const picture::PictureOutput output = picture::from_header_attributes(header.notes);
   Json out = {{"file", file.string()},
               {"type", part.samples_left > 0 ? "checkpoint" : "part of a picture"},
               {"bytes", std::filesystem::file_size(file)},
@@ -154,7 +154,7 @@ Json describe_part(const std::filesystem::path& file) {
                   {"done", fmt::format("{:.1f} %", std::floor(1000 * part.fraction) / 10)},
                   {"samples_left", part.samples_left}};
   Json texts = Json::object();
-  for (const auto& [key, text] : look.metadata) texts[key] = text;
+  for (const auto& [key, text] : output.metadata) texts[key] = text;
   out["metadata"] = std::move(texts);
   return out;
 }

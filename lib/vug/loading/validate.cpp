@@ -106,18 +106,20 @@ render::AovPlan expected_aovs(const shot::Shot& shot, const shot::RenderPlan& pl
   for (const shot::MeshPtr& mesh : shot.meshes)
     lights.objects.emplace_back().elements = shot::element_names(*mesh);
   try {
-    return render::scene_aovs(lights, plan.layers);
+    return render::scene_aovs(lights, plan.settings.layers);
   } catch (const Error& error) {
     throw error.at(plan.where);
   }
 }
 
 void require_valid(const shot::Shot& shot, const shot::RenderPlan& plan) {
+  const shot::RenderSettings& settings = plan.settings;
   expected_aovs(shot, plan);
-  if (plan.crop.empty()) return;
+  if (settings.crop.empty()) return;
   render::Options options;
-  options.width = plan.size.at(0), options.height = plan.size.at(1);
-  options.crop = {plan.crop.at(0), plan.crop.at(1), plan.crop.at(2), plan.crop.at(3)};
+  options.width = settings.size.at(0), options.height = settings.size.at(1);
+  const std::vector<int>& crop = settings.crop;
+  options.crop = {crop.at(0), crop.at(1), crop.at(2), crop.at(3)};
   try {
     render::render_region(options);
   } catch (const Error& error) {

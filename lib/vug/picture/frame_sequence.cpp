@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/atomic_file.h>
 #include <vug/picture/frame_sequence.h>
+#include <vug/picture/picture_file.h>
 
 #include <fmt/format.h>
 
@@ -106,14 +107,15 @@ bool has_frame_number(const std::filesystem::path& pattern) {
 }
 
 bool is_finished(const std::filesystem::path& exr, const shot::Shot& shot,
-                 const PictureOptions& options) {
-  if (!unreadable_reason(exr).empty() || !unreadable_reason(png_path(exr)).empty()) return false;
+                 const PicturePlan& plan) {
+  std::vector<std::filesystem::path> files = {exr, png_path(exr)};
+  if (plan.render.settings.deep) files.push_back(deep_path(exr));
+  for (const std::filesystem::path& file : files)
+    if (!unreadable_reason(file).empty()) return false;
+  PicturePlan first = plan;
+  if (plan.options.eye == 0 && is_stereo(plan)) first.options.eye = -1;
+  const image::Metadata wanted = identifying_metadata(shot, first);
   try {
-    const bool deep = render_plan(shot, options).deep;
-    if (deep && !unreadable_reason(deep_path(exr)).empty()) return false;
-    PictureOptions first = options;
-    if (options.eye == 0 && is_stereo(shot, options)) first.eye = -1;
-    const image::Metadata wanted = identifying_metadata(shot, first);
     const image::Metadata found = image::read_info(exr).metadata;
     return std::all_of(wanted.begin(), wanted.end(), [&](const auto& entry) {
       return std::find(found.begin(), found.end(), entry) != found.end();

@@ -2,7 +2,7 @@
 // Frame ranges and file names of image sequences.
 #pragma once
 
-#include <vug/picture/picture.h>
+#include <vug/picture/picture_plan.h>
 
 #include <filesystem>
 #include <string>
@@ -22,8 +22,7 @@ std::filesystem::path frame_path(const std::filesystem::path& pattern, int frame
 bool has_frame_number(const std::filesystem::path& pattern);
 
 /// Whether `exr` and the PNG next to it are, according to their header, the picture of the shot and
-/// the options: the same texts, settings and version. False for missing files and for other files.
-bool is_finished(const std::filesystem::path& exr, const shot::Shot& shot,
-                 const PictureOptions& options);
+/// the plan: the same texts, settings and version. False for missing files and for other files.
+bool is_finished(const std::filesystem::path& exr, const shot::Shot& shot, const PicturePlan& plan);
 
 }  // namespace vug::picture

@@ -13,7 +13,6 @@
 #include <vug/volume/fog.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,18 +22,6 @@ namespace vug::picture {
 namespace {
 
 constexpr const char* kFewerPixels = "use a smaller --size";
-
-template <class Named, class Name>
-const auto& find_named(const Named& items, const std::string& name, const std::string& what,
-                       Name name_of) {
-  std::vector<std::string> names;
-  for (const auto& item : items) {
-    if (name_of(item) == name) return item;
-    names.push_back(name_of(item));
-  }
-  throw Error(ErrorCode::bad_input, fmt::format("the scene has no {} '{}'", what, name), {},
-              suggestion(name, names));
-}
 
 /// A camera that sees the whole box from a raised corner.
 render::CameraPtr outside_camera(const Box3d& box) {
@@ -66,17 +53,15 @@ void warn_if_inside_solid(building::Builder& builder, const shot::RenderPlan& pl
 
 /// A hash that differs for pictures of different scenes, cameras and renders, whether these are
 /// chosen by options or by the scene.
-std::string identity(const render::Scene& scene, const shot::Shot& shot,
-                     const PictureOptions& options) {
-  const shot::RenderPlan plan = render_plan(shot, options);
+std::string identity(const render::Scene& scene, const shot::Shot& shot, const PicturePlan& plan) {
   Hasher hash;
   const auto add_all = [&](const auto& values) {
     hash.add_value(values.size());
     if (!values.empty()) hash.add(values.data(), values.size() * sizeof(values[0]));
   };
-  hash.add_value(shot.text_digest).add_value(options.eye);
+  hash.add_value(shot.text_digest).add_value(plan.options.eye);
   for (const std::string& text :
-       {shot.recipe, plan.name, camera_name(shot, plan), std::string(VUG_VERSION)})
+       {shot.recipe, plan.render.name, camera_name(shot, plan.render), std::string(VUG_VERSION)})
     add_all(text);
   std::set<const void*> known;
   for (const render::Object& object : scene.objects) {
@@ -102,8 +87,8 @@ std::string identity(const render::Scene& scene, const shot::Shot& shot,
 }
 
 /// The sampling seed, different in each frame of an animated scene: static noise looks like dirt.
-uint64_t sample_seed(const shot::Shot& shot, const PictureOptions& options) {
-  const uint64_t seed = options.seed.value_or(shot.seed);
+uint64_t sample_seed(const shot::Shot& shot, const PicturePlan& plan) {
+  const uint64_t seed = plan.options.seed.value_or(shot.seed);
   if (!shot.animated) return seed;
   return RandomKey(seed)
       .at("frame")
@@ -111,114 +96,102 @@ uint64_t sample_seed(const shot::Shot& shot, const PictureOptions& options) {
       .state();
 }
 
-/// Attributes an error to the option that caused it, or, for an empty option, to the text.
-Error with_option(const Error& error, const std::string& option, const SourceLocation& where) {
-  if (option.empty()) return error.at(where);
+/// Attributes an error to the option that replaced the setting, or to the text.
+Error with_cause(const Error& error, const PicturePlan& plan, const std::string& setting) {
+  const std::string option = plan.option_for(setting);
+  if (option.empty()) return error.at(plan.render.where);
   return Error(error.code(), fmt::format("{}: {}", option, error.what()), {}, error.hint());
 }
 
-std::string layers_option(const PictureOptions& options) {
-  return options.layers.empty() ? "" : "--layers";
-}
-
-std::string view_option(const PictureOptions& options) {
-  if (options.view.empty()) return options.display.empty() ? "" : "--display";
-  return options.display.empty() ? "--view" : "--view and --display";
-}
-
-/// The display transform. If the default view of a configuration fails for the working space, the
-/// configuration is reported as the cause, not the requested view.
-image::ViewSelection view_selection(const shot::RenderPlan& plan, const PictureOptions& options) {
-  const image::ViewSelection choice{plan.view, plan.display, options.config};
+/// The error of a view or display. If the default view of a configuration fails for the working
+/// space, the configuration is reported as the cause.
+Error view_error(const Error& error, const PicturePlan& plan) {
+  const std::filesystem::path& config = plan.options.config;
+  std::string cause;
   try {
-    image::view_options(choice, plan.working_space);
-  } catch (const Error& error) {
-    try {
-      image::view_options({{}, {}, options.config}, plan.working_space);
-    } catch (const Error&) {
-      throw with_option(error, options.config == image::environment_config() ? "$OCIO" : "--ocio",
-                        {});
-    }
-    throw with_option(error, view_option(options), plan.where);
+    image::view_options({{}, {}, config}, plan.render.settings.working_space);
+    const std::string view = plan.option_for("view"), display = plan.option_for("display");
+    cause = view + (view.empty() || display.empty() ? "" : " and ") + display;
+  } catch (const Error&) {
+    cause = config == image::environment_config() ? "$OCIO" : "--ocio";
   }
-  return choice;
+  if (cause.empty()) return error.at(plan.render.where);
+  return Error(error.code(), fmt::format("{}: {}", cause, error.what()), {}, error.hint());
+}
+
+void require_view(const PicturePlan& plan) {
+  const shot::RenderSettings& settings = plan.render.settings;
+  try {
+    image::view_options({settings.view, settings.display, plan.options.config},
+                        settings.working_space);
+  } catch (const Error& error) {
+    throw view_error(error, plan);
+  }
 }
 
 /// The AOVs that the scene may have, before its meshes are built.
-render::AovPlan early_aovs(const shot::Shot& shot, const shot::RenderPlan& plan,
-                           const PictureOptions& options) {
+render::AovPlan early_aovs(const shot::Shot& shot, const PicturePlan& plan) {
   try {
-    return loading::expected_aovs(shot, plan);
+    return loading::expected_aovs(shot, plan.render);
   } catch (const Error& error) {
-    throw with_option(error, layers_option(options), plan.where);
+    throw with_cause(error, plan, "layers");
   }
+}
+
+void require_denoisable(const PicturePlan& plan, const render::AovPlan& aovs) {
+  if (plan.render.settings.denoise && !aovs.has("variance"))
+    throw with_cause(
+        Error(ErrorCode::bad_input, "a picture without the layer 'variance' cannot be denoised", {},
+              "add \"variance\", \"albedo\", \"N\" and \"Z\" to its layers"),
+        plan, "denoise");
+}
+
+/// The settings of the renderer, apart from the AOVs and the motion.
+render::Options renderer_options(const shot::Shot& shot, const PicturePlan& plan) {
+  const shot::RenderSettings& settings = plan.render.settings;
+  render::Options options;
+  options.width = settings.size[0];
+  options.height = settings.size[1];
+  options.spp = settings.spp;
+  options.seed = sample_seed(shot, plan);
+  options.sampler = settings.sampler;
+  options.integrator = settings.integrator;
+  options.noise = settings.noise;
+  if (settings.deep) options.deep.emplace().tolerance = settings.deep_tolerance;
+  options.openings = settings.openings;
+  if (const std::vector<int>& crop = settings.crop; !crop.empty())
+    options.crop = {crop[0], crop[1], crop[2], crop[3]};
+  return options;
+}
+
+PictureOutput picture_output(const shot::Shot& shot, const PicturePlan& plan,
+                             const render::Camera& camera) {
+  const shot::RenderSettings& settings = plan.render.settings;
+  PictureOutput output;
+  output.settings = settings;
+  output.config = plan.options.config;
+  output.camera =
+      camera.matrices(static_cast<float>(settings.size[0]) / static_cast<float>(settings.size[1]));
+  output.metadata = identifying_metadata(shot, plan);
+  if (const std::string inexact = settings.integrator ? settings.integrator->inexact() : "";
+      !inexact.empty())
+    output.metadata.emplace_back("vug:inexact", inexact);
+  return output;
+}
+
+/// The camera of the plan while the shutter is open, or one of its eyes.
+render::CameraPtr picture_camera(const PicturePlan& plan,
+                                 const building::TimeSamples& time_samples) {
+  render::CameraPtr camera = animated_camera(time_samples, plan);
+  if (plan.options.eye == 0) return camera;
+  if (camera) camera = camera->stereo_view(plan.options.eye);
+  if (!camera)
+    throw Error(ErrorCode::bad_input, "--eye: the camera is not a stereo camera", {},
+                "set the distance of its eyes: interaxial 6.5cm");
+  return camera;
 }
 
 }  // namespace
-
-image::Metadata identifying_metadata(const shot::Shot& shot, const PictureOptions& options) {
-  const shot::RenderPlan plan = render_plan(shot, options);
-  Hasher settings;
-  settings.add_value(shot.text_digest);
-  for (const std::string& text :
-       {plan.name, camera_name(shot, plan), plan.view, plan.display, options.config.string(),
-        fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(plan.size, "x"), plan.noise,
-                    plan.exposure, plan.openings, plan.half, plan.multi_part, plan.tiled,
-                    options.denoise, options.deep, options.eye, fmt::join(plan.layers, ","),
-                    fmt::join(plan.crop, ","))})
-    settings.add_value(text.size()).add(text);
-  image::Metadata all = {{"vug:recipe", shot.recipe},
-                         {"vug:version", VUG_VERSION},
-                         {"vug:seed", std::to_string(options.seed.value_or(shot.seed))},
-                         {"vug:working_space", image::info(plan.working_space).name},
-                         {"vug:spp", std::to_string(plan.spp)},
-                         {"vug:settings", settings.finish().hex()}};
-  if (shot.animated) all.emplace_back("vug:frame", fmt::format("{}", shot.frame));
-  return all;
-}
-
-shot::RenderPlan render_plan(const shot::Shot& shot, const PictureOptions& options) {
-  shot::RenderPlan plan;
-  if (!options.render.empty())
-    plan = find_named(shot.renders, options.render, "render",
-                      [](const shot::RenderPlan& r) { return r.name; });
-  else if (!shot.renders.empty())
-    plan = shot.renders.front();
-  auto name_of = [](const shot::CameraPlan& camera) { return camera.name; };
-  if (!options.camera.empty())
-    plan.camera = find_named(shot.cameras, options.camera, "camera", name_of).camera;
-  if (!plan.camera && !shot.cameras.empty()) {
-    const auto same =
-        std::find_if(shot.cameras.begin(), shot.cameras.end(),
-                     [&](const shot::CameraPlan& each) { return each.name == plan.name; });
-    plan.camera = (same == shot.cameras.end() ? shot.cameras.front() : *same).camera;
-  }
-  if (options.spp) plan.spp = *options.spp;
-  if (options.size) plan.size = {options.size->x, options.size->y};
-  if (options.noise) plan.noise = *options.noise;
-  if (options.exposure) plan.exposure = *options.exposure;
-  if (options.full_float) plan.half = false;
-  if (options.multi_part) plan.multi_part = true;
-  if (options.tiled) plan.tiled = true;
-  if (options.deep) plan.deep = true;
-  if (!options.layers.empty()) plan.layers = options.layers;
-  if (!options.crop.empty()) plan.crop = options.crop;
-  if (options.working_space) plan.working_space = *options.working_space;
-  if (!options.view.empty()) plan.view = options.view;
-  if (!options.display.empty()) plan.display = options.display;
-  return plan;
-}
-
-std::string camera_name(const shot::Shot& shot, const shot::RenderPlan& plan) {
-  for (const shot::CameraPlan& each : shot.cameras)
-    if (plan.camera ? each.camera == plan.camera : each.name == plan.name) return each.name;
-  return shot.cameras.empty() ? "" : shot.cameras.front().name;
-}
-
-bool is_stereo(const shot::Shot& shot, const PictureOptions& options) {
-  const render::CameraPtr camera = render_plan(shot, options).camera;
-  return camera && camera->stereo_view(-1);
-}
 
 render::Scene build_scene(building::Builder& builder, const shot::RenderPlan& plan,
                           const building::TimeSamples& time_samples) {
@@ -246,70 +219,43 @@ render::Scene build_scene(building::Builder& builder, const shot::RenderPlan& pl
     scene.medium = shot.medium->with_density(std::make_shared<const volume::Density>(
         volume::fog(builder.level_set(shot.medium_volume))));
   if (bounds.isEmpty()) bounds = Box3d(Vec3d(-1), Vec3d(1));
-  scene.camera = plan.camera ? plan.camera : outside_camera(bounds);
+  scene.camera = plan.settings.camera ? plan.settings.camera : outside_camera(bounds);
   warn_if_inside_solid(builder, plan, shot::shown_objects(shot), *scene.camera);
-  return render::in_space(std::move(scene), plan.working_space);
+  return render::in_space(std::move(scene), plan.settings.working_space);
 }
 
-PictureJob prepare_picture(building::Builder& builder, const PictureOptions& options,
-                           bool whole_film) {
-  shot::RenderPlan plan = render_plan(builder.shot(), options);
-  const shot::RenderPlan static_plan = plan;
-  const building::TimeSamples time_samples = shutter_samples(builder.shot(), options, plan);
-  plan.camera = animated_camera(time_samples, options, plan);
-  if (options.eye != 0) {
-    plan.camera = plan.camera ? plan.camera->stereo_view(options.eye) : nullptr;
-    if (!plan.camera)
-      throw Error(ErrorCode::bad_input, "--eye: the camera is not a stereo camera", {},
-                  "set the distance of its eyes: interaxial 6.5cm");
-  }
+PictureJob prepare_picture(building::Builder& builder, const PicturePlan& plan, bool whole_film) {
+  const shot::Shot& shot = builder.shot();
+  const building::TimeSamples time_samples = shutter_samples(shot, plan);
+  shot::RenderPlan moving = plan.render;
+  moving.settings.camera = picture_camera(plan, time_samples);
   PictureJob job;
-  job.where = plan.where;
   render::Options& render = job.options;
-  render.width = plan.size[0];
-  render.height = plan.size[1];
-  render.spp = plan.spp;
-  render.seed = sample_seed(builder.shot(), options);
-  render.sampler = plan.sampler;
-  render.integrator = plan.integrator;
-  render.noise = plan.noise;
-  if (plan.deep) render.deep.emplace().tolerance = plan.deep_tolerance;
-  render.openings = plan.openings;
-  if (plan.crop.size() == 4) render.crop = {plan.crop[0], plan.crop[1], plan.crop[2], plan.crop[3]};
-  render.aovs = early_aovs(builder.shot(), plan, options);
-  if (options.denoise && !render.aovs.has("variance"))
-    throw Error(ErrorCode::bad_input,
-                "--denoise: a picture without the layer 'variance' cannot be denoised", {},
-                "add \"variance\", \"albedo\", \"N\" and \"Z\" to its layers");
-  job.output.space = plan.working_space;
-  job.output.view = view_selection(plan, options);
+  render = renderer_options(shot, plan);
+  render.aovs = early_aovs(shot, plan);
+  require_denoisable(plan, render.aovs);
+  require_view(plan);
   require_memory(render::memory_estimate({}, render, whole_film), builder.memory_budget(),
-                 fmt::format("a picture of {}x{}", plan.size[0], plan.size[1]), kFewerPixels);
-  if (render.aovs.has(render::kMotion))
-    render.motion_step = motion_step(builder, options, static_plan);
-  job.scene = build_scene(builder, plan, time_samples);
+                 fmt::format("a picture of {}x{}", render.width, render.height), kFewerPixels);
+  if (render.aovs.has(render::kMotion)) render.motion_step = motion_step(builder, plan);
+  job.scene = build_scene(builder, moving, time_samples);
   try {
-    render.aovs = render::scene_aovs(job.scene, plan.layers);
+    render.aovs = render::scene_aovs(job.scene, plan.render.settings.layers);
   } catch (const Error& error) {
-    throw with_option(error, layers_option(options), plan.where);
+    throw with_cause(error, plan, "layers");
   }
   require_memory(render::memory_estimate(job.scene, render, whole_film), builder.memory_budget(),
                  "the picture", std::string(kFewerPixels) + " or larger voxels");
-  job.output.exposure = plan.exposure;
-  job.output.half = plan.half;
-  job.output.multi_part = plan.multi_part;
-  job.output.tiled = plan.tiled;
-  job.output.denoise = options.denoise;
-  job.output.camera = job.scene.camera->matrices(static_cast<float>(render.width) /
-                                                 static_cast<float>(render.height));
-  job.output.metadata = identifying_metadata(builder.shot(), options);
-  if (const std::string inexact = plan.integrator ? plan.integrator->inexact() : "";
-      !inexact.empty())
-    job.output.metadata.emplace_back("vug:inexact", inexact);
-  job.header = render::partial_render_header(render);
-  job.header.identity = identity(job.scene, builder.shot(), options);
-  job.header.notes = to_header_attributes(job.output);
+  job.output = picture_output(shot, plan, *job.scene.camera);
   return job;
+}
+
+render::PartialRenderHeader file_header(const PictureJob& job, const shot::Shot& shot,
+                                        const PicturePlan& plan) {
+  render::PartialRenderHeader header = render::partial_render_header(job.options);
+  header.identity = identity(job.scene, shot, plan);
+  header.notes = to_header_attributes(job.output);
+  return header;
 }
 
 }  // namespace vug::picture

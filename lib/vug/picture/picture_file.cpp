@@ -8,38 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace vug::picture {
 namespace {
-
-constexpr const char* kExposure = "exposure";
-constexpr const char* kHalf = "half";
-constexpr const char* kMultiPart = "multi_part";
-constexpr const char* kTiled = "tiled";
-constexpr const char* kDenoise = "denoise";
-constexpr const char* kSpace = "working_space";
-constexpr const char* kView = "view";
-constexpr const char* kDisplay = "display";
-constexpr const char* kConfig = "colour_config";
-constexpr const char* kToCamera = "world_to_camera";
-constexpr const char* kToNdc = "world_to_ndc";
-constexpr const char* kMetadata = "metadata:";
-
-std::string matrix_text(const std::array<float, 16>& matrix) {
-  return fmt::format("{}", fmt::join(matrix, " "));
-}
-
-std::array<float, 16> read_matrix(const std::string& text) {
-  std::array<float, 16> matrix{};
-  const char* at = text.c_str();
-  for (float& v : matrix) {
-    char* end = nullptr;
-    v = std::strtof(at, &end);
-    at = end;
-  }
-  return matrix;
-}
 
 /// The denoised AOV as a picture of its own.
 image::Image as_colour(image::Image smooth) {
@@ -48,37 +19,38 @@ image::Image as_colour(image::Image smooth) {
 }
 
 void write_png(const std::filesystem::path& png, const image::Image& image,
-               const OutputSettings& settings) {
-  image::ViewOptions view = image::view_options(settings.view, settings.space);
-  view.exposure = settings.exposure;
+               const PictureOutput& output) {
+  image::ViewOptions view = image::view_options(output.view(), output.settings.working_space);
+  view.exposure = output.settings.exposure;
   image::write_png(png, image, view);
 }
 
-image::ExrOptions exr_options(const OutputSettings& settings,
-                              const render::PartialRenderHeader& header) {
+image::ExrOptions exr_options(const PictureView& view) {
+  const shot::OutputSettings& settings = view.output.settings;
   image::ExrOptions options;
   options.half = settings.half;
   options.parts = settings.multi_part;
   options.tiles = settings.tiled;
-  options.space = settings.space;
-  if (settings.camera) {
-    options.world_to_camera = settings.camera->world_to_camera;
-    options.world_to_ndc = settings.camera->world_to_ndc;
+  options.space = settings.working_space;
+  if (const auto& camera = view.output.camera) {
+    options.world_to_camera = camera->world_to_camera;
+    options.world_to_ndc = camera->world_to_ndc;
   }
-  options.metadata = settings.metadata;
+  options.metadata = view.output.metadata;
+  const render::PartialRenderHeader& header = view.header;
   options.window = {header.crop.x0, header.crop.y0, header.width, header.height};
   return options;
 }
 
 /// EXR options with the metadata and channel formats required by the AOVs.
-image::ExrOptions layered_options(const OutputSettings& settings,
-                                  const render::PartialRenderHeader& header) {
-  image::ExrOptions options = exr_options(settings, header);
-  for (const auto& entry : render::crypto_metadata(header.aovs)) options.metadata.push_back(entry);
+image::ExrOptions layered_options(const PictureView& view) {
+  image::ExrOptions options = exr_options(view);
+  const render::AovPlan& aovs = view.header.aovs;
+  for (const auto& entry : render::crypto_metadata(aovs)) options.metadata.push_back(entry);
   options.full_channels.insert(
       options.full_channels.end(),
       {render::kCryptoObject, render::kCryptoMaterial, render::kCryptoElement, render::kMotion});
-  for (const render::AovAttribute& attribute : header.aovs.attributes)
+  for (const render::AovAttribute& attribute : aovs.attributes)
     options.full_channels.push_back("attribute_" + attribute.name);
   return options;
 }
@@ -101,7 +73,7 @@ struct DenoisedView {
 std::vector<DenoisedView> denoise_views(const std::vector<PictureView>& views) {
   std::vector<DenoisedView> out(views.size());
   for (size_t i = 0; i < views.size(); ++i) {
-    if (!from_header_attributes(views[i].header.notes).denoise) continue;
+    if (!views[i].output.settings.denoise) continue;
     image::Image smooth = image::denoise(views[i].image);
     out[i].layers = image::joined(views[i].image, smooth);
     out[i].shown = as_colour(std::move(smooth));
@@ -118,9 +90,8 @@ void write_layers(const std::filesystem::path& exr, const std::vector<PictureVie
                   const std::vector<DenoisedView>& smooth) {
   std::vector<image::ExrView> parts;
   for (size_t i = 0; i < views.size(); ++i)
-    parts.push_back(
-        {view_name(views, i), smooth[i].layers ? *smooth[i].layers : views[i].image,
-         layered_options(from_header_attributes(views[i].header.notes), views[i].header)});
+    parts.push_back({view_name(views, i), smooth[i].layers ? *smooth[i].layers : views[i].image,
+                     layered_options(views[i])});
   image::write_exr(exr, parts);
 }
 
@@ -129,9 +100,9 @@ void write_png_views(const std::filesystem::path& png, const std::vector<Picture
   const auto shown = [&](size_t i) -> const image::Image& {
     return smooth[i].shown ? *smooth[i].shown : views[i].image;
   };
-  const OutputSettings settings = from_header_attributes(views.front().header.notes);
-  if (views.size() == 1) return write_png(png, shown(0), settings);
-  write_png(png, side_by_side(shown(0), shown(1)), settings);
+  const PictureOutput& output = views.front().output;
+  if (views.size() == 1) return write_png(png, shown(0), output);
+  write_png(png, side_by_side(shown(0), shown(1)), output);
 }
 
 bool has_deep(const std::vector<PictureView>& views) { return views.front().deep != nullptr; }
@@ -139,57 +110,11 @@ bool has_deep(const std::vector<PictureView>& views) { return views.front().deep
 void write_deep(const std::filesystem::path& file, const std::vector<PictureView>& views) {
   std::vector<image::DeepView> deep;
   for (size_t i = 0; i < views.size(); ++i)
-    deep.push_back({view_name(views, i), *views[i].deep,
-                    exr_options(from_header_attributes(views[i].header.notes), views[i].header)});
+    deep.push_back({view_name(views, i), *views[i].deep, exr_options(views[i])});
   image::write_deep_exr(file, deep);
 }
 
 }  // namespace
-
-std::vector<std::pair<std::string, std::string>> to_header_attributes(
-    const OutputSettings& settings) {
-  std::vector<std::pair<std::string, std::string>> notes = {
-      {kExposure, fmt::format("{}", settings.exposure)},
-      {kHalf, settings.half ? "true" : "false"},
-      {kMultiPart, settings.multi_part ? "true" : "false"},
-      {kTiled, settings.tiled ? "true" : "false"}};
-  notes.emplace_back(kDenoise, settings.denoise ? "true" : "false");
-  notes.emplace_back(kSpace, image::info(settings.space).name);
-  notes.emplace_back(kView, settings.view.view);
-  notes.emplace_back(kDisplay, settings.view.display);
-  notes.emplace_back(kConfig, settings.view.config.string());
-  if (settings.camera) {
-    notes.emplace_back(kToCamera, matrix_text(settings.camera->world_to_camera));
-    if (settings.camera->world_to_ndc)
-      notes.emplace_back(kToNdc, matrix_text(*settings.camera->world_to_ndc));
-  }
-  for (const auto& [name, text] : settings.metadata) notes.emplace_back(kMetadata + name, text);
-  return notes;
-}
-
-OutputSettings from_header_attributes(
-    const std::vector<std::pair<std::string, std::string>>& notes) {
-  OutputSettings settings;
-  for (const auto& [name, text] : notes) {
-    if (name == kExposure) settings.exposure = std::strtod(text.c_str(), nullptr);
-    if (name == kHalf) settings.half = text == "true";
-    if (name == kMultiPart) settings.multi_part = text == "true";
-    if (name == kTiled) settings.tiled = text == "true";
-    if (name == kDenoise) settings.denoise = text == "true";
-    if (name == kSpace)
-      for (const image::WorkingSpaceInfo& each : image::working_spaces())
-        if (each.name == text) settings.space = each.space;
-    if (name == kView) settings.view.view = text;
-    if (name == kDisplay) settings.view.display = text;
-    if (name == kConfig) settings.view.config = text;
-    if ((name == kToCamera || name == kToNdc) && !settings.camera) settings.camera.emplace();
-    if (name == kToCamera) settings.camera->world_to_camera = read_matrix(text);
-    if (name == kToNdc) settings.camera->world_to_ndc = read_matrix(text);
-    if (name.rfind(kMetadata, 0) == 0)
-      settings.metadata.emplace_back(name.substr(std::string(kMetadata).size()), text);
-  }
-  return settings;
-}
 
 std::filesystem::path png_path(const std::filesystem::path& exr) {
   return std::filesystem::path(exr).replace_extension(".png");
@@ -225,9 +150,8 @@ void write_picture_file(const std::filesystem::path& file, const std::vector<Pic
 }
 
 void write_preview(const std::filesystem::path& png, const image::Image& image,
-                   const render::PartialRenderHeader& header) {
-  const OutputSettings settings = from_header_attributes(header.notes);
-  write_png(png, settings.denoise ? as_colour(image::denoise(image)) : image, settings);
+                   const PictureOutput& output) {
+  write_png(png, output.settings.denoise ? as_colour(image::denoise(image)) : image, output);
 }
 
 }  // namespace vug::picture

@@ -3,42 +3,19 @@
 #pragma once
 
 #include <vug/image/deep.h>
-#include <vug/image/io.h>
-#include <vug/image/ocio_view.h>
+#include <vug/picture/picture_output.h>
 #include <vug/render/film/partial_render.h>
 
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace vug::picture {
 
-/// Encoding and display settings of a picture file.
-struct OutputSettings {
-  double exposure = 0;      ///< Exposure of the PNG in stops.
-  bool half = true;         ///< 16-bit colour channels in the EXR.
-  bool multi_part = false;  ///< One part of the EXR per AOV.
-  bool tiled = false;       ///< Tiles instead of scan lines.
-  bool denoise = false;     ///< Add a denoised AOV, which the PNG shows; see image::denoise.
-  image::WorkingSpace space = image::WorkingSpace::rec709;  ///< Working space of the pixels.
-  image::ViewSelection view;                                ///< Display transform of the PNG.
-  image::Metadata metadata;
-  std::optional<render::CameraMatrices> camera;
-};
-
-/// Converts the settings to attributes of a partial render, so that merging writes the same files,
-/// and back.
-std::vector<std::pair<std::string, std::string>> to_header_attributes(
-    const OutputSettings& settings);
-OutputSettings from_header_attributes(
-    const std::vector<std::pair<std::string, std::string>>& notes);
-
 /// A picture, or one view of a stereo picture.
 struct PictureView {
   const image::Image& image;
-  const render::PartialRenderHeader& header;  ///< Crop and output settings.
+  const render::PartialRenderHeader& header;  ///< Crop and AOVs.
+  const PictureOutput& output;
   const image::DeepImage* deep = nullptr;
 };
 
@@ -57,6 +34,6 @@ std::filesystem::path deep_path(const std::filesystem::path& exr);
 
 /// Writes only the PNG, in the same way as write_picture.
 void write_preview(const std::filesystem::path& png, const image::Image& image,
-                   const render::PartialRenderHeader& header);
+                   const PictureOutput& output);
 
 }  // namespace vug::picture

@@ -35,7 +35,8 @@ std::string resume_hint(const RenderOptions& options, const render::RenderState&
 }
 
 /// The initial state: that of the checkpoint, or an empty one.
-render::RenderState initial_state(const PictureJob& job, const RenderOptions& options) {
+render::RenderState initial_state(const PictureJob& job, const render::PartialRenderHeader& header,
+                                  const RenderOptions& options) {
   render::RenderState state = render::begin_render(job.options, options.slice);
   if (!options.resume || !fs::exists(options.checkpoint)) return state;
   constexpr const char* kAnew = "remove it to start again";
@@ -54,7 +55,7 @@ render::RenderState initial_state(const PictureJob& job, const RenderOptions& op
                              options.checkpoint.string(), what),
                  {}, kAnew);
   };
-  if (const std::string what = render::difference(kept.header, job.header); !what.empty())
+  if (const std::string what = render::difference(kept.header, header); !what.empty())
     throw refuse("different " + what);
   if (!(kept.state.region == state.region) || kept.state.begin != state.begin ||
       kept.state.end != state.end)
@@ -64,12 +65,15 @@ render::RenderState initial_state(const PictureJob& job, const RenderOptions& op
 
 }  // namespace
 
-RenderResult render_picture(building::Builder& builder, const RenderOptions& options) {
+RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
+                            const RenderOptions& options) {
   require_consistent(options);
-  const bool kept =
-      !options.part.empty() || !options.checkpoint.empty() || !options.preview.empty();
-  PictureJob job = prepare_picture(builder, options.picture, kept);
-  RenderResult rendered{std::nullopt, std::nullopt, job.header, job.where};
+  const bool saved = !options.part.empty() || !options.checkpoint.empty();
+  const bool kept = saved || !options.preview.empty();
+  const PictureJob job = prepare_picture(builder, plan, kept);
+  const SourceLocation& where = plan.render.where;
+  RenderResult rendered{std::nullopt, std::nullopt, render::partial_render_header(job.options),
+                        job.output, where};
   render::RenderCallbacks callbacks;
   const double memory = static_cast<double>(resident_memory()) +
                         render::memory_estimate(job.scene, job.options, kept);
@@ -77,12 +81,11 @@ RenderResult render_picture(building::Builder& builder, const RenderOptions& opt
     callbacks.estimate = [&](double seconds) { options.estimate(seconds, memory); };
   callbacks.invalid_samples = [&](uint64_t refused, uint64_t cut) {
     if (refused > 0)
-      builder.warn(job.where,
+      builder.warn(where,
                    fmt::format("{} samples were NaN or infinite and were discarded", refused),
                    "a material or a light returns invalid values");
     if (cut > 0)
-      builder.warn(job.where,
-                   fmt::format("{} samples were clamped to {:.0f}", cut, render::kMaxLight),
+      builder.warn(where, fmt::format("{} samples were clamped to {:.0f}", cut, render::kMaxLight),
                    "a light exceeds the range of pictures");
   };
   if (!kept) {
@@ -90,17 +93,19 @@ RenderResult render_picture(building::Builder& builder, const RenderOptions& opt
     rendered.image = render::render(job.scene, job.options, builder.progress(), callbacks, deep);
     return rendered;
   }
+  render::PartialRenderHeader header;  // identifies the picture by hashes of all meshes
+  if (saved) header = file_header(job, builder.shot(), plan);
   if (!options.checkpoint.empty()) {
     callbacks.save_every = options.checkpoint_every;
     callbacks.save = [&](const render::RenderState& state) {
-      render::write_partial_render(options.checkpoint, job.header, state);
+      render::write_partial_render(options.checkpoint, header, state);
     };
   }
   if (!options.preview.empty())
     callbacks.pass = [&](const render::RenderState& state) {
-      write_preview(options.preview, render::develop(state, job.options.aovs), job.header);
+      write_preview(options.preview, render::develop(state, job.options.aovs), job.output);
     };
-  render::RenderState state = initial_state(job, options);
+  render::RenderState state = initial_state(job, header, options);
   try {
     render::continue_render(job.scene, job.options, state, callbacks, builder.progress());
   } catch (const Error& error) {
@@ -108,7 +113,7 @@ RenderResult render_picture(building::Builder& builder, const RenderOptions& opt
     throw Error(error.code(), error.what(), error.where(), resume_hint(options, state));
   }
   if (!options.part.empty()) {
-    render::write_partial_render(options.part, job.header, state);
+    render::write_partial_render(options.part, header, state);
     return rendered;
   }
   rendered.image = render::develop(state, job.options.aovs);

@@ -11,7 +11,6 @@
 namespace vug::picture {
 
 struct RenderOptions {
-  PictureOptions picture;
   render::RenderSlice slice;         ///< The slice to render; a proper slice requires `part`.
   std::filesystem::path part;        ///< File of the partial render; empty: render the picture.
   std::filesystem::path checkpoint;  ///< Updated while rendering; empty: none.
@@ -23,18 +22,20 @@ struct RenderOptions {
   std::function<void(double seconds, double bytes)> estimate = nullptr;
 };
 
-/// A rendered picture, or the header of a partial render.
+/// A rendered picture; without an image if a partial render was written.
 struct RenderResult {
   std::optional<image::Image> image;     ///< None if a partial render was written.
   std::optional<image::DeepImage> deep;  ///< Only if the plan requests it.
-  render::PartialRenderHeader header;
+  render::PartialRenderHeader header;    ///< Crop and AOVs; without the identity.
+  PictureOutput output;
   SourceLocation where;  ///< Location of the plan's name in the text.
 };
 
 /// Builds the scene and renders it. Call `remove_checkpoint` after the files of a finished render
 /// have been written. Error(bad_input): a slice without `part`; a checkpoint that exists without
 /// `resume`, or that belongs to another picture or slice.
-RenderResult render_picture(building::Builder& builder, const RenderOptions& options);
+RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
+                            const RenderOptions& options = {});
 void remove_checkpoint(const RenderOptions& options);
 
 }  // namespace vug::picture

@@ -8,19 +8,20 @@
 
 namespace vug::picture {
 
-std::vector<RenderResult> render_views(building::Builder& builder, const RenderOptions& options) {
-  if (options.picture.eye != 0 || !is_stereo(builder.shot(), options.picture))
-    return {render_picture(builder, options)};
+std::vector<RenderResult> render_views(building::Builder& builder, const PicturePlan& plan,
+                                       const RenderOptions& options) {
+  if (plan.options.eye != 0 || !is_stereo(plan)) return {render_picture(builder, plan, options)};
   if (!options.part.empty() || !options.checkpoint.empty())
     throw Error(ErrorCode::bad_input,
                 "a stereo picture cannot have a checkpoint or be rendered in parts", {},
                 "render one view at a time: --eye left, then --eye right");
   std::vector<RenderResult> views;
   for (const int eye : {-1, 1}) {
+    PicturePlan view = plan;
+    view.options.eye = eye;
     RenderOptions one = options;
-    one.picture.eye = eye;
     if (eye > 0) one.estimate = nullptr;
-    views.push_back(render_picture(builder, one));
+    views.push_back(render_picture(builder, view, one));
   }
   return views;
 }
@@ -28,20 +29,20 @@ std::vector<RenderResult> render_views(building::Builder& builder, const RenderO
 std::vector<PictureView> picture_views(const std::vector<RenderResult>& rendered) {
   std::vector<PictureView> views;
   for (const RenderResult& each : rendered)
-    if (each.image) views.push_back({*each.image, each.header, each.deep ? &*each.deep : nullptr});
+    if (each.image)
+      views.push_back({*each.image, each.header, each.output, each.deep ? &*each.deep : nullptr});
   return views;
 }
 
 void warn_about_exposure(const building::Builder& builder, const RenderResult& picture) {
   constexpr double kOff = 5;  // stops
-  const OutputSettings settings = from_header_attributes(picture.header.notes);
-  const double exposure = settings.exposure;
-  const std::optional<double> grey = image::grey_exposure(*picture.image, settings.space);
+  const double exposure = picture.output.settings.exposure;
+  const image::WorkingSpace space = picture.output.settings.working_space;
+  const std::optional<double> grey = image::grey_exposure(*picture.image, space);
   if (grey && std::fabs(*grey - exposure) <= kOff) return;
   // A single light in a dark room is not a reason to warn: most of the picture must be bright.
   const double bright = 0.18 * std::exp2(kOff - exposure);
-  if (grey && *grey < exposure &&
-      image::fraction_above(*picture.image, bright, settings.space) < 0.5)
+  if (grey && *grey < exposure && image::fraction_above(*picture.image, bright, space) < 0.5)
     return;
   builder.warn(picture.where,
                !grey              ? "no light reaches the picture"

@@ -10,7 +10,8 @@ namespace vug::picture {
 
 /// Renders the picture, or the left and right views of a stereo camera. Error(bad_input) for two
 /// views with a checkpoint or as a partial render.
-std::vector<RenderResult> render_views(building::Builder& builder, const RenderOptions& options);
+std::vector<RenderResult> render_views(building::Builder& builder, const PicturePlan& plan,
+                                       const RenderOptions& options = {});
 
 /// The views of all finished pictures, for write_picture; `rendered` must outlive them.
 std::vector<PictureView> picture_views(const std::vector<RenderResult>& rendered);

@@ -114,23 +114,23 @@ Json picture(const std::filesystem::path& file, const std::string& note) {
 }
 
 /// A small denoised picture, which takes at most a minute for most scenes.
-Json rendered_picture(building::Builder& builder, const ScratchFolder& scratch) {
+Json rendered_picture(building::Builder& builder, const shot::RenderSettings& settings,
+                      const ScratchFolder& scratch) {
   constexpr int kWidth = 960, kSamples = 32;
-  const shot::RenderPlan plan = picture::render_plan(builder.shot(), {});
-  picture::RenderOptions options;
-  const double shrink = std::min(1.0, double(kWidth) / plan.size[0]);
-  options.picture.size = Vec2i(std::max(1, static_cast<int>(plan.size[0] * shrink + 0.5)),
-                               std::max(1, static_cast<int>(plan.size[1] * shrink + 0.5)));
-  options.picture.spp = std::min(plan.spp, kSamples);
-  options.picture.denoise = true;
-  options.picture.deep = false;
-  const std::vector<picture::RenderResult> rendered = picture::render_views(builder, options);
+  const double shrink = std::min(1.0, double(kWidth) / settings.size[0]);
+  const auto shrunk = [&](int side) { return std::max(1, static_cast<int>(side * shrink + 0.5)); };
+  const int width = shrunk(settings.size[0]), height = shrunk(settings.size[1]);
+  const int spp = std::min(settings.spp, kSamples);
+  picture::PictureOptions options;
+  options.settings = {
+      {"size", List{width, height}}, {"spp", spp}, {"denoise", true}, {"deep", false}};
+  const std::vector<picture::RenderResult> rendered =
+      picture::render_views(builder, picture::plan_picture(builder.shot(), options));
   const std::filesystem::path png = scratch.file("picture.png");
   picture::write_picture_file(png, picture::picture_views(rendered));
-  return picture(
-      png, fmt::format("Rendered small for this page: {} x {}, {} samples a pixel, "
-                       "smoothed",
-                       options.picture.size->x, options.picture.size->y, *options.picture.spp));
+  return picture(png, fmt::format("Rendered small for this page: {} x {}, {} samples a pixel, "
+                                  "smoothed",
+                                  width, height, spp));
 }
 
 size_t triangles(const exchange::Assembly& assembly) {
@@ -168,14 +168,14 @@ void decimate(exchange::Assembly& assembly, size_t most, Progress& progress) {
 Preview make_preview(building::Builder& builder, const loading::Loaded& loaded,
                      const PreviewOptions& options) {
   const shot::Shot& shot = builder.shot();
-  const shot::RenderPlan plan = picture::render_plan(shot, {});
+  const shot::RenderPlan plan = picture::plan_picture(shot).render;
   const ScratchFolder scratch("vug_preview");
   Json data = {{"name", shot.name},
                {"seed", std::to_string(shot.seed)},
                {"frame", shot.frame},
                {"version", VUG_VERSION},
                {"camera", picture::camera_name(shot, plan)},
-               {"exposure", plan.exposure},
+               {"exposure", plan.settings.exposure},
                {"picture", nullptr},
                {"metrics", nullptr}};
   if (!options.picture.empty())
@@ -205,7 +205,7 @@ Preview make_preview(building::Builder& builder, const loading::Loaded& loaded,
     data["metrics"] = Json::parse(metrics::to_json(report));
   }
   if (options.picture.empty() && options.render)
-    data["picture"] = rendered_picture(builder, scratch);
+    data["picture"] = rendered_picture(builder, plan.settings, scratch);
   data["triangles"] = out.triangles;
   data["whole"] = out.whole;
   data["trees"] = trees(shot);

@@ -7,13 +7,11 @@
 #include <vug/base/schema.h>
 #include <vug/field/field.h>
 #include <vug/grammar/tree.h>
-#include <vug/image/colour_space.h>
 #include <vug/lsystem/system.h>
 #include <vug/mesh/mesh.h>
 #include <vug/paint/paint.h>
-#include <vug/render/integrator.h>
-#include <vug/render/sampler.h>
 #include <vug/render/scene.h>
+#include <vug/shot/render_settings.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -133,23 +131,7 @@ struct CameraPlan {
 /// `render NAME { ... }`: the settings of a picture.
 struct RenderPlan {
   std::string name = "main";
-  std::vector<int> size = {960, 540};  ///< Width and height in pixels.
-  int spp = 64;
-  double exposure = 0;           ///< Exposure of the PNG in stops.
-  bool openings = true;          ///< See render::Options.
-  bool half = true;              ///< 16-bit colour channels in the EXR.
-  bool multi_part = false;       ///< One part of the EXR per AOV.
-  bool tiled = false;            ///< Write a tiled EXR instead of scan lines.
-  bool deep = false;             ///< Write a deep EXR in addition.
-  double deep_tolerance = 0.01;  ///< See render::DeepOptions.
-  double noise = 0;              ///< See render::Options.
-  image::WorkingSpace working_space = image::WorkingSpace::rec709;
-  std::string view, display;        ///< Display transform of the PNG; see image::ViewSelection.
-  std::vector<std::string> layers;  ///< Names of AOVs, as in render::plan_aovs.
-  std::vector<int> crop;            ///< Left, top, right and bottom in pixels; empty: no crop.
-  render::CameraPtr camera;         ///< Null: the camera with the name of the plan, else the first.
-  render::SamplerPtr sampler;
-  render::IntegratorPtr integrator;
+  RenderSettings settings;
   SourceLocation where;  ///< Location of the name in the text.
 };
 

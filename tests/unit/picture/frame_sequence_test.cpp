@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <vug/base/error.h>
 #include <vug/building/builder.h>
-#include <vug/loading/load.h>
 #include <vug/picture/frame_sequence.h>
 #include <vug/picture/motion.h>
 #include <vug/shot/queries.h>
@@ -24,18 +23,15 @@ camera main { eye (way, 2, 9) }
 camera still { eye (0, 2, 9) }
 )";
 
-loading::Loaded at(double frame, loading::StaticCache* still, const std::string& text = kScene) {
-  loading::LoadOptions options;
-  options.frame = frame;
-  options.static_cache = still;
-  loading::Loaded loaded = loading::load_text(text, "t.vug", options);
+loading::Loaded at(double frame, const loading::SceneSource& source) {
+  loading::Loaded loaded = source.at(frame);
   EXPECT_EQ(loaded.report(), "");
   return loaded;
 }
 
 TEST(Sequence, StaticPlansAreTheSameObject) {
-  loading::StaticCache still;
-  const shot::Shot one = at(1, &still).shot, two = at(2, &still).shot, alone = at(2, nullptr).shot;
+  const loading::SceneSource source(kScene, "t.vug"), other(kScene, "t.vug");
+  const shot::Shot one = at(1, source).shot, two = at(2, source).shot, alone = at(2, other).shot;
   EXPECT_TRUE(one.animated);
   ASSERT_EQ(two.volumes.size(), 2u);
   EXPECT_EQ(one.volumes[0], two.volumes[0]);
@@ -54,12 +50,12 @@ TEST(Sequence, StaticPlansAreTheSameObject) {
   ASSERT_EQ(two.cameras.size(), alone.cameras.size());
   for (size_t i = 0; i < two.cameras.size(); ++i)
     EXPECT_EQ(two.cameras[i].name, alone.cameras[i].name);
-  EXPECT_FALSE(at(3, nullptr, "camera main { eye (0, 2, 9) }").shot.animated);
+  EXPECT_FALSE(loading::load_text("camera main { eye (0, 2, 9) }", "t.vug").shot.animated);
 }
 
 TEST(Sequence, ABuilderKeepsStaticProducts) {
-  loading::StaticCache still;
-  const loading::Loaded one = at(1, &still), two = at(2, &still);
+  const loading::SceneSource source(kScene, "t.vug");
+  const loading::Loaded one = at(1, source), two = at(2, source);
   building::Builder first(one.shot);
   const auto stone = first.mesh(one.shot.meshes[0]), roller = first.mesh(one.shot.meshes[1]);
   building::Builder second(two.shot);
@@ -74,16 +70,14 @@ TEST(Sequence, AMovingCameraIsBlurredWhileItsShutterIsOpen) {
       "camera main { eye (keys(1: 0m, 3: 2m), 0, 5)  target (0, 0, -9)  shutter 0.5 }\n"
       "camera rest { eye (1, 0, 5)  shutter 0.5 }\n"
       "camera fast { eye (keys(1: 0m, 3: 2m), 0, 5)  target (0, 0, -9) }\n";
-  loading::StaticCache still;
-  const shot::Shot shot = at(2, &still, text).shot;
+  const loading::SceneSource source(text, "t.vug");
+  const shot::Shot shot = at(2, source).shot;
   PictureOptions options;
-  options.shot_at_frame = [&](double frame) {
-    return std::make_shared<const shot::Shot>(at(frame, &still, text).shot);
-  };
+  options.source = &source;
   const auto camera = [&](const std::string& name) {
     options.camera = name;
-    const shot::RenderPlan plan = render_plan(shot, options);
-    return animated_camera(shutter_samples(shot, options, plan), options, plan);
+    const PicturePlan plan = plan_picture(shot, options);
+    return animated_camera(shutter_samples(shot, plan), plan);
   };
   const render::CameraPtr main = camera("main");
   ASSERT_TRUE(main->moves());
@@ -95,7 +89,7 @@ TEST(Sequence, AMovingCameraIsBlurredWhileItsShutterIsOpen) {
   EXPECT_FLOAT_EQ(x_at(1), 1.5f);
   EXPECT_FALSE(camera("rest")->moves());
   EXPECT_FALSE(camera("fast")->moves());
-  options.shot_at_frame = nullptr;
+  options.source = nullptr;
   EXPECT_FALSE(camera("main")->moves());
 }
 
@@ -111,14 +105,12 @@ TEST(Sequence, InstancesMoveWhileTheShutterIsOpen) {
       "place glowing { of ember  at (0, 2, 0) }\n"
       "camera main { shutter 0.5 }\n"
       "render main { size 4x4  spp 1  layers [\"beauty\", \"motion\"] }\n";
-  loading::StaticCache still;
-  const loading::Loaded loaded = at(3, &still, text);
+  const loading::SceneSource source(text, "t.vug");
+  const loading::Loaded loaded = at(3, source);
   PictureOptions options;
-  options.shot_at_frame = [&](double frame) {
-    return std::make_shared<const shot::Shot>(at(frame, &still, text).shot);
-  };
+  options.source = &source;
   building::Builder builder(loaded.shot);
-  const PictureJob job = prepare_picture(builder, options, false);
+  const PictureJob job = prepare_picture(builder, plan_picture(loaded.shot, options), false);
   ASSERT_EQ(job.scene.objects.size(), 4u);
   const auto x_at = [&](size_t object, float time) {
     return job.scene.objects[object].instance->at(time).origin.x;
@@ -136,12 +128,25 @@ TEST(Sequence, InstancesMoveWhileTheShutterIsOpen) {
   EXPECT_FLOAT_EQ(job.options.motion_step->transforms.at(1).second.origin.x, 8);
 }
 
+TEST(Sequence, ASourceReportsTheFirstFaultOfAFrame) {
+  const loading::SceneSource source("camera main { eye (0, 2, 9)  shutter 3 - frame }\n", "t.vug");
+  EXPECT_EQ(source.shot_at(2)->cameras.size(), 1u);
+  try {
+    source.shot_at(4);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::bad_input);
+    EXPECT_EQ(error.where().line, 1);
+    EXPECT_EQ(error.context(), (std::vector<std::string>{"loading frame 4"}));
+  }
+}
+
 TEST(Sequence, UndeclaredMeshesAreKeptToo) {
   const std::string text =
       "volume rock = level_set(sphere(1m), voxel: 20cm)\n"
       "camera main { eye (frame, 2, 9) }\n";
-  loading::StaticCache still;
-  const loading::Loaded one = at(1, &still, text), two = at(2, &still, text);
+  const loading::SceneSource source(text, "t.vug");
+  const loading::Loaded one = at(1, source), two = at(2, source);
   building::Builder first(one.shot);
   const auto mesh = first.mesh(shot::shown_meshes(one.shot).at(0));
   building::Builder second(two.shot);

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The camera of a render without a camera of its own.
 #include <gtest/gtest.h>
+#include <vug/base/error.h>
 #include <vug/loading/load.h>
-#include <vug/picture/picture.h>
+#include <vug/picture/picture_output.h>
+#include <vug/picture/picture_plan.h>
+
+#include <set>
 
 namespace vug::picture {
 namespace {
@@ -22,9 +26,9 @@ std::string camera_of(const shot::Shot& shot, const std::string& render,
   PictureOptions options;
   options.render = render;
   options.camera = camera;
-  const shot::RenderPlan plan = render_plan(shot, options);
+  const PicturePlan plan = plan_picture(shot, options);
   for (const shot::CameraPlan& each : shot.cameras)
-    if (each.camera == plan.camera) return each.name;
+    if (each.camera == plan.render.settings.camera) return each.name;
   return "";
 }
 
@@ -42,6 +46,88 @@ TEST(RenderPlan, WithoutARenderTheCameraMainGoesFirst) {
       loading::load_text("camera a { eye (1, 0, 0) }\ncamera main { eye (0, 0, 1) }\n", "t.vug");
   ASSERT_EQ(loaded.report(), "");
   EXPECT_EQ(camera_of(loaded.shot, ""), "main");
+}
+
+TEST(PicturePlan, OptionsReplaceSettingsOfTheBlock) {
+  const loading::Loaded loaded = loading::load_text(
+      "render main { size 20x10  spp 3  tiled true  noise 5%  layers [\"Z\"] }\n", "t.vug");
+  ASSERT_EQ(loaded.report(), "");
+  PictureOptions options;
+  options.settings = {{"spp", 7}, {"tiled", false}, {"crop", List{1, 2, 3, 4}}, {"spp", 9}};
+  const PicturePlan plan = plan_picture(loaded.shot, options);
+  const shot::RenderSettings& settings = plan.render.settings;
+  EXPECT_EQ(settings.spp, 9);
+  EXPECT_FALSE(settings.tiled);
+  EXPECT_EQ(settings.crop, (std::vector<int>{1, 2, 3, 4}));
+  EXPECT_EQ(settings.size, (std::vector<int>{20, 10}));
+  EXPECT_EQ(settings.noise, 0.05);
+  EXPECT_EQ(settings.layers, (std::vector<std::string>{"Z"}));
+  EXPECT_EQ(plan.option_for("spp"), "--spp");
+  EXPECT_EQ(plan.option_for("size"), "");
+}
+
+TEST(PicturePlan, InvalidSettingsAreReported) {
+  const auto refused = [](const NamedValues& settings) -> std::string {
+    PictureOptions options;
+    options.settings = settings;
+    try {
+      plan_picture({}, options);
+      return "";
+    } catch (const Error& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(refused({{"sp", 7}}), "'render' has no parameter 'sp'");
+  EXPECT_EQ(refused({{"spp", 0}}), "'spp' must be at least 1, not 0");
+  EXPECT_EQ(refused({{"tiled", 1}}), "'tiled' expects true or false, not a number");
+  EXPECT_EQ(refused({{"size", List{8}}}), "'size' must be a width and a height");
+  EXPECT_EQ(refused({{"crop", List{8, 9}}}), "'crop' must be left, top, right and bottom");
+}
+
+TEST(PicturePlan, TheHashDependsOnEverySettingThatAnOptionReplaces) {
+  const auto hash = [](const NamedValues& settings) {
+    PictureOptions options;
+    options.settings = settings;
+    const shot::Shot shot;
+    std::string all;
+    for (const auto& [name, text] : identifying_metadata(shot, plan_picture(shot, options)))
+      all += name + "=" + text + "\n";
+    return all;
+  };
+  std::set<std::string> hashes = {hash({})};
+  for (const ParamInfo& info : shot::render_schema().info().params) {
+    if (info.type == "true or false")
+      hashes.insert(hash({{info.name, info.fallback == "false"}}));
+    else if (info.type == "number")
+      hashes.insert(hash({{info.name, 0.5}}));
+    else if (info.type == "whole number")
+      hashes.insert(hash({{info.name, 5}}));
+    else if (info.type == "text")
+      hashes.insert(hash({{info.name, "other"}}));
+    else if (info.type == "name")
+      hashes.insert(hash({{info.name, Value::Name{info.choices.back()}}}));
+    else
+      hashes.insert(info.name);  // lists and objects
+  }
+  EXPECT_EQ(hashes.size(), shot::render_schema().info().params.size() + 1);
+}
+
+TEST(PictureOutput, SurvivesThePartialRender) {
+  PictureOutput output;
+  output.settings.exposure = -1.3;
+  output.settings.half = false;
+  output.settings.denoise = true;
+  output.settings.working_space = image::WorkingSpace::acescg;
+  output.settings.view = "standard";
+  output.config = "a.ocio";
+  output.metadata = {{"vug:seed", "7"}};
+  output.camera.emplace().world_to_camera[3] = 0.1f;
+  const shot::NamedTexts attributes = to_header_attributes(output);
+  EXPECT_EQ(attributes.at(0), (std::pair<std::string, std::string>{"exposure", "-1.3"}));
+  const PictureOutput again = from_header_attributes(attributes);
+  EXPECT_EQ(to_header_attributes(again), attributes);
+  EXPECT_EQ(again.settings.working_space, image::WorkingSpace::acescg);
+  EXPECT_THROW(from_header_attributes({{"exposure", "99"}}), Error);
 }
 
 }  // namespace

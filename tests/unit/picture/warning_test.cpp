@@ -16,10 +16,9 @@ std::string messages(const std::string& text) {
   building::BuildOptions options;
   options.on_warning = [&](const Diagnostics& doubtful) { out += loaded.report(doubtful); };
   building::Builder builder(loaded.shot, options);
-  RenderOptions render;
-  render.picture.size = Vec2i(4, 3);
-  render.picture.spp = 1;
-  render_picture(builder, render);
+  PictureOptions picture;
+  picture.settings = {{"size", List{4, 3}}, {"spp", 1}};
+  render_picture(builder, plan_picture(loaded.shot, picture));
   return out;
 }
 

@@ -44,11 +44,11 @@ void build_one(const Options& options, building::Builder& builder, const loading
 
 int run_frames(const Options& options, Progress& progress) {
   const std::vector<int> frames = picture::parse_frames(options.frames);
-  loading::StaticCache static_cache;
+  const loading::SceneSource source = options.scene.source();
   std::unique_ptr<SceneAtFrame> now;
   for (size_t i = 0; i < frames.size(); ++i) {
-    auto next = std::make_unique<SceneAtFrame>(options.scene.load(frames[i], static_cache),
-                                               options.work, progress);
+    auto next = std::make_unique<SceneAtFrame>(options.scene.load(source, frames[i]), options.work,
+                                               progress);
     if (now) next->builder.reuse_from(std::move(now->builder));
     now = std::move(next);
     if (!options.work.quiet) {

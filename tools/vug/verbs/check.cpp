@@ -50,8 +50,9 @@ loading::Loaded examine(const Options& options) {
   for (const shot::RenderPlan& plan : loaded.shot.renders) try {
       if (loading::is_empty_scene(loaded.shot))
         loaded.diagnostics.warning(plan.where, "the scene has nothing to show");
-      image::view_options({plan.view, plan.display, image::environment_config()},
-                          plan.working_space);
+      const shot::OutputSettings& output = plan.settings;
+      image::view_options({output.view, output.display, image::environment_config()},
+                          output.working_space);
     } catch (const Error& error) {  // valid with another --ocio perhaps
       loaded.diagnostics.warning(plan.where, error.what(), error.hint());
     }

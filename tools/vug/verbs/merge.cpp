@@ -28,7 +28,8 @@ int run(const Options& options) {
   const image::Image image = render::develop(whole.state, whole.header.aovs);
   std::optional<image::DeepImage> deep;
   if (whole.header.deep) deep = render::develop(whole.state, *whole.header.deep);
-  const picture::PictureView view{image, whole.header, deep ? &*deep : nullptr};
+  const picture::PictureOutput output = picture::from_header_attributes(whole.header.notes);
+  const picture::PictureView view{image, whole.header, output, deep ? &*deep : nullptr};
   for (const auto& path : picture::write_picture(options.output, {view}))
     fmt::print("{}\n", path.string());
   return kDone;

@@ -3,6 +3,7 @@
 #include "progress_bar.h"
 #include "scene_at_frame.h"
 #include "scene_options.h"
+#include "setting_options.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -13,7 +14,6 @@
 #include <vug/picture/frame_sequence.h>
 #include <vug/picture/stereo_views.h>
 
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -27,58 +27,28 @@ struct Options {
   WorkOptions work;
   std::string output;
   std::string products;
-  std::string size, tile, samples, crop, frames, eye;
+  std::string tile, samples, frames, eye;
   std::string part, checkpoint, preview;
-  std::string ocio, working_space;
+  std::string ocio;
+  SettingOptions settings;
+  picture::PictureOptions picture;
   picture::RenderOptions render;
 };
 
-std::vector<std::string> space_names() {
-  std::vector<std::string> names;
-  for (const image::WorkingSpaceInfo& each : image::working_spaces()) names.push_back(each.name);
-  return names;
-}
-
-/// Parses a text of the form `pattern`, in which each 'N' stands for a non-negative integer.
-std::vector<int> parse_numbers(const std::string& text, const std::string& pattern,
-                               const std::string& what, const std::string& hint) {
-  std::vector<int> numbers;
-  const char *at = text.data(), *end = text.data() + text.size();
-  bool good = true;
-  for (const char c : pattern) {
-    if (c != 'N') {
-      good = good && at != end && *at == c;
-      if (good) ++at;
-      continue;
-    }
-    const auto read = std::from_chars(at, end, numbers.emplace_back());
-    good = good && read.ec == std::errc() && numbers.back() >= 0;
-    at = read.ptr;
-  }
-  if (!good || at != end)
-    throw Error(ErrorCode::bad_input, fmt::format("invalid {} '{}'", what, text), {}, hint);
-  return numbers;
+/// The choice of the picture from the texts of the options.
+picture::PictureOptions parse_picture(const Options& options) {
+  picture::PictureOptions picture = options.picture;
+  picture.settings = options.settings.values();
+  picture.config = options.ocio;
+  if (options.ocio.empty()) picture.config = image::environment_config();
+  if (!picture.seed) picture.seed = options.scene.seed;
+  if (!options.eye.empty()) picture.eye = options.eye == "left" ? -1 : 1;
+  return picture;
 }
 
 void parse(Options& options) {
+  options.picture = parse_picture(options);
   picture::RenderOptions& render = options.render;
-  if (!options.size.empty()) {
-    const auto size = parse_numbers(options.size, "NxN", "size", "write --size 1920x1080");
-    render.picture.size = Vec2i(size[0], size[1]);
-    if (size[0] < 1 || size[1] < 1)
-      throw Error(
-          ErrorCode::bad_input,
-          fmt::format("invalid size '{}': width and height must be at least 1", options.size), {},
-          "write --size 1920x1080");
-  }
-  if (!options.crop.empty()) {
-    auto& crop = render.picture.crop;
-    crop = parse_numbers(options.crop, "N,N,N,N", "crop", "write --crop left,top,right,bottom");
-    if (crop[0] >= crop[2] || crop[1] >= crop[3])
-      throw Error(ErrorCode::bad_input,
-                  fmt::format("invalid crop '{}': it contains no pixels", options.crop), {},
-                  "write --crop left,top,right,bottom; right and bottom are exclusive");
-  }
   if (!options.tile.empty()) {
     const auto tile = parse_numbers(options.tile, "N/N", "tile", "write --tile 1/4 to --tile 4/4");
     render.slice.band = tile[0] - 1, render.slice.bands = tile[1];
@@ -93,14 +63,8 @@ void parse(Options& options) {
                   fmt::format("invalid range of samples '{}': it is empty", options.samples), {},
                   "write --samples 0..64; the second number is exclusive");
   }
-  render.picture.config = options.ocio;
-  if (options.ocio.empty()) render.picture.config = image::environment_config();
-  for (const image::WorkingSpaceInfo& each : image::working_spaces())
-    if (each.name == options.working_space) render.picture.working_space = each.space;
-  if (!render.picture.seed) render.picture.seed = options.scene.seed;
   render.part = options.part, render.checkpoint = options.checkpoint;
   render.preview = options.preview;
-  if (!options.eye.empty()) render.picture.eye = options.eye == "left" ? -1 : 1;
   if (options.output.empty() == options.part.empty())
     throw Error(ErrorCode::bad_input,
                 options.part.empty() ? "no output file given" : "-o and --part exclude each other",
@@ -118,9 +82,10 @@ std::string time_text(double seconds) {
 }
 
 /// Renders and writes one picture of the loaded scene.
-void render_one(const Options& options, building::Builder& builder) {
+void render_one(const Options& options, building::Builder& builder,
+                const picture::PicturePlan& plan) {
   const std::vector<picture::RenderResult> rendered =
-      picture::render_views(builder, options.render);
+      picture::render_views(builder, plan, options.render);
   const std::vector<picture::PictureView> views = picture::picture_views(rendered);
   if (views.empty()) {
     fmt::print("{}\n", options.part);
@@ -136,7 +101,8 @@ void render_one(const Options& options, building::Builder& builder) {
   picture::remove_checkpoint(options.render);
 }
 
-void require_outputs(const Options& options, const loading::Loaded& loaded) {
+void require_outputs(const Options& options, const loading::Loaded& loaded,
+                     const picture::PicturePlan& plan) {
   std::vector<std::filesystem::path> outputs;
   for (const std::string& path : {options.output, options.part, options.checkpoint})
     if (!path.empty()) outputs.emplace_back(path);
@@ -145,7 +111,7 @@ void require_outputs(const Options& options, const loading::Loaded& loaded) {
   if (!options.preview.empty() &&
       (options.output.empty() || options.preview != picture::png_path(options.output)))
     outputs.emplace_back(options.preview);
-  if (!options.output.empty() && picture::render_plan(loaded.shot, options.render.picture).deep)
+  if (!options.output.empty() && plan.render.settings.deep)
     outputs.push_back(picture::deep_path(options.output));
   if (!options.products.empty())
     for (auto& path : delivery::product_paths(loaded.shot, options.products))
@@ -174,7 +140,7 @@ Options options_at_frame(const Options& options, int frame) {
   return out;
 }
 
-int run_frames(const Options& options, loading::StaticCache& static_cache, Progress& progress) {
+int run_frames(const Options& options, const loading::SceneSource& source, Progress& progress) {
   using Clock = std::chrono::steady_clock;
   const std::vector<int> frames = picture::parse_frames(options.frames);
   for (const int frame : frames) options_at_frame(options, frame);  // check names before any work
@@ -183,17 +149,18 @@ int run_frames(const Options& options, loading::StaticCache& static_cache, Progr
   size_t rendered = 0, skipped = 0;
   for (size_t i = 0; i < frames.size(); ++i) {
     const Options one = options_at_frame(options, frames[i]);
-    auto next = std::make_unique<SceneAtFrame>(options.scene.load(frames[i], static_cache),
-                                               options.work, progress);
+    auto next = std::make_unique<SceneAtFrame>(options.scene.load(source, frames[i]), options.work,
+                                               progress);
     if (now) next->builder.reuse_from(std::move(now->builder));
     now = std::move(next);
+    const picture::PicturePlan plan = picture::plan_picture(now->loaded.shot, one.picture);
     if (options.render.resume && one.part.empty() &&
-        picture::is_finished(one.output, now->loaded.shot, one.render.picture)) {
+        picture::is_finished(one.output, now->loaded.shot, plan)) {
       picture::remove_checkpoint(one.render);
       ++skipped;
       continue;
     }
-    require_outputs(one, now->loaded);
+    require_outputs(one, now->loaded, plan);
     if (!options.work.quiet) {
       clear_progress_bar();
       fmt::print(stderr, "frame {}, {} of {}", frames[i], i + 1, frames.size());
@@ -205,7 +172,7 @@ int run_frames(const Options& options, loading::StaticCache& static_cache, Progr
     }
     const Clock::time_point start = Clock::now();
     try {
-      render_one(one, now->builder);
+      render_one(one, now->builder, plan);
     } catch (Error& error) {
       throw error.within(fmt::format("rendering frame {}", frames[i]));
     }
@@ -229,16 +196,17 @@ int run(Options options) {
     };
   const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar_mode());
-  loading::StaticCache static_cache;
-  options.render.picture.shot_at_frame = options.scene.shot_at_frame(static_cache);
-  if (!options.frames.empty()) return run_frames(options, static_cache, progress);
+  const loading::SceneSource source = options.scene.source();
+  options.picture.source = &source;
+  if (!options.frames.empty()) return run_frames(options, source, progress);
   if (const auto& frame = options.scene.frame;
       frame && *frame == std::floor(*frame) && std::fabs(*frame) < 1e9)
     options = with_frame_number(options, static_cast<int>(*frame));
-  SceneAtFrame scene(options.scene.load(options.scene.frame.value_or(1), static_cache),
-                     options.work, progress);
-  require_outputs(options, scene.loaded);
-  render_one(options, scene.builder);
+  SceneAtFrame scene(options.scene.load(source, options.scene.frame.value_or(1)), options.work,
+                     progress);
+  const picture::PicturePlan plan = picture::plan_picture(scene.loaded.shot, options.picture);
+  require_outputs(options, scene.loaded, plan);
+  render_one(options, scene.builder, plan);
   options.work.summarise(scene.builder);
   return kDone;
 }
@@ -251,46 +219,21 @@ Verb render_verb() {
         auto options = std::make_shared<Options>();
         options->scene.add_to(app, &options->work);
         auto& render = options->render;
-        auto& picture = render.picture;
+        auto& picture = options->picture;
         app.add_option("-o,--output", options->output, "Output file, an .exr");
         app.add_option("--products", options->products,
                        "Folder for the products of `vug build`, which are written as well");
-        app.add_option("--sample-seed", options->render.picture.seed,
+        app.add_option("--sample-seed", picture.seed,
                        "Seed of the samples; --seed changes the scene itself")
             ->check(seed_number());
-        app.add_option("--spp", picture.spp, "Samples per pixel")->check(integer_in(1, 1 << 20));
-        app.add_option("--size", options->size, "Size of the picture, WIDTHxHEIGHT in pixels");
-        app.add_option(
-            "--crop", options->crop,
-            "Crop window, LEFT,TOP,RIGHT,BOTTOM in pixels; right and bottom are exclusive");
         app.add_option("--camera", picture.camera, "Name of the camera");
         app.add_option("--render", picture.render, "Name of the render block");
         app.add_option("--eye", options->eye,
                        "Render only one view of a stereo camera: left or right")
             ->check(CLI::IsMember({"left", "right"}));
-        app.add_option("--layers", picture.layers, "Names of AOVs, or all")->delimiter(',');
-        app.add_option(
-               "--noise", picture.noise,
-               "Adaptive sampling: stop a pixel once its relative error is below this, e.g. 5%")
-            ->transform(number_in(Dimension::ratio, 0, 1));
-        app.add_option("--exposure", picture.exposure, "Exposure of the PNG in stops")
-            ->transform(number_in(Dimension::none, -30, 30));
-        app.add_option("--view", picture.view,
-                       "View transform of the PNG: filmic, standard, aces, or one of --ocio");
-        app.add_option("--display", picture.display, "Display of --ocio, for the PNG");
         app.add_option("--ocio", options->ocio,
                        "OpenColorIO configuration for the PNG; default $OCIO");
-        app.add_option("--working-space", options->working_space,
-                       "Colour space in which light is computed")
-            ->check(CLI::IsMember(space_names()));
-        app.add_flag("--float", picture.full_float, "32-bit colour channels in the EXR");
-        app.add_flag("--denoise", picture.denoise,
-                     "Denoise the PNG; the EXR gets an additional layer 'denoised'");
-        app.add_flag("--deep", picture.deep,
-                     "Also write a deep EXR, .deep.exr, with samples by depth");
-        app.add_flag("--multi-part", picture.multi_part,
-                     "Write each layer to a part of its own in the EXR");
-        app.add_flag("--tiled", picture.tiled, "Store the EXR in tiles instead of scanlines");
+        options->settings.add_to(app);
         app.add_option("--preview", options->preview,
                        "PNG of the unfinished picture, which is updated during rendering");
         auto* checkpoint = app.add_option("--checkpoint", options->checkpoint,

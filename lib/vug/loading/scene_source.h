@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene text that can be evaluated at any frame.
+#pragma once
+
+#include <vug/loading/load.h>
+
+#include <memory>
+#include <mutex>
+
+namespace vug::loading {
+
+/// The text of a scene and its load options. The text is read once, and everything that does not
+/// depend on the frame is evaluated once and shared by all frames (see StaticCache). Any thread may
+/// call its functions.
+class SceneSource {
+ public:
+  /// `options`: `frame` and `static_cache` are ignored.
+  SceneSource(std::string text, std::string file, LoadOptions options = {});
+  /// Error(bad_input) if the file cannot be read.
+  explicit SceneSource(const std::filesystem::path& file, LoadOptions options = {});
+
+  /// The scene at a frame. All faults of the text are in its diagnostics.
+  Loaded at(double frame) const;
+  /// The shot at a frame. Error(bad_input) with the first fault of the text.
+  std::shared_ptr<const shot::Shot> shot_at(double frame) const;
+
+  const std::string& text() const { return text_; }
+  const std::string& file() const { return file_; }
+
+ private:
+  std::string text_;
+  std::string file_;
+  LoadOptions options_;
+  mutable StaticCache static_cache_;
+  mutable std::mutex mutex_;  ///< Guards static_cache_.
+};
+
+}  // namespace vug::loading
