@@ -119,8 +119,31 @@ class NewTest(unittest.TestCase):
                 for path in in_tests & (changed | set(after) - set(before)):
                     self.assertIn(f"{name}_test", path + after[path])
 
-    def test_the_changes_in_the_documentation(self):
+    def documented_changes(self, of_a_kind):
+        """The diffs of docs/adding.md that add a file, or the others."""
         changes = re.findall(r"^```diff\n(.*?)^```$", (ROOT / "docs/adding.md").read_text(), re.M | re.S)
+        return [change for change in changes if ("--- /dev/null" in change) == of_a_kind]
+
+    def apply(self, change):
+        done = subprocess.run(["git", "apply", "-C1", "-"], cwd=self.tree, input=change,
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_a_render_setting_in_the_documentation(self):
+        """A member and its row in one file, and one line that uses it; the table compiles with it."""
+        change, = self.documented_changes(of_a_kind=False)
+        table, use = re.findall(r"^\+\+\+ b/(.*)", change, re.M)
+        lines = [re.findall(r"^[+-](?![+-]).*", part, re.M) for part in re.split(r"^--- .*\n", change, flags=re.M)[1:]]
+        self.assertFalse(any(line.startswith("-") for part in lines for line in part))
+        self.assertEqual((table, len(lines[1])), ("lib/vug/shot/render_settings.h", 1))
+        self.assertEqual("\n".join(lines[0]).count(".param("), 1)
+        self.apply(change)
+        self.write_lists()
+        for file in ("lib/vug/shot/render_settings.cpp", use):
+            self.assertEqual(self.syntax_errors(self.tree / file, (ROOT / file).parent), "")
+
+    def test_the_changes_in_the_documentation(self):
+        changes = self.documented_changes(of_a_kind=True)
         self.assertGreaterEqual(len(changes), 6)
         for change in changes:
             files = re.findall(r"^\+\+\+ b/(.*)", change, re.M)
@@ -134,9 +157,7 @@ class NewTest(unittest.TestCase):
                 if lists == ["lib/families.cmake"]:
                     line = f"+vug_family({made[0].split('/')[2]} "
                 self.assertEqual([each[:len(line)] for each in lines], [line])
-                applied = subprocess.run(["git", "apply", "-C1", "-"], cwd=self.tree, input=change,
-                                         capture_output=True, text=True)
-                self.assertEqual(applied.returncode, 0, applied.stderr)
+                self.apply(change)
                 self.write_lists()
                 new, like = self.tree / made[0], ROOT / made[0].rpartition("/")[0]
                 if new.suffix == ".h":  # a family: compile what CMake generates from its line
