@@ -122,6 +122,15 @@ class Check(VugTest):
         self.write("s.vug", "- a list, not a scene\n" * 30)
         self.assertTrue(self.expect(2, "check", "s.vug").err.endswith("... and 10 more\n"))
 
+    def test_provenance_through_an_include(self):
+        self.write("lamps.vug", "light lamp = sphere(\n  center: (0, 3, 0))\n")
+        self.write("s.vug", 'include "lamps.vug"\ncamera main {}\n'
+                   "grammar cave {\n  axiom Room\n  Room -> + sphere(1m)\n}\n")
+        lines = self.expect(0, "check", "s.vug", "--provenance").out.splitlines()
+        self.assertEqual(lines[1:], ["camera main: s.vug:2:1-2:15", "grammar cave: s.vug:3:1-6:2",
+                                     "rule cave/Room: s.vug:5:3-5:23",
+                                     "light lamp: lamps.vug:1:1-2:21, included from s.vug:1:9"])
+
     def test_a_picture_of_nothing(self):
         self.write("s.vug", "camera main {}\nrender main { size 4x4 }\n")
         self.assertIn("s.vug:2:8: warning: the scene has nothing to show", self.expect(0, "check", "s.vug").err)

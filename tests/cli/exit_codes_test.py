@@ -166,7 +166,7 @@ class Unusable(VugTest):
     def test_a_faulty_override_is_one_fault(self):
         self.write("ball.vug", "param R = 1m\n" + BALL.replace("1m", "R"))
         self.assertEqual(self.refused("check", "ball.vug", "-D", "R=1e999"),
-                         "-D R:1:1: error: the number 1e999 is too large\n1e999\n^\n")
+                         "-D R:1:1: error: the number 1e999 is too large\n1e999\n^~~~~\n")
 
     def test_errors_suggest_a_remedy(self):
         self.write("ball.vug", BALL + "camera front { eye (0, 0, 5) }\n")
@@ -228,7 +228,7 @@ class Unusable(VugTest):
         self.write("ball.vug", "volume rock = level_set(sphre(1m), voxel: 10cm)\n")
         said = ("ball.vug:1:25: error: unknown function 'sphre'\n"
                 "volume rock = level_set(sphre(1m), voxel: 10cm)\n"
-                "                        ^\n"
+                "                        ^~~~~\n"
                 "hint: did you mean 'sphere'?\n")
         for args in [("check", "ball.vug"), ("build", "ball.vug", "-o", "out"), ("tree", "ball.vug"),
                      ("measure", "ball.vug"), ("render", "ball.vug", "-o", "ball.exr"),

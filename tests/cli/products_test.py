@@ -302,7 +302,7 @@ class Check(VugTest):
         self.assertEqual((result.code, result.err), (2, ""))
         self.assertEqual(json.loads(result.out)["diagnostics"],
                          [{"severity": "error", "file": "ball.vug", "line": 1, "column": 32,
-                           "message": "'sphere' has no parameter 'raduis'",
+                           "end_line": 1, "end_column": 38, "message": "'sphere' has no parameter 'raduis'",
                            "hint": "did you mean 'radius'?"}])
 
     def test_one_name_for_declarations_of_several_kinds(self):

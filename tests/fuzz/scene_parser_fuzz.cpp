@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // For any bytes: parses, reports errors and evaluates expressions without objects. Formatting a
-// text without errors must keep its meaning and be idempotent.
+// text without errors must keep its meaning and be idempotent, and its ranges must nest.
+#include "../unit/scene/extents.h"
 #include "require.h"
 
 #include <vug/scene/check.h>
@@ -38,6 +39,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     require(formatted_dump(formatted, options) == dump(document), "format keeps the meaning");
     require(format(formatted) == formatted, "format settles after one pass");
     check_params_read(document, diagnostics);
+    const auto nests = [](const SourceLocation& parent, const SourceLocation& child) {
+      require(parent.contains(child), "the ranges of a document nest");
+    };
+    ExtentVisitor(nests, [](const Expr&) {}).document(document);
   }
   Resolver resolver;
   Evaluator evaluator(document, resolver, diagnostics);

@@ -21,7 +21,7 @@ class Faults(Case):
         self.assertEqual(error.hint, "did you mean 'sphere'?")
         self.assertEqual([(d.severity, d.line) for d in error.diagnostics], [("error", 1), ("error", 2)])
         self.assertIn("bad.vug:2:14: error:", str(error))
-        self.assertIn("^\nhint: did you mean 'sphere'?", str(error))
+        self.assertIn("^~~~~\nhint: did you mean 'sphere'?", str(error))
 
     def test_they_survive_pickling(self):
         with self.assertRaises(vug.Error) as caught:

@@ -8,6 +8,18 @@
 
 namespace vug::detail {
 
+namespace {
+
+/// The location of the argument's name, at its start.
+SourceLocation name_location(const Argument& argument) {
+  const SourceLocation& where = argument.where;
+  if (!where.has_end()) return where;
+  return {where.file, where.line, where.column, where.line,
+          where.column + static_cast<int>(argument.name.size())};
+}
+
+}  // namespace
+
 std::vector<int> match_arguments(const KindInfo& kind, const Arguments& arguments,
                                  const SourceLocation& where, Diagnostics& diagnostics) {
   std::vector<std::string> names;
@@ -28,7 +40,7 @@ std::vector<int> match_arguments(const KindInfo& kind, const Arguments& argument
       slot =
           static_cast<size_t>(std::find(names.begin(), names.end(), argument.name) - names.begin());
       if (slot == names.size())
-        diagnostics.error(argument.where,
+        diagnostics.error(name_location(argument),
                           fmt::format("'{}' has no parameter '{}'", kind.name, argument.name),
                           suggestion(argument.name, names));
     }

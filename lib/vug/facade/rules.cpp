@@ -28,7 +28,7 @@ class Reader {
     out.where = grammar_.where;
     for (const scene::Item& each : grammar_.axiom) add(each, out.axiom);
     for (const scene::Rule& rule : grammar_.rules) {
-      Rule made{rule.head, {}, rule.where, rule.weight, rule.guard, {}};
+      Rule made{rule.head, {}, rule.extent, rule.weight, rule.guard, {}};
       for (const scene::Formal& formal : rule.formals) made.formals.push_back(formal.name);
       formals_ = {made.formals.begin(), made.formals.end()};
       for (const scene::Item& each : rule.items) add(each, made.items);

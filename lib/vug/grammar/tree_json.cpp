@@ -23,6 +23,8 @@ Json json_of(const SourceLocation& where) {
   out["file"] = where.file;
   out["line"] = where.line;
   out["column"] = where.column;
+  out["end_line"] = where.end_line;
+  out["end_column"] = where.end_column;
   return out;
 }
 

@@ -58,7 +58,7 @@ std::optional<FacadeBlock> read_facade_block(const scene::Grammar& grammar, Rand
                                   [](const Value& value) { return value.empty(); });
     arguments.push_back({entry.key,
                          values.size() == 1 ? values[0] : Value(List(values.begin(), values.end())),
-                         entry.where});
+                         entry.extent});
   }
   if (!sound) return std::nullopt;
   Diagnostics found;
@@ -89,7 +89,9 @@ Value bind_facade(const scene::Grammar& grammar, ReadContext& context) {
     const auto tree = std::make_shared<const facade::Tree>(derived->tree);
     context.shot.derivations.push_back(
         {grammar.name, derived->derivation, derived->derivation.applied, tree});
-    return field::as_value(facade::wall(tree, {block->at, block->yaw}, block->thickness));
+    Value wall = field::as_value(facade::wall(tree, {block->at, block->yaw}, block->thickness));
+    context.resolver.record(wall, grammar.extent);
+    return wall;
   } catch (const Error& error) {
     context.diagnostics.error(error.where().known() ? error.where() : grammar.where, error.what(),
                               error.hint());

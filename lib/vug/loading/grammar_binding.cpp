@@ -46,6 +46,7 @@ class Binder {
   Binder(const scene::Grammar& grammar, ReadContext& context)
       : source_(grammar),
         evaluator_(context.evaluator),
+        resolver_(context.resolver),
         diagnostics_(context.diagnostics),
         key_(evaluator_.root().at("grammar").at(grammar.name)) {}
 
@@ -93,6 +94,7 @@ class Binder {
 
   const scene::Grammar& source_;
   scene::Evaluator& evaluator_;
+  Resolver& resolver_;
   Diagnostics& diagnostics_;
   RandomKey key_;
 };
@@ -153,12 +155,12 @@ void Binder::read_clause(const scene::Entry& clause, RandomKey key, const scene:
   const auto* n = given.get<Number>();
   auto expect = [&](bool fits, const char* what) {
     if (!fits)
-      fail(clause.where, fmt::format("'{}' expects {}, not {}", clause.key, what,
-                                     n ? to_string(given) : given.type_name()));
+      fail(clause.extent, fmt::format("'{}' expects {}, not {}", clause.key, what,
+                                      n ? to_string(given) : given.type_name()));
   };
   if (clause.key == "label" || clause.key == "piece_label") {
     expect(name != nullptr, "a direction such as +X, or random");
-    label(name->text, clause.where);
+    label(name->text, clause.extent);
     (clause.key == "label" ? out.label : out.piece_label) = name->text;
   } else if (clause.key == "blend") {
     const auto blend = ValueTraits<field::Blend>::read(given);
@@ -195,6 +197,8 @@ std::vector<sgm::Piece> Binder::pieces(const scene::Item& item, int count,
 
 grammar::Content Binder::step(const scene::Item& item, const std::vector<scene::Formal>& formals,
                               const grammar::RewriteSite& site) {
+  const scene::FrameScope frame(
+      resolver_.frames(), fmt::format("rule '{}'", grammar::to_string(site.symbol)), item.where);
   const scene::Scope scope = scope_of(formals, site);
   ItemClauses clauses;
   for (const scene::Entry& option : source_.options) {
@@ -270,7 +274,7 @@ grammar::Grammar Binder::bind() {
     grammar::Production production;
     production.symbol = rule.head;
     production.arity = static_cast<int>(rule.formals.size());
-    production.where = rule.where;
+    production.where = rule.extent;
     if (rule.guard)
       production.guard = [this, &rule](const grammar::RewriteSite& site) {
         return growing(site, [&] {
@@ -302,7 +306,7 @@ int64_t Binder::limit(const std::string& option, int64_t fallback) {
     if (entry.key != option) continue;
     const double n = number(*entry.values.at(0), key_.at(option), {});
     if (!(n >= 1 && n <= 1e9))
-      fail(entry.where, fmt::format("'{}' must be a whole number of at least 1", option));
+      fail(entry.extent, fmt::format("'{}' must be a whole number of at least 1", option));
     return static_cast<int64_t>(n);
   }
   return fallback;
@@ -345,7 +349,9 @@ Value bind_grammar(const scene::Grammar& source, ReadContext& context) {
           result.counts.total() == 0 ? "no production of a shape was applied; see 'vug tree'" : "");
     context.shot.derivations.push_back(
         {source.name, std::move(result.tree), result.counts.total()});
-    return Object{"field", result.field};
+    Value made = Object{"field", result.field};
+    context.resolver.record(made, source.extent);
+    return made;
   } catch (const AlreadyReported&) {
     return Value();
   } catch (const Error& error) {

@@ -134,7 +134,7 @@ void register_declarations(const scene::Document& document, ReadContext& context
 Loaded evaluate(const scene::Document& document, Loaded loaded, const std::filesystem::path& file,
                 const LoadOptions& options) {
   volume::install_grid_loader();
-  Resolver resolver;
+  Resolver resolver(document);
   scene::Evaluator evaluator(document, resolver, loaded.diagnostics,
                              {options.overrides, options.seed, options.frame});
   loaded.sources = evaluator.sources();  // include the overrides, which reports quote
@@ -161,6 +161,7 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   validate(loaded.shot, document, loaded.diagnostics);
   if (!loaded.diagnostics.has_errors()) check_attributes(document, loaded.shot, loaded.diagnostics);
   loaded.shot.animated = resolver.frame_uses() > 0;
+  loaded.provenance = std::move(resolver.provenance());
   loaded.shot.recipe = recipe(document, options, evaluator.seed(), loaded.shot.animated);
   return loaded;
 }

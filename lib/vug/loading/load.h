@@ -2,6 +2,7 @@
 // Loads a scene file and evaluates it to a shot.
 #pragma once
 
+#include <vug/loading/provenance.h>
 #include <vug/scene/document.h>
 #include <vug/scene/evaluator.h>
 #include <vug/shot/shot.h>
@@ -50,6 +51,7 @@ struct Loaded {
   Diagnostics diagnostics;
   std::vector<std::shared_ptr<const scene::Source>> sources;
   std::vector<Parameter> parameters;  ///< In the order of the text.
+  ProvenanceTable provenance;         ///< The text from which each thing was made.
 
   bool usable() const { return !diagnostics.has_errors(); }
   /// The diagnostics with source lines and carets, as printed by `vug check`.

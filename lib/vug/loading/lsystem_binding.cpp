@@ -46,7 +46,7 @@ std::optional<shot::LSystemBlock> block_of(const scene::Grammar& grammar, ReadCo
   for (const scene::Entry& entry : grammar.options) {
     Value value = entry_value(entry, grammar, context);
     sound = sound && !value.empty();
-    entries.push_back({entry.key, std::move(value), entry.where});
+    entries.push_back({entry.key, std::move(value), entry.extent});
   }
   if (!sound) return std::nullopt;
   std::optional<shot::LSystemBlock> block =

@@ -64,7 +64,7 @@ Arguments block_arguments(const scene::Declaration& declaration, const IsChoice&
     Value value = faulty               ? Value()
                   : values.size() == 1 ? std::move(values[0])
                                        : Value(List(values.begin(), values.end()));
-    arguments.push_back({entry.key, std::move(value), entry.where});
+    arguments.push_back({entry.key, std::move(value), entry.extent});
   }
   if (declaration.incomplete) arguments.push_back({"", Value(), declaration.where});
   return arguments;

@@ -49,6 +49,7 @@ Value Resolver::value(Entry& entry, const std::string& name, const SourceLocatio
     entry.pending = true;
     ++pending_;
     const uint64_t uses = frame_uses();
+    const scene::FrameScope frame(frames(), fmt::format("{} '{}'", entry.kind, name), where);
     for (const Factory& factory : entry.factories) entry.value = factory();
     if (entry.factories.size() > 1) entry.value = Value();
     entry.pending = false;
@@ -94,7 +95,13 @@ std::optional<Value> Resolver::make(const KindRegistry& registry, const std::str
     found.error(error.where().known() ? error.where() : where, error.what(), error.hint());
   }
   valid.report(found, where, diagnostics);
+  record(made, where);
   return made;
+}
+
+void Resolver::record(const Value& value, const SourceLocation& where) {
+  if (const auto* made = value.object<field::Field>())
+    provenance_.record(made->node(), {where, frames()});
 }
 
 std::optional<Value> Resolver::call(const std::string& name, const Arguments& arguments,
@@ -121,10 +128,12 @@ std::optional<Value> Resolver::binary(char op, const Value& a, const Value& b,
                                       const SourceLocation& where, Diagnostics& diagnostics) {
   const auto* f = a.object<field::Field>();
   const auto* g = b.object<field::Field>();
-  if (f && g) {
-    if (op == '+') return field::as_value(field::unite({*f, *g}));
-    if (op == '-') return field::as_value(field::subtract(*f, {*g}));
-    if (op == '&') return field::as_value(field::intersect({*f, *g}));
+  if (f && g && (op == '+' || op == '-' || op == '&')) {
+    const Value made = field::as_value(op == '+'   ? field::unite({*f, *g})
+                                       : op == '-' ? field::subtract(*f, {*g})
+                                                   : field::intersect({*f, *g}));
+    record(made, where);
+    return made;
   }
   diagnostics.error(
       where, fmt::format("'{}' cannot combine {} and {}", op, a.type_name(), b.type_name()),
@@ -135,7 +144,11 @@ std::optional<Value> Resolver::binary(char op, const Value& a, const Value& b,
 std::optional<Value> Resolver::unary(char op, const Value& a, const SourceLocation& where,
                                      Diagnostics& diagnostics) {
   const auto* f = a.object<field::Field>();
-  if (f && op == '-') return field::as_value(field::complement(*f));
+  if (f && op == '-') {
+    const Value made = field::as_value(field::complement(*f));
+    record(made, where);
+    return made;
+  }
   diagnostics.error(where, fmt::format("'{}' cannot be applied to {}", op, a.type_name()));
   return Value();
 }

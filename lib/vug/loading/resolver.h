@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vug/loading/kind_registry.h>
+#include <vug/loading/provenance.h>
 #include <vug/scene/document.h>
 #include <vug/scene/evaluator.h>
 #include <vug/scene/resolver.h>
@@ -32,6 +33,9 @@ class Resolver final : public scene::Resolver {
   /// Computes the value of a declaration; called once, when the value is first needed.
   using Factory = std::function<Value()>;
 
+  Resolver() = default;
+  explicit Resolver(const scene::Document& document) : provenance_(document) {}
+
   /// Registers a declaration. Each kind has its own namespace; the parser checks for duplicates.
   void declare(const std::string& kind, const std::string& name, Factory factory);
 
@@ -60,6 +64,10 @@ class Resolver final : public scene::Resolver {
   std::vector<std::string> known_names() const override;
   std::vector<std::string> known_calls() const override;
 
+  /// Records that the value was made by the text at `where`, if it is a field.
+  void record(const Value& value, const SourceLocation& where);
+  ProvenanceTable& provenance() { return provenance_; }
+
  private:
   struct Entry {
     std::string kind;
@@ -73,6 +81,7 @@ class Resolver final : public scene::Resolver {
               Diagnostics& diagnostics);
 
   std::map<std::string, std::vector<Entry>> entries_;  ///< Per name in the order of the text.
+  ProvenanceTable provenance_;
   int pending_ = 0;  ///< Nesting depth of the entries being evaluated.
 };
 

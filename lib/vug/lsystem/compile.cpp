@@ -146,7 +146,7 @@ class Compiler {
   void production(const scene::Production& text, bool stage) {
     Production out;
     out.text = head_text(text.head);
-    out.where = text.head.where;
+    out.where = text.extent;
     out.head = symbol(text.head.name, text.head.formals.size(), text.head.where);
     std::vector<std::string> formals;
     const auto add = [&](const scene::Pattern& pattern) {

@@ -62,6 +62,12 @@ const Token& Cursor::take() {
   return tokens_[last_];
 }
 
+SourceLocation Cursor::since(const Token& first) const {
+  size_t last = last_;
+  while (last > 0 && is_line_break(tokens_[last])) --last;
+  return where(first).up_to(where(*std::max(&first, &tokens_[last])));
+}
+
 bool Cursor::accept(std::string_view sign) {
   if (!peek().is(sign)) return false;
   take();
@@ -106,11 +112,17 @@ bool Cursor::accept_beyond_newlines(std::string_view sign) {
 }
 
 void Cursor::error(const Token& token, std::string message, std::string hint) {
-  ++faults_;
   // A junk token was already reported by the lexer; a further error would not help.
-  if (token.kind == TokenKind::junk && diagnostics_.has_errors()) return;
+  if (token.kind == TokenKind::junk && diagnostics_.has_errors())
+    ++faults_;
+  else
+    error(where(token), std::move(message), std::move(hint));
+}
+
+void Cursor::error(const SourceLocation& where, std::string message, std::string hint) {
+  ++faults_;
   if (errors_++ < options_.max_errors)
-    diagnostics_.error(where(token), std::move(message), std::move(hint));
+    diagnostics_.error(where, std::move(message), std::move(hint));
 }
 
 void Cursor::fail(const Token& token, std::string message, std::string hint) {

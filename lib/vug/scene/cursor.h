@@ -43,7 +43,11 @@ class Cursor {
   /// If the first token after any line breaks is `sign`, consumes the line breaks and the sign.
   bool accept_beyond_newlines(std::string_view sign);
 
-  SourceLocation where(const Token& token) const { return {file_, token.line, token.column}; }
+  SourceLocation where(const Token& token) const {
+    return {file_, token.line, token.column, token.end_line(), token.end_column()};
+  }
+  /// From `first` to the last consumed token that is not a line break.
+  SourceLocation since(const Token& first) const;
   const std::string& file() const { return file_; }
   const ParseOptions& options() const { return options_; }
   Diagnostics& diagnostics() const { return diagnostics_; }
@@ -55,8 +59,9 @@ class Cursor {
   /// Adds the names among the tokens since an index.
   void add_names_since(size_t position, std::set<std::string>& names) const;
 
-  /// Reports an error at a token and returns.
+  /// Reports an error at a token or a range and returns.
   void error(const Token& token, std::string message, std::string hint = {});
+  void error(const SourceLocation& where, std::string message, std::string hint = {});
   /// Reports an error at a token and throws SyntaxFault.
   [[noreturn]] void fail(const Token& token, std::string message, std::string hint = {});
   /// Fails with "expected X, found Y" and a hint for common mistakes.

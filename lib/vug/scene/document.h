@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The syntax tree of a scene text: parameters, lets, declarations, whose kinds are not interpreted
-// here, and grammar blocks. Every element has its source location.
+// here, and grammar blocks. In every element, `extent` is the range of its whole text, and `where`
+// that of its name.
 #pragma once
 
 #include <vug/scene/expr.h>
@@ -16,12 +17,14 @@ namespace vug::scene {
 struct Source {
   std::string file;
   std::string text;
+  SourceLocation included_from = {};  ///< The path in the first `include` of it; unknown: none.
 };
 
 /// `param NAME = value in low..high "doc"`. Without a range, low and high are null.
 struct Param {
   std::string name;
   SourceLocation where;
+  SourceLocation extent;
   ExprPtr value;
   ExprPtr low;
   ExprPtr high;
@@ -32,6 +35,7 @@ struct Param {
 struct Let {
   std::string name;
   SourceLocation where;
+  SourceLocation extent;
   ExprPtr value;
 };
 
@@ -39,6 +43,7 @@ struct Let {
 struct Entry {
   std::string key;
   SourceLocation where;
+  SourceLocation extent;
   std::vector<ExprPtr> values;  ///< At least one; clauses have exactly one.
 };
 
@@ -49,6 +54,7 @@ struct Declaration {
   SourceLocation kind_where;
   std::string name;
   SourceLocation where;               ///< Location of the name.
+  SourceLocation extent;              ///< If incomplete, as far as it was parsed.
   ExprPtr value;                      ///< Null in the block form.
   ExprPtr target;                     ///< The expression after `on`; null without `on`.
   std::vector<ExprPtr> more_targets;  ///< Further targets after commas.
@@ -72,11 +78,11 @@ struct Declaration {
 /// it refers to a symbol of the grammar: `shape` is a name or a call. In a facade it consists of a
 /// shape only, which may also be a split or an element.
 struct Item {
-  std::string op;  ///< "+" union, "-" difference, "&" intersection, "~" morph, "" symbol.
-  SourceLocation where;
-  ExprPtr amount;  ///< Only with "~"; may be null.
-  ExprPtr shape;   ///< Never null.
-  ExprPtr count;   ///< Null: once.
+  std::string op;        ///< "+" union, "-" difference, "&" intersection, "~" morph, "" symbol.
+  SourceLocation where;  ///< The whole item: it has no name.
+  ExprPtr amount;        ///< Only with "~"; may be null.
+  ExprPtr shape;         ///< Never null.
+  ExprPtr count;         ///< Null: once.
   std::vector<Entry> clauses;
 
   /// The symbol's name (items without `op`).
@@ -92,6 +98,7 @@ struct Formal {
 struct Rule {
   std::string head;
   SourceLocation where;
+  SourceLocation extent;
   std::vector<Formal> formals;
   ExprPtr weight;
   ExprPtr guard;
@@ -105,6 +112,7 @@ struct LSystem;  ///< See lsystem_document.h.
 struct Grammar {
   std::string name;
   SourceLocation where;
+  SourceLocation extent;
   std::string kind = "shape";
   std::vector<Item> axiom;
   SourceLocation axiom_where;

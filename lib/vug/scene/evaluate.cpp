@@ -323,8 +323,10 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   for (const Function& function : functions()) names.emplace_back(function.name);
   names.insert(names.end(), {"if", "pick", "keys"});
   const std::string near = nearest_name(expr.text, names);
-  return site(expr).fault(fmt::format("unknown function '{}'", expr.text),
-                          near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+  diagnostics_.error(word_at(expr.where, expr.text),
+                     fmt::format("unknown function '{}'", expr.text),
+                     near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+  return {};
 }
 
 }  // namespace vug::scene

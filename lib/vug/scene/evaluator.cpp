@@ -135,6 +135,8 @@ Value Evaluator::global(const std::string& name, Global& global, const SourceLoc
     return FaultSite{where, diagnostics_}.fault(
         fmt::format("more than {} names depend on each other in a chain", Resolver::kMaxPending));
   pending_.push_back(name);
+  const FrameScope frame(resolver_.frames(),
+                         fmt::format("{} '{}'", global.param ? "param" : "let", name), where);
   const uint64_t uses = resolver_.frame_uses();
   const int deepest = std::exchange(deepest_, depth_);
   Value value = global.param ? param(*global.param, root().at("param").at(name))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expression trees of a scene: immutable, shared, with source locations.
+// Expression trees of a scene: immutable, shared, with the ranges of their text.
 #pragma once
 
 #include <vug/base/error.h>
@@ -32,13 +32,14 @@ using ExprPtr = std::shared_ptr<const Expr>;
 /// An operand or argument of an expression; `name` is set for arguments given by name.
 struct Operand {
   std::string name;
-  SourceLocation where;  ///< Location of the name, if any, else of the value.
+  SourceLocation where;  ///< From the name, if any, to the end of the value.
   ExprPtr value;
 };
 
 struct Expr {
   ExprKind kind = ExprKind::number;
-  SourceLocation where;  ///< Operators: location of the sign; calls: of the function's name.
+  SourceLocation extent;  ///< The whole expression, without brackets around it.
+  SourceLocation where;   ///< For messages: the extent; of a method call only from its name on.
   Number number;
   std::string text;
   std::vector<Operand> operands;
@@ -51,6 +52,9 @@ struct Expr {
   /// Height of the tree including this node; the parser limits it.
   int depth = 1;
 };
+
+/// The location of a word that `where` starts with, such as the name of a call.
+SourceLocation word_at(const SourceLocation& where, const std::string& word);
 
 /// The expression in one canonical line, fully parenthesised; trees that are equal except for
 /// locations have equal lines.

@@ -29,6 +29,13 @@ bool is_operator_word(const Token& token) {
   return token.is_name("and") || token.is_name("or") || token.is_name("not");
 }
 
+Expr make_expr(ExprKind kind, std::string text = {}) {
+  Expr expr;
+  expr.kind = kind;
+  expr.text = std::move(text);
+  return expr;
+}
+
 /// Restores the path at the end of a call or argument, also after an error.
 class PathScope {
  public:
@@ -72,13 +79,14 @@ ExprPtr ExprParser::whole() {
 
 ExprPtr ExprParser::tight() {
   restart();
+  const Token& first = cursor_.peek();
   const ExprPtr low = prefix();
-  if (!cursor_.peek().is("..")) return low;
-  Expr range = begin(ExprKind::range, cursor_.take());
+  if (!cursor_.accept("..")) return low;
+  Expr range = make_expr(ExprKind::range);
   const ExprPtr high = prefix();
   range.operands = {{"", low->where, low}, {"", high->where, high}};
   range.path = identity("..");
-  return finish(std::move(range));
+  return finish(std::move(range), first);
 }
 
 ExprPtr ExprParser::shape() {
@@ -103,6 +111,7 @@ const Token& ExprParser::operator_ahead() const {
 
 ExprPtr ExprParser::binary(int least) {
   const Cursor::NestingGuard nest(cursor_);
+  const Token& first = cursor_.peek();
   ExprPtr left = prefix();
   for (;;) {
     const int level = precedence(operator_ahead());
@@ -111,11 +120,11 @@ ExprPtr ExprParser::binary(int least) {
     const Token& sign = cursor_.take();
     cursor_.skip_newlines();
     const ExprPtr right = binary(level + 1);
-    Expr expr = level == kRange ? begin(ExprKind::range, sign)
-                                : begin(ExprKind::binary, sign, std::string(sign.text));
+    Expr expr = make_expr(level == kRange ? ExprKind::range : ExprKind::binary);
+    if (level != kRange) expr.text = std::string(sign.text);
     expr.operands = {{"", left->where, left}, {"", right->where, right}};
     if (level == kRange) expr.path = identity("..");
-    left = finish(std::move(expr));
+    left = finish(std::move(expr), first);
     if ((level == kCompare || level == kRange) && precedence(operator_ahead()) == level)
       cursor_.fail(operator_ahead(),
                    level == kRange ? "a range has two ends" : "comparisons cannot be chained",
@@ -128,23 +137,24 @@ ExprPtr ExprParser::prefix() {
   if (!token.is("-") && !token.is("+") && !token.is_name("not")) {
     ExprPtr base = postfix();
     if (!cursor_.peek().is("^")) return base;
-    Expr power = begin(ExprKind::binary, cursor_.take(), "^");
+    Expr power = make_expr(ExprKind::binary, std::string(cursor_.take().text));
     cursor_.skip_newlines();
     const Cursor::NestingGuard nest(cursor_);
     const ExprPtr exponent = prefix();
     power.operands = {{"", base->where, base}, {"", exponent->where, exponent}};
-    return finish(std::move(power));
+    return finish(std::move(power), token);
   }
   cursor_.take();
   const Cursor::NestingGuard nest(cursor_);
-  Expr expr = begin(ExprKind::unary, token, std::string(token.text));
+  Expr expr = make_expr(ExprKind::unary, std::string(token.text));
   // "not a < b" negates the comparison; "-a ^ 2" is -(a ^ 2).
   const ExprPtr inner = expr.text == "not" ? binary(kCompare) : prefix();
   expr.operands = {{"", inner->where, inner}};
-  return finish(std::move(expr));
+  return finish(std::move(expr), token);
 }
 
 ExprPtr ExprParser::postfix() {
+  const Token& first = cursor_.peek();
   ExprPtr expr = primary();
   while (operator_ahead().is(".")) {
     cursor_.skip_newlines();
@@ -152,7 +162,7 @@ ExprPtr ExprParser::postfix() {
     const Token& name = cursor_.expect_name("the name of a method after '.'");
     if (!cursor_.peek().is("(") || !cursor_.peek().touches)
       cursor_.unexpected(fmt::format("'(' after '.{}'", name.text));
-    expr = call(name, expr);
+    expr = call(name, expr, first);
   }
   return expr;
 }
@@ -163,7 +173,7 @@ ExprPtr ExprParser::primary() {
   if (token.is("[")) return list();
   if (!starts(token) || token.kind == TokenKind::sign) cursor_.unexpected("a value");
   cursor_.take();
-  Expr expr = begin(ExprKind::name, token, std::string(token.text));
+  Expr expr = make_expr(ExprKind::name, std::string(token.text));
   if (token.kind == TokenKind::number) {
     expr.kind = ExprKind::number;
     expr.number = token.number;
@@ -175,28 +185,31 @@ ExprPtr ExprParser::primary() {
     expr.kind = ExprKind::list;
     expr.text.clear();
     const size_t cross = token.text.find('x');
+    SourceLocation where = cursor_.where(token);
     for (const std::string_view part :
          {token.text.substr(0, cross), token.text.substr(cross + 1)}) {
-      Expr side = begin(ExprKind::number, token);
+      Expr side = make_expr(ExprKind::number);
+      side.extent = where = word_at(where, std::string(part));
+      where.column = where.end_column + 1;
       std::from_chars(part.data(), part.data() + part.size(), side.number.value);
-      expr.operands.push_back({"", side.where, finish(std::move(side))});
+      expr.operands.push_back({"", side.extent, finish(std::move(side), token)});
     }
   } else if (is_operator_word(token)) {
     cursor_.fail(token, fmt::format("expected a value, found '{}'", token.text));
   } else if (cursor_.peek().is("(") && cursor_.peek().touches) {
-    return call(token, nullptr);
+    return call(token, nullptr, token);
   } else if (token.text == "true" || token.text == "false") {
     expr.kind = ExprKind::truth;
   } else if (token.text == "if") {
     cursor_.fail(token, "'if' needs three values here: if(condition, then, else)");
   }
-  return finish(std::move(expr));
+  return finish(std::move(expr), token);
 }
 
 ExprPtr ExprParser::bracketed() {
   const Token& open = cursor_.take();
   const Cursor::BracketScope brackets(cursor_);
-  Expr vector = begin(ExprKind::vector, open);
+  Expr vector = make_expr(ExprKind::vector);
   do {
     if (!vector.operands.empty() && cursor_.peek().is(")")) break;  // a trailing comma
     const ExprPtr part = binary(1);
@@ -205,26 +218,27 @@ ExprPtr ExprParser::bracketed() {
   cursor_.expect(")", fmt::format(" to close '(' of line {}", open.line));
   if (vector.operands.size() == 1) return vector.operands[0].value;
   if (vector.operands.size() > 3)
-    cursor_.error(open, fmt::format("a vector with {} components", vector.operands.size()),
+    cursor_.error(cursor_.since(open),
+                  fmt::format("a vector with {} components", vector.operands.size()),
                   "a vector has 2 or 3; write a list as [a, b, c, d]");
-  return finish(std::move(vector));
+  return finish(std::move(vector), open);
 }
 
 ExprPtr ExprParser::list() {
   const Token& open = cursor_.take();
   const Cursor::BracketScope brackets(cursor_);
-  Expr expr = begin(ExprKind::list, open);
+  Expr expr = make_expr(ExprKind::list);
   while (!cursor_.peek().is("]")) {
     const ExprPtr part = binary(1);
     expr.operands.push_back({"", part->where, part});
     if (!cursor_.accept(",")) break;
   }
   cursor_.expect("]", fmt::format(" to close '[' of line {}", open.line));
-  return finish(std::move(expr));
+  return finish(std::move(expr), open);
 }
 
-ExprPtr ExprParser::call(const Token& name, ExprPtr receiver) {
-  Expr expr = begin(ExprKind::call, name, std::string(name.text));
+ExprPtr ExprParser::call(const Token& name, ExprPtr receiver, const Token& first) {
+  Expr expr = make_expr(ExprKind::call, std::string(name.text));
   const Token& open = cursor_.take();
   const Cursor::BracketScope brackets(cursor_);
   if (receiver) {
@@ -239,13 +253,13 @@ ExprPtr ExprParser::call(const Token& name, ExprPtr receiver) {
     if (!cursor_.accept(",")) break;
   }
   cursor_.expect(")", fmt::format(" to close '{}(' of line {}", name.text, open.line));
-  return finish(std::move(expr));
+  expr.where = cursor_.since(name);
+  return finish(std::move(expr), first);
 }
 
 void ExprParser::operand(Expr& call, bool& named) {
   const Token& first = cursor_.peek();
   Operand result;
-  result.where = cursor_.where(first);
   const size_t sign = first.is("-") ? 1 : 0;
   const Token& word = cursor_.peek(sign);
   if (word.kind == TokenKind::number && cursor_.peek(sign + 1).is(":")) {  // a frame
@@ -269,18 +283,14 @@ void ExprParser::operand(Expr& call, bool& named) {
   const size_t index = call.operands.size();
   const PathScope step(path_, result.name.empty() ? fmt::format("{}", index) : result.name);
   result.value = binary(1);
+  result.where = cursor_.since(first);
   call.operands.push_back(std::move(result));
 }
 
-Expr ExprParser::begin(ExprKind kind, const Token& token, std::string text) const {
-  Expr expr;
-  expr.kind = kind;
-  expr.text = std::move(text);
-  expr.where = cursor_.where(token);
-  return expr;
-}
-
-ExprPtr ExprParser::finish(Expr expr) {
+/// The expression that starts at `first` and ends at the last consumed token.
+ExprPtr ExprParser::finish(Expr expr, const Token& first) {
+  if (!expr.extent.known()) expr.extent = cursor_.since(first);
+  if (!expr.where.known()) expr.where = expr.extent;
   for (const Operand& part : expr.operands)
     expr.depth = std::max(expr.depth, 1 + part.value->depth);
   if (expr.depth > cursor_.options().max_depth)

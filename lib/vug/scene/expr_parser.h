@@ -33,12 +33,11 @@ class ExprParser {
   ExprPtr primary();
   ExprPtr bracketed();
   ExprPtr list();
-  ExprPtr call(const Token& name, ExprPtr receiver);
+  ExprPtr call(const Token& name, ExprPtr receiver, const Token& first);
   void operand(Expr& call, bool& named);
   const Token& operator_ahead() const;
 
-  Expr begin(ExprKind kind, const Token& token, std::string text = {}) const;
-  ExprPtr finish(Expr expr);
+  ExprPtr finish(Expr expr, const Token& first);
   uint64_t identity(const std::string& path);
   void restart();
 

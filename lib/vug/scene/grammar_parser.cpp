@@ -135,6 +135,7 @@ Rule GrammarParser::rule() {
     cursor_.take();
   else
     rule.items = items(fmt::format("the rule of '{}'", rule.head));
+  rule.extent = cursor_.since(head);
   return rule;
 }
 
@@ -171,7 +172,9 @@ std::vector<Item> GrammarParser::items(const std::string& whose) {
     if (next.is("->") || next.is("@") || next.is_name("if"))
       cursor_.fail(cursor_.peek(), "a second rule on one line",
                    "put ';' or a line break before it");
+    const Token& first = cursor_.peek();
     items.push_back(item());
+    items.back().where = cursor_.since(first);
   }
   if (items.empty())
     cursor_.fail(cursor_.last(), fmt::format("{} has no items", whose),
@@ -182,7 +185,6 @@ std::vector<Item> GrammarParser::items(const std::string& whose) {
 Item GrammarParser::item() {
   Item item;
   const Token& first = cursor_.peek();
-  item.where = cursor_.where(first);
   if (places_) {
     if (first.kind != TokenKind::name) cursor_.unexpected("a symbol, a split or an element");
     item.shape = exprs_.shape();
@@ -199,7 +201,8 @@ Item GrammarParser::item() {
     const bool symbol = item.shape->kind == ExprKind::name ||
                         (item.shape->kind == ExprKind::call && !item.shape->method);
     if (!symbol)
-      cursor_.error(first, "a shape without an operation", "write + - & or ~ before it");
+      cursor_.error(item.shape->extent, "a shape without an operation",
+                    "write + - & or ~ before it");
     else if (!heads_.count(item.shape->text))
       cursor_.error(first, fmt::format("no rule for the symbol '{}'", item.shape->text),
                     item.shape->kind == ExprKind::call
@@ -253,6 +256,7 @@ void GrammarParser::clauses(Item& item) {
     clause.key = std::string(key.text);
     clause.where = cursor_.where(key);
     clause.values.push_back(exprs_.tight());
+    clause.extent = cursor_.since(key);
     item.clauses.push_back(std::move(clause));
   }
 }
@@ -276,6 +280,7 @@ Entry parse_entry(Cursor& cursor, ExprParser& exprs) {
     cursor.skip_newlines();
     entry.values.push_back(exprs.whole());
   }
+  entry.extent = cursor.since(key);
   return entry;
 }
 

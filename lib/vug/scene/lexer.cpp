@@ -80,8 +80,9 @@ class Lexer {
     token.column = line_start_.column;
     token.touches = touches_;
     token.number = value;
-    token.faulty = std::exchange(faulty_, false);
+    token.faulty = !faults_.empty();
     tokens_.push_back(token);
+    report(token);
     if (token.is("{") && (braces_ > 0 || opens_lsystem())) ++braces_;
     if (token.is("}") && braces_ > 0) --braces_;
     advance(length);
@@ -112,11 +113,17 @@ class Lexer {
     }
   }
 
+  /// Reports the faults of a token, now that its end is known.
+  void report(const Token& token) {
+    for (Fault& fault : faults_)
+      if (errors_left_-- > 0)
+        diagnostics_.error({file_, token.line, token.column, token.end_line(), token.end_column()},
+                           std::move(fault.message), std::move(fault.hint));
+    faults_.clear();
+  }
+
   void error(std::string message, std::string hint = {}) {
-    faulty_ = true;
-    if (errors_left_-- <= 0) return;
-    diagnostics_.error({file_, line_start_.line, line_start_.column}, std::move(message),
-                       std::move(hint));
+    faults_.push_back({std::move(message), std::move(hint)});
   }
 
   void comment() {
@@ -235,6 +242,10 @@ class Lexer {
     int line = 1;
     int column = 1;
   };
+  struct Fault {
+    std::string message;
+    std::string hint;
+  };
 
   std::string_view text_;
   const std::string& file_;
@@ -245,13 +256,15 @@ class Lexer {
   int line_ = 1;
   int column_ = 1;
   bool touches_ = false;
-  bool faulty_ = false;  ///< The current token has an error.
-  int braces_ = 0;       ///< Open braces of an L-system's block, which has additional signs.
+  std::vector<Fault> faults_;  ///< The faults of the current token.
+  int braces_ = 0;             ///< Open braces of an L-system's block, which has additional signs.
   Start line_start_;
   std::vector<Token> tokens_;
 };
 
 }  // namespace
+
+int Token::end_column() const { return text == "\n" ? 1 : column + utf8_count(text); }
 
 std::string normalise_text(std::string text) {
   if (text.compare(0, 3, "\xef\xbb\xbf") == 0) text.erase(0, 3);

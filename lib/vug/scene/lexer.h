@@ -34,6 +34,10 @@ struct Token {
   Number number;          ///< For TokenKind::number.
   bool faulty = false;    ///< A diagnostic was added for it.
 
+  /// The line and column after the last character.
+  int end_line() const { return text == "\n" ? line + 1 : line; }
+  int end_column() const;
+
   bool is(std::string_view sign) const { return kind == TokenKind::sign && text == sign; }
   bool is_name(std::string_view name) const { return kind == TokenKind::name && text == name; }
 };

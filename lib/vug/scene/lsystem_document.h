@@ -11,7 +11,7 @@ namespace vug::scene {
 /// `Name(expression, ...)` or one of the turtle's signs, including brackets; "?P" is a query.
 struct Module {
   std::string name;
-  SourceLocation where;
+  SourceLocation where;  ///< With its arguments.
   std::vector<ExprPtr> arguments;
 };
 using ModuleString = std::vector<Module>;
@@ -25,6 +25,7 @@ struct Pattern {
 
 /// `left < head > right @ weight if guard after age -> word`; omitted parts are empty or null.
 struct Production {
+  SourceLocation extent;
   std::vector<Pattern> left;
   Pattern head;
   std::vector<Pattern> right;
@@ -38,13 +39,15 @@ struct Production {
 struct ProductionTable {
   std::string name;
   SourceLocation where;
+  SourceLocation extent;
   std::vector<Production> productions;
 };
 
 /// `decompose { ... }` or `interpret { ... }`.
 struct ProductionStage {
-  SourceLocation where;  ///< Location of the keyword; unknown without such a block.
-  ExprPtr depth;         ///< May be null.
+  SourceLocation where;   ///< Location of the keyword; unknown without such a block.
+  SourceLocation extent;  ///< With the block in braces.
+  ExprPtr depth;          ///< May be null.
   std::vector<Production> productions;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/scene/grammar_parser.h>
 #include <vug/scene/lsystem_parser.h>
+#include <vug/scene/module_names.h>
 
 #include <fmt/format.h>
 
@@ -11,9 +12,8 @@ namespace vug::scene {
 
 namespace {
 
+constexpr const char* kHeads = "write heads as: left < strict > right";
 constexpr std::string_view kSigns = "+-&^\\/|$!'[]{}.%";
-
-bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
 /// A sign that is a module; ".." is two modules.
 bool is_module_sign(const Token& token) {
@@ -36,19 +36,6 @@ bool is_production_clause(const Token& token) {
 bool is_turtle_name(const std::string& name) {
   return name == "F" || name == "f" || name == "G" ||
          (name.size() == 1 && kSigns.find(name[0]) != std::string_view::npos);
-}
-
-std::vector<std::string_view> split_names(std::string_view letters) {
-  std::vector<std::string_view> out;
-  for (size_t begin = 0, end; begin < letters.size(); begin = end) {
-    for (end = begin + 1; end < letters.size() && !is_capital(letters[end]);) ++end;
-    const std::string_view piece = letters.substr(begin, end - begin);
-    const bool moves = piece.size() > 1 && (piece[0] == 'F' || piece[0] == 'f') &&
-                       piece.find_first_not_of('f', 1) == std::string_view::npos;
-    for (size_t i = 0; moves && i < piece.size(); ++i) out.push_back(piece.substr(i, 1));
-    if (!moves) out.push_back(piece);
-  }
-  return out;
 }
 
 void LSystemParser::parse(Grammar& grammar) {
@@ -145,14 +132,16 @@ void LSystemParser::part(Grammar& grammar) {
 }
 
 void LSystemParser::table() {
+  const Token& word = cursor_.last();
   const Token& name = cursor_.expect_name("the name of the table");
-  ProductionTable table{std::string(name.text), cursor_.where(name), {}};
+  ProductionTable table{std::string(name.text), cursor_.where(name), {}, {}};
   for (const ProductionTable& other : system_->tables)
     if (other.name == table.name)
       cursor_.error(name, fmt::format("duplicate table '{}'", table.name),
                     fmt::format("the first is at {}", to_string(other.where)));
   if (!cursor_.accept_beyond_newlines("{")) cursor_.unexpected("'{' before the table's rules");
   entries(fmt::format("table '{}'", table.name), table.productions, nullptr, nullptr);
+  table.extent = cursor_.since(word);
   system_->tables.push_back(std::move(table));
 }
 
@@ -165,6 +154,7 @@ void LSystemParser::stage(ProductionStage& stage) {
   if (!cursor_.accept_beyond_newlines("{"))
     cursor_.unexpected(fmt::format("'{{' after '{}'", word.text));
   entries(fmt::format("'{}'", word.text), stage.productions, nullptr, &stage.depth);
+  stage.extent = cursor_.since(word);
 }
 
 void LSystemParser::schedule() {
@@ -187,7 +177,7 @@ void LSystemParser::names(std::vector<Pattern>& out) {
     pattern(out);
     cursor_.accept(",");
     if (!out.back().formals.empty())
-      cursor_.error(cursor_.last(), fmt::format("'{}' can only list names", word.text));
+      cursor_.error(out.back().where, fmt::format("'{}' can only list names", word.text));
   }
   if (out.empty())
     cursor_.fail(word, fmt::format("'{}' has no names", word.text),
@@ -207,6 +197,7 @@ bool LSystemParser::at_lost_brace() const {
 
 Production LSystemParser::production() {
   Production production;
+  const Token& first = cursor_.peek();
   sides(production);
   for (;;) {
     const Token& clause = cursor_.peek();
@@ -226,6 +217,7 @@ Production LSystemParser::production() {
     cursor_.take();
   else
     production.word = word(fmt::format("the rule of '{}'", production.head.name));
+  production.extent = cursor_.since(first);
   return production;
 }
 
@@ -244,13 +236,11 @@ void LSystemParser::sides(Production& production) {
   if (cursor_.accept(">")) {
     production.right = patterns();
     if (production.right.empty())
-      cursor_.fail(cursor_.last(), "expected a right context after '>'",
-                   "write heads as: left < strict > right");
+      cursor_.fail(cursor_.last(), "expected a right context after '>'", kHeads);
   }
   if (cursor_.peek().is("<") || cursor_.peek().is(">"))
     cursor_.fail(cursor_.peek(),
-                 fmt::format("duplicate '{}' in the head of a rule", cursor_.peek().text),
-                 "write heads as: left < strict > right");
+                 fmt::format("duplicate '{}' in the head of a rule", cursor_.peek().text), kHeads);
   if (head.size() != 1)
     cursor_.fail(first,
                  head.empty() ? "a rule without a module to replace"
@@ -259,7 +249,7 @@ void LSystemParser::sides(Production& production) {
   production.head = std::move(head[0]);
   for (const char* fixed : {"[", "]", "%"})
     if (production.head.name == fixed)
-      cursor_.error(first, fmt::format("'{}' cannot be replaced", fixed));
+      cursor_.error(production.head.where, fmt::format("'{}' cannot be replaced", fixed));
   int open = 0;
   for (const Pattern& one : production.right) {
     open += one.name == "[" ? 1 : one.name == "]" ? -1 : 0;
@@ -353,25 +343,26 @@ ModuleString LSystemParser::word(const std::string& whose) {
 void LSystemParser::module(ModuleString& word) {
   const Token& token = cursor_.take();
   SourceLocation where = cursor_.where(token);
+  const auto add = [&](std::string_view name) {
+    where = word_at(where, std::string(name));
+    word.push_back({std::string(name), where, {}});
+    where.column = where.end_column;
+  };
   if (token.kind == TokenKind::name) {
-    for (const std::string_view name : split_names(token.text)) {
-      word.push_back({std::string(name), where, {}});
-      where.column += static_cast<int>(name.size());
-    }
+    for (const std::string_view name : split_names(token.text)) add(name);
   } else if (token.is("..")) {
-    word.push_back({".", where, {}});
-    ++where.column;
-    word.push_back({".", where, {}});
+    add("."), add(".");
   } else if (token.is("?")) {
     const Token& name = cursor_.expect_name("the name of a query after '?'");
-    word.push_back({fmt::format("?{}", name.text), where, {}});
+    word.push_back({fmt::format("?{}", name.text), cursor_.since(token), {}});
   } else {
-    word.push_back({std::string(token.text), where, {}});
+    add(token.text);
   }
   if (!cursor_.peek().is("(")) return;
   if (token.is("[") || token.is("]") || token.is("{") || token.is("}") || token.is("%"))
     cursor_.fail(cursor_.peek(), fmt::format("'{}' takes no parameters", token.text));
   word.back().arguments = arguments(word.back());
+  word.back().where = word.back().where.up_to(cursor_.where(cursor_.last()));
 }
 
 std::vector<ExprPtr> LSystemParser::arguments(const Module& whose) {

@@ -49,8 +49,4 @@ class LSystemParser {
   int indent_ = 0;  ///< Start column of the rule or axiom; 0 if it is not the first on its line.
 };
 
-/// Splits consecutive letters into names: each capital starts a name, so FFA is F F A and FlFr is
-/// Fl Fr; Ff is F f (the turtle's commands), and ff is f f. The results are views of the text.
-std::vector<std::string_view> split_names(std::string_view letters);
-
 }  // namespace vug::scene

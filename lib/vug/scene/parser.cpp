@@ -47,7 +47,8 @@ class Loader {
           "scenes are UTF-8 text; 'vug info' describes grids, meshes and pictures");
       return false;
     }
-    auto source = std::make_shared<const Source>(Source{file, normalise_text(std::move(text))});
+    auto source =
+        std::make_shared<const Source>(Source{file, normalise_text(std::move(text)), from});
     document_.sources.push_back(source);
     known_.insert(identity(path));
     chain_.push_back(path);

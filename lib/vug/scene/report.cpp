@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/scene/parser.h>
 #include <vug/scene/report.h>
+#include <vug/scene/text_at.h>
 #include <vug/scene/utf8.h>
 
 #include <fmt/format.h>
@@ -28,19 +29,16 @@ std::string_view line_of(std::string_view text, int line) {
   return text.substr(0, text.find('\n'));
 }
 
-/// Start byte of the column's character; the end of the line for columns beyond it.
-size_t byte_of(std::string_view line, int column) {
-  size_t at = 0;
-  while (at < line.size() && --column > 0) {
-    ++at;
-    while (at < line.size() && is_utf8_tail(line[at])) ++at;
-  }
-  return at;
+/// Byte after the last underlined character; more than one line is underlined up to its end.
+size_t end_of(std::string_view line, const SourceLocation& where) {
+  if (!where.has_end()) return 0;
+  if (where.end_line == where.line) return byte_at(line, 1, where.end_column);
+  return line.find_last_not_of(" \t") + 1;
 }
 
-/// The line with a caret below it; a long line is cut to the neighbourhood of the column.
-std::string excerpt(std::string_view line, int column) {
-  size_t at = byte_of(line, column);
+/// The line with its range underlined; a long line is cut to the neighbourhood of the start.
+std::string excerpt(std::string_view line, const SourceLocation& where) {
+  size_t at = byte_at(line, 1, where.column), end_at = end_of(line, where);
   if (line.size() > kWidth) {
     size_t from = at > kWidth / 2 ? at - kWidth / 2 : 0;
     while (from > 0 && is_utf8_tail(line[from])) --from;
@@ -48,13 +46,17 @@ std::string excerpt(std::string_view line, int column) {
     while (end < line.size() && is_utf8_tail(line[end])) ++end;
     line = line.substr(from, end - from);
     at -= from;
+    end_at -= std::min(end_at, from);
   }
   const std::string before = printable(line.substr(0, at));
   std::string caret;
   for (const char c : before)
     if (!is_utf8_tail(c)) caret += c == '\t' ? '\t' : ' ';
-  return fmt::format("{}\n{}^\n", before + printable(line.substr(std::min(at, line.size()))),
-                     caret);
+  const std::string rest = printable(line.substr(at));
+  const std::string range =
+      printable(line.substr(at, std::max(at, std::min(end_at, line.size())) - at));
+  const int tildes = std::max(utf8_count(range) - 1, 0);
+  return fmt::format("{}\n{}^{:~>{}}\n", before + rest, caret, "", tildes);
 }
 
 }  // namespace
@@ -92,7 +94,7 @@ std::string report(const Diagnostics& diagnostics,
     out += fmt::format("{}{}{}: {}\n", place, place.empty() ? "" : ": ",
                        d.severity == Severity::error ? "error" : "warning", printable(d.message));
     if (d.where.known() && rows[i].rank < sources.size())
-      out += excerpt(line_of(sources[rows[i].rank]->text, d.where.line), d.where.column);
+      out += excerpt(line_of(sources[rows[i].rank]->text, d.where.line), d.where);
     if (!d.hint.empty()) out += fmt::format("hint: {}\n", printable(d.hint));
   }
   if (rows.size() > shown)

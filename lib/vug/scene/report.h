@@ -11,10 +11,10 @@
 
 namespace vug::scene {
 
-/// For each diagnostic: "file:line:column: error: message", the source line, a caret, and "hint:
-/// ...". Sorted by source, line and column, without duplicates; at most `limit` diagnostics and a
-/// last line with the number of the others (of which the parser keeps a hundred). Ends in a newline
-/// unless empty.
+/// For each diagnostic: "file:line:column: error: message", the source line, its range underlined
+/// (a caret at the start, then "~~~" as far as the line has it), and "hint: ...". Sorted by source,
+/// line and column, without duplicates; at most `limit` diagnostics and a last line with the number
+/// of the others (of which the parser keeps a hundred). Ends in a newline unless empty.
 std::string report(const Diagnostics& diagnostics,
                    const std::vector<std::shared_ptr<const Source>>& sources, int limit = 20);
 

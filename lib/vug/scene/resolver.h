@@ -5,6 +5,7 @@
 #include <vug/base/diagnostics.h>
 #include <vug/base/rng.h>
 #include <vug/base/schema.h>
+#include <vug/scene/provenance.h>
 
 #include <optional>
 #include <string>
@@ -50,7 +51,11 @@ class Resolver {
   void use_frame() { ++frame_uses_; }
   uint64_t frame_uses() const { return frame_uses_; }
 
+  /// The declarations, names and rules that are being evaluated, for a FrameScope.
+  FramePtr& frames() { return frames_; }
+
  private:
+  FramePtr frames_;
   uint64_t frame_uses_ = 0;
 };
 

@@ -25,7 +25,7 @@ class StatementParser {
       const size_t start = cursor_.position();
       const int faults = cursor_.faults();
       const Counts before = counts();
-      const bool includes = cursor_.peek().is_name("include");
+      const Token& first = cursor_.peek();
       try {
         statement();
         if (!cursor_.at_end() && cursor_.peek().kind != TokenKind::newline &&
@@ -34,7 +34,8 @@ class StatementParser {
       } catch (const SyntaxFault&) {
         cursor_.recover_statement();
       }
-      if (cursor_.faults() != faults) lose(before, start, includes);
+      set_extents(before, cursor_.since(first));
+      if (cursor_.faults() != faults) lose(before, start, first.is_name("include"));
     }
   }
 
@@ -50,8 +51,21 @@ class StatementParser {
   static ExprPtr broken(const SourceLocation& where) {
     Expr expr;
     expr.kind = ExprKind::broken;
-    expr.where = where;
+    expr.extent = expr.where = where;
     return std::make_shared<const Expr>(std::move(expr));
+  }
+
+  /// Sets the extent of the statement that was added since `before`; those of an included file,
+  /// whose text was parsed by another parser, have theirs.
+  void set_extents(const Counts& before, const SourceLocation& extent) {
+    const auto set = [&](auto& all, size_t first) {
+      for (size_t i = first; i < all.size(); ++i)
+        if (!all[i].extent.known()) all[i].extent = extent;
+    };
+    set(document_.params, before.params);
+    set(document_.lets, before.lets);
+    set(document_.declarations, before.declarations);
+    set(document_.grammars, before.grammars);
   }
 
   /// After an error: stores the names in the statement that started at `start`.
@@ -228,7 +242,7 @@ class StatementParser {
       if (cursor_.faults() == faults) continue;
       made.incomplete = true;
       if (made.entries.size() == before && key.kind == TokenKind::name)
-        made.entries.push_back({std::string(key.text), cursor_.where(key), {}});
+        made.entries.push_back({std::string(key.text), cursor_.where(key), cursor_.since(key), {}});
       if (made.entries.size() > before) made.entries.back().values = {broken(cursor_.where(key))};
     }
   }

@@ -6,6 +6,11 @@
 
 namespace vug::scene {
 
+int utf8_count(std::string_view text) {
+  return static_cast<int>(
+      std::count_if(text.begin(), text.end(), [](char c) { return !is_utf8_tail(c); }));
+}
+
 size_t utf8_length(std::string_view text) {
   if (text.empty()) return 0;
   const auto first = static_cast<unsigned char>(text[0]);

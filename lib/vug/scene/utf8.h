@@ -15,6 +15,9 @@ constexpr bool is_utf8_tail(char c) { return (static_cast<unsigned char>(c) & 0x
 /// one.
 size_t utf8_length(std::string_view text);
 
+/// Number of characters; stray bytes that continue a character do not count.
+int utf8_count(std::string_view text);
+
 /// True if every byte belongs to a well-formed character.
 bool is_utf8(std::string_view text);
 

@@ -40,7 +40,7 @@ TEST(Warning, ACameraInsideRock) {
   EXPECT_EQ(report,
             "t.vug:2:8: warning: the camera is inside the solid of 'rock'\n"
             "camera main { eye (2.5, 0, 0) }\n"
-            "       ^\n"
+            "       ^~~~\n"
             "hint: move its eye out of the solid\n");
   EXPECT_EQ(messages(kRoom + "camera main { eye (1, 0, 0) }\n"), "");
   EXPECT_EQ(messages(kRoom + "camera main { eye (9, 0, 0) }\n"), "");

@@ -91,7 +91,7 @@ TEST(Evaluator, ResolverErrorsBecomeDiagnostics) {
   Evaluator evaluator(document, resolver, diagnostics);
   evaluator.check_all();
   ASSERT_EQ(diagnostics.all().size(), 1u);
-  EXPECT_EQ(diagnostics.all()[0].where, (SourceLocation{"t.vug", 1, 9}));
+  EXPECT_EQ(diagnostics.all()[0].where, (SourceLocation{"t.vug", 1, 9, 1, 17}));
 }
 
 TEST(Evaluator, RejectedNamesHaveTheNearestKnownNameAsHint) {

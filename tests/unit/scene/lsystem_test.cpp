@@ -2,7 +2,8 @@
 // The dialect of L-systems: parsing, errors with their locations, and formatting.
 #include <gtest/gtest.h>
 #include <vug/scene/format.h>
-#include <vug/scene/lsystem_parser.h>
+#include <vug/scene/lsystem_document.h>
+#include <vug/scene/module_names.h>
 #include <vug/scene/report.h>
 
 #include "parsing.h"
@@ -95,7 +96,7 @@ TEST(LSystemText, ReadsHeads) {
 }
 )");
   EXPECT_EQ(heads.report,
-            "t.vug:4:11: error: 'ages' can only list names\n  ages L(a)\n          ^\n");
+            "t.vug:4:8: error: 'ages' can only list names\n  ages L(a)\n       ^~~~\n");
   const LSystem& system = *heads.document.grammars.at(0).lsystem;
   ASSERT_EQ(system.productions.size(), 3u);
   const Production& first = system.productions[0];
@@ -134,7 +135,7 @@ TEST(LSystemText, WarnsOfConsecutiveLowerCaseLetters) {
   const Read algae = read("grammar g: lsystem {\n  axiom b\n  a -> ab\n  b -> a\n}\n");
   EXPECT_EQ(algae.report,
             "t.vug:3:8: warning: 'ab' is a single module without a rule\n  a -> ab\n"
-            "       ^\nhint: write spaces between lower-case letters: a b\n");
+            "       ^~\nhint: write spaces between lower-case letters: a b\n");
   EXPECT_FALSE(algae.document.grammars.at(0).broken);
   EXPECT_EQ(read("grammar g: lsystem {\n  axiom b\n  a -> a b ab\n  b -> a\n  ab -> c\n}\n").report,
             "");

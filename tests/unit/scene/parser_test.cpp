@@ -45,14 +45,14 @@ TEST(Statements, EveryPartOfADeclaration) {
       "seed 7\nparam MP = 52% in 0%..100% \"morph\"\nlet r = 2m\n"
       "cells skin on rock { spacing 2cm  grid triangle\n run a, b,\n c(steps: 40) }\n");
   EXPECT_EQ(document.params[0].doc, "morph");
-  EXPECT_EQ(document.params[0].where, (SourceLocation{"t.vug", 2, 7}));
+  EXPECT_EQ(document.params[0].where, (SourceLocation{"t.vug", 2, 7, 2, 9}));
   const Declaration& skin = document.declarations[0];
   EXPECT_EQ(skin.kind, "cells");
   EXPECT_EQ(dump(*skin.target), "rock");
   ASSERT_EQ(skin.entries.size(), 3u);
   EXPECT_EQ(skin.entries[1].key, "grid");
   EXPECT_EQ(skin.entries[2].values.size(), 3u);
-  EXPECT_EQ(skin.entries[2].where, (SourceLocation{"t.vug", 5, 2}));
+  EXPECT_EQ(skin.entries[2].where, (SourceLocation{"t.vug", 5, 2, 5, 5}));
   EXPECT_EQ(document.find("skin"), &skin);
   EXPECT_EQ(document.find("skin", "camera"), nullptr);
 }

@@ -16,6 +16,7 @@ struct Options {
   SceneOptions scene;
   bool quiet = false;
   bool json = false;
+  bool provenance = false;
 };
 
 using Json = nlohmann::ordered_json;
@@ -27,6 +28,8 @@ Json to_json(const loading::Loaded& loaded, const std::string& file) {
                       {"file", one.where.file},
                       {"line", one.where.line},
                       {"column", one.where.column},
+                      {"end_line", one.where.end_line},
+                      {"end_column", one.where.end_column},
                       {"message", one.message},
                       {"hint", one.hint}});
   return {{"file", file}, {"fine", loaded.usable()}, {"diagnostics", std::move(faults)}};
@@ -77,6 +80,13 @@ std::string pluralize(size_t count, const std::string& one, const std::string& m
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
+/// Prints each declaration and rule with the range of its text.
+void print_provenance(const loading::Loaded& loaded) {
+  for (const auto& each : loaded.provenance.declared())
+    fmt::print("{} {}: {}\n", each.kind, each.name,
+               loaded.provenance.describe({each.where, nullptr}));
+}
+
 int run(const Options& options) {
   if (options.json) return run_json(options);
   const loading::Loaded loaded = examine(options);
@@ -92,6 +102,7 @@ int run(const Options& options) {
                pluralize(shot.lights.size(), "light", "lights"),
                pluralize(shot.cameras.size(), "camera", "cameras"),
                pluralize(shot.renders.size(), "render", "renders"));
+  if (options.provenance) print_provenance(loaded);
   return kDone;
 }
 
@@ -103,6 +114,8 @@ Verb check_verb() {
             options->scene.add_to(app);
             app.add_flag("--quiet,-q", options->quiet, "No output if the scene has no faults");
             app.add_flag("--json", options->json, "Machine-readable output");
+            app.add_flag("--provenance", options->provenance,
+                         "Also prints the text range of each declaration and rule");
             return [options] { return run(*options); };
           }};
 }

@@ -104,7 +104,7 @@ Arguments arguments_of(const scene::Declaration& declaration, ReadContext& conte
     else
       arguments.push_back(
           {entry.key, kinds_of(type_of(entry), entry, context.evaluator.key(declaration), context),
-           entry.where});
+           entry.extent});
   }
   const auto is_choice = [](const std::string& key, const std::string& word) {
     return has_choice(cells_schema().info(), key, word);
