@@ -267,7 +267,7 @@ Verb render_verb() {
         app.add_option("--render", picture.render, "Name of the render block");
         app.add_option("--eye", options->eye,
                        "Render only one view of a stereo camera: left or right")
-            ->check(CLI::IsMember({"left", "right"}));
+            ->check(one_of({"left", "right"}));
         app.add_option("--layers", picture.layers, "Names of AOVs, or all")->delimiter(',');
         app.add_option(
                "--noise", picture.noise,
@@ -282,7 +282,7 @@ Verb render_verb() {
                        "OpenColorIO configuration for the PNG; default $OCIO");
         app.add_option("--working-space", options->working_space,
                        "Colour space in which light is computed")
-            ->check(CLI::IsMember(space_names()));
+            ->check(one_of(space_names()));
         app.add_flag("--float", picture.full_float, "32-bit colour channels in the EXR");
         app.add_flag("--denoise", picture.denoise,
                      "Denoise the PNG; the EXR gets an additional layer 'denoised'");
