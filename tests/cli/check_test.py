@@ -28,6 +28,20 @@ class Check(VugTest):
             self.assertIn(said, error)
         return error
 
+    def test_a_scene_without_products(self):
+        for text, empty in (("seed 1\n", True), ("field f = sphere(1m)\n", True),
+                            ("volume rock = level_set(sphere(1m), voxel: 20cm)\n", False)):
+            self.write("s.vug", text)
+            self.assertEqual("declares nothing to build or to render" in self.expect(0, "check", "s.vug").err,
+                             empty, text)
+
+    def test_a_volume_that_needs_too_much_memory(self):
+        text = "param v = 0.1mm\nvolume rock = level_set(sphere(1km), voxel: v)\n"
+        self.write("s.vug", text)
+        self.assertRegex(self.expect(0, "check", "s.vug").err,
+                         r"s.vug:2:8: warning: the volume 'rock' needs about \S+ \w+ of memory")
+        self.assertEqual(self.expect(0, "check", "s.vug", "-D", "v=100m").err, "")
+
     def test_a_light_linked_to_nothing(self):
         for link in ("only: [\"bal\"]", "except: [\"bal\"]"):
             self.both("s.vug:7:7: error: the light is linked to 'bal', but no shown object has "

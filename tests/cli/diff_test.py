@@ -75,6 +75,11 @@ class OfScreens(VugTest):
             one, other = (self.expect(1, "diff", *pair).out for pair in [(a, b), (b, a)])
             self.assertEqual(one, other)
 
+    def test_pictures_without_variance(self):
+        said = "the noise is unknown: neither picture contains the variance of its pixels"
+        self.assertIn(said, self.expect(1, "diff", "a.hdr", "dark.hdr").out)
+        self.assertNotIn(said, self.expect(1, "diff", "a.hdr", "dark.hdr", "--max", "rmse=1e-6").out)
+
     def test_limits(self):
         args = ("diff", "a.hdr", "dark.hdr")
         self.expect(0, *args, "--max", "relative_rmse=0.2", "--min", "ssim=0.5")

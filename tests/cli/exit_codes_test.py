@@ -145,6 +145,23 @@ class Unusable(VugTest):
                 self.refused(*args)
         self.assertEqual(self.files(), ["ball.vug"])
 
+    def test_words_of_options_and_scenes_as_products(self):
+        self.write("ball.vug", BALL)
+        for args, message in [
+                (("render", "ball.vug", "-o", "a.exr", "--eye", "middle"),
+                 "--eye: invalid value 'middle': expected left, right"),
+                (("info", "ball.vug"), "'ball.vug' is a scene, not a file built from one\nhint: 'vug check'"),
+                (("recipe", "ball.vug"), "'ball.vug' is a scene")]:
+            with self.subTest(args=args):
+                self.assertIn(message, self.refused(*args))
+
+    def test_a_sweep_checks_all_values_first(self):
+        self.write("ball.vug", "param R = 1 in 0..2\nvolume rock = level_set(sphere(R), voxel: 20cm)\n"
+                               "mesh wall on rock {}\n")
+        result = self.expect(2, "sweep", "ball.vug", "-p", "R", "-v", "1,9")
+        self.assertIn("while checking R = 9", result.err)
+        self.assertEqual(result.out, "")
+
     def test_empty_values(self):
         """Empty arguments, as produced by an unset variable of a script."""
         self.write("ball.vug", BALL)
@@ -286,14 +303,16 @@ class Failed(VugTest):
         before = sorted(str(p) for p in self.folder.rglob("*"))
         many = ("-p", "seed", "-v", "1..9999")
         for args in [("render", "vast.vug", "-o", "/proc/a.exr"),
-                     ("render", "vast.vug", "-o", "taken.exr"),
                      ("render", "vast.vug", "-o", "new/a.exr", "--products", "file/out"),
-                     ("render", "vast.vug", "-o", "new/a.exr", "--products", "shut"),
                      ("sweep", "vast.vug", *many, "-o", "file/a"),
                      ("sweep", "vast.vug", *many, "-o", "/proc/a"),
                      ("build", "vast.vug", "-o", "/proc/out")]:
             with self.subTest(args=args):
                 self.expect(3, *args)
+        for args in [("render", "vast.vug", "-o", "taken.exr"),
+                     ("render", "vast.vug", "-o", "new/a.exr", "--products", "shut")]:
+            with self.subTest(args=args):
+                self.assertIn("it is a folder\nhint: give the name of a file", self.expect(2, *args).err)
         self.assertEqual(sorted(str(p) for p in self.folder.rglob("*")), before)
 
     def test_a_full_disk(self):

@@ -7,6 +7,7 @@
 #include <vug/base/diagnostics.h>
 #include <vug/scene/lexer.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace vug::cli {
@@ -58,6 +59,20 @@ CLI::Validator seed_number() {
                : fmt::format("invalid seed '{}': expected an integer of at least 0", text);
   };
   return CLI::Validator(check, "");
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const auto check = [=](std::string& text) -> std::string {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return {};
+    return fmt::format("invalid value '{}': expected {}", text, fmt::join(words, ", "));
+  };
+  return CLI::Validator(check, fmt::format("{{{}}}", fmt::join(words, ",")));
+}
+
+void require_no_scene(const std::string& file) {
+  if (extension_of(file) != ".vug") return;
+  throw Error(ErrorCode::bad_input, fmt::format("'{}' is a scene, not a file built from one", file),
+              {}, "'vug check' describes a scene, and 'vug list' the kinds that it can use");
 }
 
 Error unknown_verb_error(const std::string& word, const std::vector<std::string>& verbs,

@@ -30,6 +30,12 @@ std::vector<int> parse_numbers(const std::string& text, const std::string& patte
 Error unknown_verb_error(const std::string& word, const std::vector<std::string>& verbs,
                          const std::string& before = "");
 
+/// Validator for one of the words, which its message lists.
+CLI::Validator one_of(const std::vector<std::string>& words);
+
+/// Error(bad_input), with the verbs that read scenes, if the file is a scene.
+void require_no_scene(const std::string& file);
+
 /// Error(bad_input) unless the file name has a stem and this extension (lower case, with its dot).
 void require_extension(const std::string& file, const std::string& ending, const std::string& hint);
 

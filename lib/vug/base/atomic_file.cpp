@@ -71,6 +71,12 @@ AtomicFile::AtomicFile(const fs::path& target) : target_(followed(target)) {
   std::error_code code;
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
   made_folders_ = make_folders(folder);
+  if (fs::is_directory(target_, code)) {
+    discard();
+    throw Error(ErrorCode::bad_input,
+                fmt::format("cannot write '{}': it is a folder", target_.string()), {},
+                "give the name of a file, such as one in that folder");
+  }
   if (fs::exists(target_, code))
     if (const std::string why = unreadable_reason(target_); !why.empty()) fail(why);
   const fs::path temporary =

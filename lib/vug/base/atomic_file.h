@@ -19,7 +19,7 @@ namespace vug {
 class AtomicFile {
  public:
   /// Throws Error(io) if the target cannot be written: the folder cannot be created or is not
-  /// writable, or the target is not a regular file.
+  /// writable, or the target is not a regular file; Error(bad_input) if it is a folder.
   explicit AtomicFile(const std::filesystem::path& target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;

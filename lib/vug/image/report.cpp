@@ -94,6 +94,11 @@ std::string to_table(const Diff& diff) {
     out += fmt::format(
         "\nnot judged although they differ: {} (set limits, as in --max {}.rmse=0.01)\n",
         fmt::join(diff.unjudged, ", "), diff.unjudged.front());
+  if (!diff.same && diff.basis == Basis::rounding)
+    out +=
+        "\nthe noise is unknown: neither picture contains the variance of its pixels, so every "
+        "difference above rounding counts (render with the layer variance, or set limits, as in "
+        "--max relative_rmse=0.01)\n";
   return out + "\n" + verdict_text(diff) + "\n";
 }
 

@@ -18,15 +18,16 @@ namespace {
 
 /// The class maps of the pixel classifier; empty without a classifier.
 fit::Planes maps_of(const FacadePicture& picture, const FacadeFitOptions& options) {
-  if (!options.looks) return {};
+  if (!options.classifier) return {};
   if (!picture.colours)
     throw Error(ErrorCode::bad_input, "a pixel classifier needs a photo with colours");
-  return fit::enlarged(options.looks->classify(*picture.colours), picture.width, picture.height);
+  return fit::enlarged(options.classifier->classify(*picture.colours), picture.width,
+                       picture.height);
 }
 
 fit::Evidence evidence_of(const FacadePicture& picture, const fit::Planes& maps,
                           const FacadeFitOptions& options, RandomKey key) {
-  if (options.looks) return fit::classifier_evidence(maps, options.looks->classes());
+  if (options.classifier) return fit::classifier_evidence(maps, options.classifier->classes());
   fit::ClusterImage clusters =
       fit::cluster_image(picture.colours ? &*picture.colours : nullptr,
                          picture.depth ? &*picture.depth : nullptr, options.clusters, key);
@@ -95,9 +96,9 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   const fit::Evidence evidence = evidence_of(picture, maps, options, key.at("clusters"));
   FacadeFit out;
   fit::FitOptions how;
-  how.likelihood = options.looks ? "supervised" : options.likelihood;
+  how.likelihood = options.classifier ? "supervised" : options.likelihood;
   // Errors of depth along edges are correlated.
-  if (picture.depth && !options.looks) how.pixel_weight = 0.03;
+  if (picture.depth && !options.classifier) how.pixel_weight = 0.03;
   if (options.trust > 0) how.pixel_weight = options.trust;
   how.sampler = options.sampler;
   out.reading = fit::fit_facade(evidence, rules, how, key.at("chains"), progress);
@@ -108,8 +109,8 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
       fit::to_facade_tree(text, model, state, {size.x / picture.width, size.y / picture.height});
   out.reveal = reveal_of(picture, out.reading);
   set_reveal(out);
-  if (options.looks)
-    out.labels = fit::label_pixels(maps, options.looks->classes(), out.reading.elements);
+  if (options.classifier)
+    out.labels = fit::label_pixels(maps, options.classifier->classes(), out.reading.elements);
   return out;
 }
 

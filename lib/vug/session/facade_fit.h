@@ -21,7 +21,7 @@ struct FacadeFitOptions {
   std::string likelihood = "kt";  ///< One of fit::likelihood_kinds.
   fit::ClusterImageOptions clusters = {.depth_clusters = 5};
   /// Trained pixel classifier; if set, its class maps are used with the likelihood `supervised`.
-  std::shared_ptr<const fit::PixelClassifier> looks;
+  std::shared_ptr<const fit::PixelClassifier> classifier;
   double trust = 0;  ///< See fit::ReadOptions; 0: 0.03 with depth, else its own.
   /// Size of the facade in metres. If one is 0, it follows from the aspect ratio of the picture; if
   /// both are 0, from the pixel size of the picture, else from kDefaultWidth.

@@ -75,6 +75,7 @@ TEST(Progress, OverlappingWorkersShareOneWithoutAWatcher) {
       }
     });
   for (std::thread& work : works) work.join();
+  EXPECT_NO_THROW(Progress::none().check());
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  std::string photo, folder, name, grammar, looks;
+  std::string photo, folder, name, grammar, classifier;
   std::vector<std::string> clouds;
   session::FacadePictureOptions picture;
   session::FacadeFitOptions fit;
@@ -178,10 +178,10 @@ int run(Options options) {
                                    files.drawing, files.report, files.charts};
   if (!options.no_carving) outputs.push_back(files.carved);
   if (!options.clouds.empty()) outputs.insert(outputs.end(), {files.range, files.seen});
-  if (!options.looks.empty()) outputs.push_back(files.labels);
+  if (!options.classifier.empty()) outputs.push_back(files.labels);
   std::vector<fs::path> inputs(options.clouds.begin(), options.clouds.end());
   for (const fs::path& one : {fs::path(options.photo), options.picture.depth,
-                              fs::path(options.looks), options.fit.grammar})
+                              fs::path(options.classifier), options.fit.grammar})
     if (!one.empty()) inputs.push_back(one);
   require_outputs(outputs, inputs);
   if (options.clouds.size() > 1 && options.photo.empty() && !named && !options.work.quiet)
@@ -191,10 +191,10 @@ int run(Options options) {
         options.clouds.size(), options.name);
 
   options.picture.max_memory = options.work.memory_limit();
-  if (!options.looks.empty()) {
-    options.fit.looks =
-        std::make_shared<const fit::PixelClassifier>(fit::PixelClassifier::read(options.looks));
-    options.picture.limits = options.fit.looks->limits();
+  if (!options.classifier.empty()) {
+    options.fit.classifier = std::make_shared<const fit::PixelClassifier>(
+        fit::PixelClassifier::read(options.classifier));
+    options.picture.limits = options.fit.classifier->limits();
   }
   const Input in = read_input(options);
   print_assumed_size(options, in.picture);
@@ -239,8 +239,9 @@ Verb facade_fit_verb() {
         app.add_option("--grammar", options->grammar,
                        "Grammar file with free sizes; default ripperda.vug");
         app.add_option("--likelihood", options->fit.likelihood, "Likelihood model: kt or paper")
-            ->check(CLI::IsMember({"kt", "paper"}));
-        app.add_option("--looks", options->looks, "Pixel classifier trained by 'vug facade train'");
+            ->check(one_of({"kt", "paper"}));
+        app.add_option("--looks", options->classifier,
+                       "Pixel classifier trained by 'vug facade train'");
         app.add_option(
                "--trust", options->fit.trust,
                "Weight of a pixel; below 1, because neighbouring pixels are not independent")

@@ -105,7 +105,7 @@ int run(Options options) {
 
 void add_plane_options(CLI::App& app, Options& o) {
   app.add_option("--up", o.up, "Up axis of the cloud: y or z; default z")
-      ->check(CLI::IsMember({"y", "z"}));
+      ->check(one_of({"y", "z"}));
   app.add_option("--tolerance", o.plane.tolerance,
                  "Maximum distance of points from the plane; default 10cm")
       ->transform(number_in(Dimension::length, 1e-6, 1e3));
@@ -138,7 +138,7 @@ void add_range_options(CLI::App& app, Options& o) {
 
 void add_opening_options(CLI::App& app, Options& o) {
   app.add_option("--windows", o.windows, "Method that finds openings: raster, delaunay or none")
-      ->check(CLI::IsMember({"raster", "delaunay", "none"}));
+      ->check(one_of({"raster", "delaunay", "none"}));
   app.add_option("--set-back", o.surfaces.set_back,
                  "Minimum depth of openings behind the wall; default from the wall's roughness")
       ->transform(number_in(Dimension::length, 0, 1e3));

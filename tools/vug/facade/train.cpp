@@ -19,7 +19,7 @@ namespace {
 struct Options {
   std::string folder, classes, output;
   fit::WorkingLimits limits;
-  fit::PixelClassifierOptions looks;
+  fit::PixelClassifierOptions classifier;
   int folds = 0;
   uint64_t seed = 0;
   WorkOptions work;
@@ -42,16 +42,16 @@ int run(Options options) {
     require_extension(options.output, ".json", "the classifier is a .json");
     require_outputs({options.output}, {options.classes});
   }
-  options.looks.max_memory = options.work.memory_limit();
+  options.classifier.max_memory = options.work.memory_limit();
   const fit::Classes classes = fit::read_classes(options.classes);
   const std::vector<fit::LabelledImage> pictures = fit::read_labelled_folder(
-      options.folder, classes, options.limits, options.looks.max_memory, progress);
+      options.folder, classes, options.limits, options.classifier.max_memory, progress);
   const RandomKey key = RandomKey(options.seed).at("facade train");
   if (options.folds > 0) {
     fit::ConfusionMatrix table(classes.count());
     fit::cross_validate(
         pictures, classes,
-        {.limits = options.limits, .classifier = options.looks, .folds = options.folds},
+        {.limits = options.limits, .classifier = options.classifier, .folds = options.folds},
         key.at("folds"),
         [&](size_t picture, const fit::Planes& maps) {
           table.add(pictures[picture].labels, fit::most_likely_classes(maps));
@@ -63,7 +63,7 @@ int run(Options options) {
   std::vector<const fit::LabelledImage*> all;
   for (const fit::LabelledImage& picture : pictures) all.push_back(&picture);
   const fit::PixelClassifier model = fit::PixelClassifier::train(
-      all, classes, options.limits, options.looks, key.at("all"), progress);
+      all, classes, options.limits, options.classifier, key.at("all"), progress);
   write_text(options.output, model.to_json().dump() + "\n");
   return kDone;
 }
@@ -92,12 +92,12 @@ Verb facade_train_verb() {
         app.add_option("--rows", options->limits.height,
                        "Number of pixel rows to which pictures are reduced; default 360")
             ->transform(integer_in(1, 4096));
-        app.add_option("--trees", options->looks.first.trees, "Number of trees per forest")
+        app.add_option("--trees", options->classifier.first.trees, "Number of trees per forest")
             ->transform(integer_in(1, 1000));
         app.add_option("--seed", options->seed, "Seed of the training")->transform(seed_number());
         options->work.add_to(app);
         return [options] {
-          options->looks.second.trees = options->looks.first.trees;
+          options->classifier.second.trees = options->classifier.first.trees;
           return run(*options);
         };
       }};

@@ -2,7 +2,9 @@
 #include "scene_options.h"
 
 #include <fmt/format.h>
+#include <vug/base/memory.h>
 #include <vug/building/cell_points.h>
+#include <vug/building/memory_estimate.h>
 #include <vug/image/ocio_view.h>
 #include <vug/loading/validate.h>
 #include <vug/shot/lsystem_plan.h>
@@ -35,6 +37,37 @@ Json to_json(const loading::Loaded& loaded, const std::string& file) {
   return {{"file", file}, {"fine", loaded.usable()}, {"diagnostics", std::move(faults)}};
 }
 
+/// Memory that the level set takes at least if the surface of the field is as large as that of its
+/// box: a cheap bound, because the estimate takes longer than all other checks.
+double rough_bytes(const shot::VolumePlan& plan) {
+  const Vec3d size = (plan.from ? Box3d(*plan.from, *plan.to) : plan.field.bounds()).size();
+  const double area = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+  return sizeof(float) * area * 2 * plan.half_width / (plan.voxel * plan.voxel);
+}
+
+/// Warns about volumes that `vug build` would refuse because they need too much memory.
+void check_memory(loading::Loaded& loaded) {
+  const uint64_t limit = available_memory() / 10 * 9;
+  for (const shot::VolumePtr& plan : loaded.shot.volumes) {
+    if (plan->source_mesh || plan->field.bounds().isEmpty() ||
+        rough_bytes(*plan) <= static_cast<double>(limit))
+      continue;
+    const double bytes =
+        volume::estimate(plan->field, building::voxelize_options(*plan, limit)).bytes;
+    if (bytes > static_cast<double>(limit))
+      loaded.diagnostics.warning(
+          plan->where,
+          fmt::format("the volume '{}' needs about {} of memory; {} are available", plan->name,
+                      bytes_text(bytes), bytes_text(static_cast<double>(limit))),
+          "use a larger voxel or a smaller region");
+  }
+}
+
+bool is_without_products(const shot::Shot& shot) {
+  return shot.volumes.empty() && shot.meshes.empty() && shot.objects.empty() &&
+         shot.instancers.empty() && shot.renders.empty() && shot::declared_cells(shot).empty();
+}
+
 /// Loads the scene and checks what `vug render` with default options would check.
 loading::Loaded examine(const Options& options) {
   loading::Loaded loaded = loading::load(options.scene.scene, options.scene.load_options());
@@ -59,6 +92,11 @@ loading::Loaded examine(const Options& options) {
     } catch (const Error& error) {  // valid with another --ocio perhaps
       loaded.diagnostics.warning(plan.where, error.what(), error.hint());
     }
+  if (is_without_products(loaded.shot))
+    loaded.diagnostics.warning(
+        {options.scene.scene, 0, 0}, "the scene declares nothing to build or to render",
+        "declare a volume or a mesh, such as volume rock = level_set(sphere(1m), voxel: 5cm)");
+  check_memory(loaded);
   return loaded;
 }
 

@@ -62,10 +62,10 @@ Verb export_verb() {
                 "--for", options->program,
                 fmt::format("Target program: {}; default usd", fmt::join(programs, ", ")));
             app.add_option("--up", options->up, "Up axis, y or z; default: that of the program")
-                ->check(CLI::IsMember({"y", "z"}));
+                ->check(one_of({"y", "z"}));
             app.add_option("--unit", options->unit,
                            "Unit of length, m or cm; default: that of the program")
-                ->check(CLI::IsMember({"m", "cm"}));
+                ->check(one_of({"m", "cm"}));
             app.add_option(
                    "--lod", options->levels,
                    "Number of additional levels of detail, each with a quarter of the triangles")

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "arguments.h"
 #include "print.h"
 #include "verb.h"
 
@@ -22,6 +23,7 @@ Verb info_verb() {
             app.add_option("file", options->file, "File to describe")->required();
             app.add_flag("--json", options->json, "Machine-readable output with complete strings");
             return [options] {
+              require_no_scene(options->file);
               print_report(delivery::describe_file(options->file), options->json);
               return kDone;
             };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "arguments.h"
 #include "verb.h"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@ struct Options {
 };
 
 int run(const Options& options) {
+  require_no_scene(options.file);
   const delivery::Recipe recipe = delivery::read_recipe(options.file);
   if (options.output.empty()) {
     fmt::print("{}", recipe.scene);

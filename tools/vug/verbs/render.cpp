@@ -230,7 +230,7 @@ Verb render_verb() {
         app.add_option("--render", picture.render, "Name of the render block");
         app.add_option("--eye", options->eye,
                        "Render only one view of a stereo camera: left or right")
-            ->check(CLI::IsMember({"left", "right"}));
+            ->check(one_of({"left", "right"}));
         app.add_option("--ocio", options->ocio,
                        "OpenColorIO configuration for the PNG; default $OCIO");
         options->settings.add_to(app);

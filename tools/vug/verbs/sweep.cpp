@@ -104,7 +104,8 @@ struct SweepRow {
   metrics::Report report;
 };
 
-SweepRow measure_value(const Options& options, const std::string& value) {
+/// The scene options with one value of the parameter.
+SceneOptions scene_with(const Options& options, const std::string& value) {
   SceneOptions scene = options.scene;
   if (options.param == "seed") {
     uint64_t seed = 0;
@@ -115,7 +116,30 @@ SweepRow measure_value(const Options& options, const std::string& value) {
   } else {
     scene.defines.push_back(options.param + "=" + value);
   }
-  const loading::Loaded loaded = scene.load();
+  return scene;
+}
+
+/// Loads the scene with each value of a parameter, so that an invalid value is reported before the
+/// first measurement. ExitRequest or Error for the first one that is unusable.
+void require_valid(const Options& options, const std::vector<std::string>& values) {
+  for (const std::string& value : values) {
+    const std::string doing = fmt::format("checking {} = {}", options.param, value);
+    const SceneOptions scene = scene_with(options, value);
+    if (options.param == "seed") continue;  // every seed is valid
+    try {
+      const loading::Loaded loaded = loading::load(scene.scene, scene.load_options());
+      if (loaded.usable()) continue;
+      fmt::print(stderr, "{}", loaded.report());
+    } catch (Error& error) {
+      throw error.within(doing);
+    }
+    fmt::print(stderr, "  while {}\n", doing);
+    throw ExitRequest{kUnusable};
+  }
+}
+
+SweepRow measure_value(const Options& options, const std::string& value) {
+  const loading::Loaded loaded = scene_with(options, value).load();
   building::Builder builder(loaded.shot, options.work.build_options(loaded),
                             terminal_progress(options.work.bar_mode()));
   return {value, delivery::measure(builder)};
@@ -199,6 +223,7 @@ int run(const Options& options) {
   const std::string csv = options.output + ".csv", svg = options.output + ".svg";
   if (!options.output.empty()) require_outputs({csv, svg}, {options.scene.scene});
   const std::vector<std::string> values = expand_ranges(options.values);
+  require_valid(options, values);
   std::vector<SweepRow> rows;
   const int exit = measure_all(options, values, rows);
   if (rows.empty()) return exit;

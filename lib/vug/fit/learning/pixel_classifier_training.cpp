@@ -79,7 +79,7 @@ PixelClassifier PixelClassifier::train(const Pictures& pictures, const Classes& 
   require_memory(
       2.0 * sizeof(float) * features_of_all *
           static_cast<double>(pictures.size() * PixelSample::of_each(pictures.size(), options)),
-      options.max_memory ? options.max_memory : available_memory(), "training looks",
+      options.max_memory ? options.max_memory : available_memory(), "training the pixel classifier",
       "use fewer examples");
   const PixelSample sample(pictures, options, key.at("pixels"));
   std::vector<size_t> all, odd, even;

@@ -12,8 +12,9 @@ struct AttributeMask {
 
   static void describe(Schema<AttributeMask>& s) {
     s.doc(
-         "By a vertex attribute of the mesh, or in a cell rule by a cell attribute; colours are "
-         "averaged.")
+         "0 at one value of a vertex attribute of the mesh, or in a cell rule of a cell attribute, "
+         "1 "
+         "at another; colours are averaged.")
         .param("name", &AttributeMask::name, {.doc = "the attribute's name", .required = true})
         .param("from", &AttributeMask::from, {.doc = "value where the mask is 0"})
         .param("to", &AttributeMask::to, {.doc = "value where the mask is 1"})

@@ -10,7 +10,7 @@ struct Between {
   double to = 1;
 
   static void describe(Schema<Between>& s) {
-    s.doc("A number driven by a mask from one value to another: a roughness, an index.")
+    s.doc("A number that a mask drives from one value to another: a roughness, an index.")
         .param("mask", &Between::mask, {.doc = "the driving mask", .required = true})
         .param("from", &Between::from, {.doc = "the number where the mask is 0"})
         .param("to", &Between::to, {.doc = "the number where it is 1"});

@@ -10,7 +10,7 @@ struct Brightness {
   double to = 1;
 
   static void describe(Schema<Brightness>& s) {
-    s.doc("By the luminance of a paint, such as a picture.")
+    s.doc("0 at one luminance of a paint, such as a picture, 1 at another.")
         .param("paint", &Brightness::paint, {.doc = "the paint", .required = true})
         .param("from", &Brightness::from, {.doc = "luminance where the mask is 0"})
         .param("to", &Brightness::to, {.doc = "luminance where the mask is 1"});

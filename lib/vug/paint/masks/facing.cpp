@@ -16,7 +16,7 @@ struct Facing {
   }
 
   static void describe(Schema<Facing>& s) {
-    s.doc("By the direction that the surface faces: its weather side, its lee side.")
+    s.doc("1 where the surface faces a direction: its weather side, its lee side.")
         .param("toward", &Facing::toward, {.doc = "a direction, of any length"})
         .param("from", &Facing::from,
                {.doc = "angle between the direction and the normal where the mask is 0",

@@ -9,7 +9,7 @@ struct Height {
   double to = 1;
 
   static void describe(Schema<Height>& s) {
-    s.doc("By the height above the scene's origin.")
+    s.doc("0 at one height above the scene's origin, 1 at another.")
         .param("from", &Height::from, any_length("height where the mask is 0"))
         .param("to", &Height::to, any_length("height where the mask is 1"));
   }

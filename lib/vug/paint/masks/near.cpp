@@ -10,7 +10,9 @@ struct Near {
   double to = 0;
 
   static void describe(Schema<Near>& s) {
-    s.doc("By the distance to another solid: stains under a lamp, wet rock around a pool.")
+    s.doc(
+         "0 at one distance to another solid, 1 at another: stains under a lamp, wet rock around a "
+         "pool.")
         .param("field", &Near::field, {.doc = "the solid", .required = true})
         .param("from", &Near::from, any_length("distance where the mask is 0"))
         .param("to", &Near::to, any_length("distance where the mask is 1"));

@@ -11,7 +11,9 @@ struct NoiseMask {
   double to = 0.5;
 
   static void describe(Schema<NoiseMask>& s) {
-    s.doc("By a noise in space: stains, beds of another colour, patches.")
+    s.doc(
+         "0 at one value of a noise in space, 1 at another: stains, beds of another colour, "
+         "patches.")
         .param("noise", &NoiseMask::noise, {.doc = "fbm, beds, worley, ...; about -1 to 1"})
         .param("from", &NoiseMask::from, {.doc = "value of the noise where the mask is 0"})
         .param("to", &NoiseMask::to, {.doc = "value where the mask is 1"});

@@ -11,8 +11,9 @@ struct Slope {
 
   static void describe(Schema<Slope>& s) {
     s.doc(
-         "By the angle between the surface's normal and up: 0 floors, 90deg walls, 180deg "
-         "ceilings.")
+         "0 at one angle between the surface's normal and up, 1 at another; the angle is 0 on "
+         "floors, "
+         "90deg on walls and 180deg on ceilings.")
         .param("from", &Slope::from,
                {.doc = "angle where the mask is 0", .dimension = Dimension::angle})
         .param("to", &Slope::to,
