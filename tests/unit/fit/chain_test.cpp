@@ -155,7 +155,8 @@ struct Bench {
   explicit Bench(const Toy& toy)
       : rules(rules_of(toy.rules)),
         evidence(Evidence::from_clusters(toy.width, toy.height, 2, picture(toy.width, toy.height))),
-        model(rules, toy.limits, toy.width, toy.height, &evidence, make_likelihood("kt", evidence)),
+        model(rules, toy.limits, toy.width, toy.height,
+              {&evidence, make_likelihood("kt", evidence)}),
         prior(rules, toy.limits, toy.width, toy.height),
         hints(EdgeHints::uniform(toy.width, toy.height)) {}
   Chain<TreeState>::Energy energy(const Model& of) const {

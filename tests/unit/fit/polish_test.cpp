@@ -55,8 +55,8 @@ class GridPolish : public testing::Test {
 
   const Evidence evidence_ = evidence_of_columns();
   const Rules rules_ = rules_of({"Facade grid Grid", "Grid windows Window"});
-  const Model model_{rules_, {}, kAcross, kDown, &evidence_, make_likelihood("kt", evidence_),
-                     0.05};
+  const Model model_{
+      rules_, {}, kAcross, kDown, {&evidence_, make_likelihood("kt", evidence_), 0.05}};
   const EdgeHints hints_ = EdgeHints::from_clusters(evidence_);
   const MoveContext context_{model_, hints_};
 };
