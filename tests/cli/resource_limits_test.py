@@ -16,7 +16,7 @@ BOMBS = {
     "with numbers": (
         ["axiom A(1)", "steps 1000", "A(x) -> A(x+1)B A(x+1)", "B -> BB"], "5:1", LIMIT),
     "with contexts": (
-        ["axiom AAAA", "steps 1000", "A < A -> AA", "A -> A"], "4:5", LIMIT),
+        ["axiom AAAA", "steps 1000", "A < A -> AA", "A -> A"], "4:1", LIMIT),
     "with chance": (["axiom A", "steps 1000", "A @1 -> AA", "A @1 -> AAA"], "5:1", LIMIT),
     "while growing older": (
         ["axiom A(0)", "time 1000000", "A(t) after 1 -> A(0)A(0)"], "4:1", LIMIT),

@@ -9,7 +9,7 @@
 namespace vug::image {
 namespace {
 
-Image flat(float r, float g, float b) {
+Image uniform(float r, float g, float b) {
   Image image(24, 18, {"R", "G", "B"});
   for (size_t i = 0; i < image.pixels.size(); i += 3)
     image.pixels[i] = r, image.pixels[i + 1] = g, image.pixels[i + 2] = b;
@@ -28,11 +28,11 @@ TEST(Flip, BlackAgainstWhite) {
   // 203.3 in Hunt-adjusted HyAB: 100^0.7 = 25.119 and 203.3^0.7 = 41.28, bent at 0.4 of that.
   const double most = std::pow(203.3, 0.7), error = std::pow(100.0, 0.7);
   const double expected = 0.95 + (error - 0.4 * most) / (0.6 * most) * 0.05;
-  EXPECT_NEAR(error_of(flat(0, 0, 0), flat(1, 1, 1)), expected, 2e-4);
+  EXPECT_NEAR(error_of(uniform(0, 0, 0), uniform(1, 1, 1)), expected, 2e-4);
 }
 
 TEST(Flip, TheFurthestColoursDifferByOne) {
-  EXPECT_NEAR(error_of(flat(0, 1, 0), flat(0, 0, 1)), 1, 1e-4);
+  EXPECT_NEAR(error_of(uniform(0, 1, 0), uniform(0, 0, 1)), 1, 1e-4);
 }
 
 TEST(Flip, SmallStepsOfGreyFollowThePowerLaw) {
@@ -40,12 +40,12 @@ TEST(Flip, SmallStepsOfGreyFollowThePowerLaw) {
   // d^0.7.
   const auto lightness = [](double y) { return 116 * std::cbrt(y) - 16; };
   const double d = lightness(0.3) - lightness(0.25), most = std::pow(203.3, 0.7);
-  EXPECT_NEAR(error_of(flat(0.25f, 0.25f, 0.25f), flat(0.3f, 0.3f, 0.3f)),
+  EXPECT_NEAR(error_of(uniform(0.25f, 0.25f, 0.25f), uniform(0.3f, 0.3f, 0.3f)),
               0.95 / (0.4 * most) * std::pow(d, 0.7), 2e-4);
 }
 
 TEST(Flip, AnEdgeIsWorseThanItsColours) {
-  Image stripe = flat(0.5f, 0.5f, 0.5f);
+  Image stripe = uniform(0.5f, 0.5f, 0.5f);
   const Image plain = stripe;
   for (int y = 0; y < stripe.height; ++y)
     for (size_t c = 0; c < 3; ++c) stripe.at(12, y, c) = 0.9f;
@@ -59,18 +59,18 @@ TEST(FlipHdr, RangeOfExposuresByHand) {
   // The curve reaches 0.85 at x: 0.9036 x^2 + 0.018 x = 0.85 (0.8748 x^2 + 0.354 x + 0.14).
   const double a = 0.36 * 2.51 - 0.85 * 0.36 * 2.43, b = 0.6 * 0.03 - 0.85 * 0.6 * 0.59;
   const double x = (-b + std::sqrt(b * b + 4 * a * 0.85 * 0.14)) / (2 * a);
-  Image picture = flat(0.25f, 0.25f, 0.25f);
+  Image picture = uniform(0.25f, 0.25f, 0.25f);
   for (size_t c = 0; c < 3; ++c) picture.at(0, 0, c) = 16;
   const auto range = exposure_range(picture);
   ASSERT_TRUE(range);
   EXPECT_NEAR(range->start, std::log2(x / 16), 1e-6);
   EXPECT_NEAR(range->stop, std::log2(x / 0.25), 1e-6);
   EXPECT_EQ(range->count(), 6);
-  EXPECT_FALSE(exposure_range(flat(0, 0, 0)));
+  EXPECT_FALSE(exposure_range(uniform(0, 0, 0)));
 }
 
 TEST(FlipHdr, MostlyBlackPicturesTakeTheMedianOfTheRest) {
-  Image picture = flat(0, 0, 0);
+  Image picture = uniform(0, 0, 0);
   for (int x = 0; x < 5; ++x)
     for (size_t c = 0; c < 3; ++c) picture.at(x, 0, c) = static_cast<float>(x + 1);
   const auto range = exposure_range(picture);
@@ -79,7 +79,7 @@ TEST(FlipHdr, MostlyBlackPicturesTakeTheMedianOfTheRest) {
 }
 
 TEST(FlipHdr, DetectsDarkDifferencesThatOneExposureHides) {
-  Image a = flat(0.0002f, 0.0002f, 0.0002f), b = a;
+  Image a = uniform(0.0002f, 0.0002f, 0.0002f), b = a;
   for (size_t c = 0; c < 3; ++c) a.at(0, 0, c) = b.at(0, 0, c) = 8;
   for (int x = 10; x < 16; ++x)
     for (int y = 6; y < 12; ++y)

@@ -50,7 +50,8 @@ TEST(RenderPlan, WithoutARenderTheCameraMainGoesFirst) {
 
 TEST(PicturePlan, OptionsReplaceSettingsOfTheBlock) {
   const loading::Loaded loaded = loading::load_text(
-      "render main { size 20x10  spp 3  tiled true  noise 5%  layers [\"Z\"] }\n", "t.vug");
+      "render main { size 20x10  spp 3  tiled true  noise 5%  layers [\"beauty\", \"Z\"] }\n",
+      "t.vug");
   ASSERT_EQ(loaded.report(), "");
   PictureOptions options;
   options.settings = {{"spp", 7}, {"tiled", false}, {"crop", List{1, 2, 3, 4}}, {"spp", 9}};
@@ -61,7 +62,7 @@ TEST(PicturePlan, OptionsReplaceSettingsOfTheBlock) {
   EXPECT_EQ(settings.crop, (std::vector<int>{1, 2, 3, 4}));
   EXPECT_EQ(settings.size, (std::vector<int>{20, 10}));
   EXPECT_EQ(settings.noise, 0.05);
-  EXPECT_EQ(settings.layers, (std::vector<std::string>{"Z"}));
+  EXPECT_EQ(settings.layers, (std::vector<std::string>{"beauty", "Z"}));
   EXPECT_EQ(plan.option_for("spp"), "--spp");
   EXPECT_EQ(plan.option_for("size"), "");
 }

@@ -199,7 +199,8 @@ class FacadeLoop : public testing::Test {
     const facade::Tree& truth = *loaded.shot.derivations.at(0).facade;
     if (!can_be_seen(truth)) return std::nullopt;
     building::Builder builder(loaded.shot, {});
-    const std::vector<picture::RenderResult> rendered = picture::render_views(builder, {});
+    const std::vector<picture::RenderResult> rendered =
+        picture::render_views(builder, picture::plan_picture(loaded.shot));
     picture::write_picture(folder_ / "photo.exr", picture::picture_views(rendered));
 
     FacadeFitOptions options;
