@@ -90,6 +90,13 @@ class CheckTest(unittest.TestCase):
             "tools/a.py": "class A:\n    def draw(self, a, b, c, d, e, f, *, g=0):\n        pass\n",
             "plugins/python/a.cpp": f'void f({seven}) {{}}\nvoid b() {{ m.def("f", &f, py::kw_only()); }}\n'})
 
+    def test_overloads_in_unity_builds(self):
+        one, other = ("namespace vug {{\nnamespace {{\n\n{} draw(int n) {{ return n; }}\n\n}}  // namespace\n}}\n"
+                      .format(kind) for kind in ("int", "const std::vector<int>&"))
+        self.finds("overloads", {"lib/vug/mesh/a.cpp": one, "lib/vug/mesh/formats/b.cpp": other},
+                   "lib/vug/mesh/formats/b.cpp:4", "lib/vug/mesh/a.cpp:4 has another internal function 'draw'")
+        self.passes("overloads", {"lib/vug/mesh/a.cpp": one, "lib/vug/scan/b.cpp": other})
+
     def test_upward_and_sideways_includes(self):
         self.finds("layers", {"lib/vug/base/a.cpp": "#include <vug/mesh/mesh.h>\n"},
                    "lib/vug/base/a.cpp:1", "base includes up")

@@ -14,7 +14,7 @@ bool can_merge(const render::Object& object) {
          !(object.material && object.material->is_emissive());
 }
 
-Transform transform_of(const render::Object& object) {
+Transform object_transform(const render::Object& object) {
   const render::Affine to = object.instance->at(0);
   return {Vec3d(to.x), Vec3d(to.y), Vec3d(to.z), Vec3d(to.origin)};
 }
@@ -40,7 +40,7 @@ std::vector<render::Object> merge_copies(const std::vector<render::Object>& obje
       group.at = out.size();
       out.push_back(object), of.push_back(&group);
     }
-    group.copies.push_back({0, transform_of(object), RandomKey(group.copies.size())});
+    group.copies.push_back({0, object_transform(object), RandomKey(group.copies.size())});
   }
   for (size_t i = 0; i < out.size(); ++i) {
     if (!of[i] || of[i]->copies.size() < 2) continue;

@@ -11,7 +11,7 @@
 namespace vug::flora {
 namespace {
 
-void require_simple(const lsystem::Polygon& polygon, size_t number) {
+void require_simple_polygon(const lsystem::Polygon& polygon, size_t number) {
   const std::optional<SelfIntersection> fault =
       find_self_intersection(polygon.corners, Touching::allowed);
   if (!fault) return;
@@ -30,7 +30,7 @@ mesh::Mesh polygon_mesh(const lsystem::Drawing& drawing) {
   mesh::Attribute order{"order", 1, {}}, colour{"colour", 1, {}};
   size_t number = 0;
   for (const lsystem::Polygon& polygon : drawing.polygons) {
-    require_simple(polygon, ++number);
+    require_simple_polygon(polygon, ++number);
     std::vector<uint32_t> corners;
     Vec3d area(0);  // Newell's normal, independent of the triangulation.
     for (size_t i = 0; i < polygon.corners.size(); ++i) {

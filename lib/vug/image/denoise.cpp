@@ -26,14 +26,14 @@ struct Planes {
   std::vector<PixelValues> features;  ///< Scaled such that a difference of 1 is an edge.
 };
 
-float usable(float v) { return std::isfinite(v) ? v : 0.0f; }
+float finite_or_zero(float v) { return std::isfinite(v) ? v : 0.0f; }
 
 PixelValues plane(const Image& picture, const std::string& channel) {
   PixelValues out(picture.pixel_count());
   const int c = picture.find_channel(channel);
   if (c < 0) return {};
   for (size_t p = 0; p < out.size(); ++p)
-    out[p] = usable(picture.pixels[p * picture.channels.size() + static_cast<size_t>(c)]);
+    out[p] = finite_or_zero(picture.pixels[p * picture.channels.size() + static_cast<size_t>(c)]);
   return out;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-Colour multiply(const double (&m)[3][3], const Colour& c) {
+Colour multiplied_by(const double (&m)[3][3], const Colour& c) {
   Colour out{};
   for (size_t i = 0; i < 3; ++i) out[i] = m[i][0] * c[0] + m[i][1] * c[1] + m[i][2] * c[2];
   return out;
@@ -33,16 +33,16 @@ double rational_curve(double v) {
 }
 
 Colour filmic(Colour c) {
-  c = multiply(kToCurve, c);
+  c = multiplied_by(kToCurve, c);
   for (double& v : c) v = rational_curve(v);
-  return multiply(kFromCurve, c);
+  return multiplied_by(kFromCurve, c);
 }
 
 /// The rational_curve is flat beyond this value; a cap prevents infinities from becoming NaN in the
 /// matrices.
 constexpr double kBrightest = 1e6;
 
-double usable(double v) { return std::isnan(v) ? 0.0 : std::clamp(v, 0.0, kBrightest); }
+double displayable(double v) { return std::isnan(v) ? 0.0 : std::clamp(v, 0.0, kBrightest); }
 
 using Channels = std::array<size_t, 3>;
 
@@ -72,7 +72,7 @@ void each_luminance(const Image& linear, WorkingSpace space, const Take& take) {
   for (size_t p = 0; p < linear.pixel_count(); ++p) {
     const Vec3d c = to_rec709(colour_at(linear, p, *channels));
     double luminance = 0;
-    for (int i = 0; i < 3; ++i) luminance += kWeights[i] * usable(c[i]);
+    for (int i = 0; i < 3; ++i) luminance += kWeights[i] * displayable(c[i]);
     take(luminance);
   }
 }
@@ -155,7 +155,7 @@ Image display(const Image& linear, const ViewOptions& options) {
   for (size_t p = 0; p < linear.pixel_count(); ++p) {
     const Vec3d light = to_rec709(colour_at(linear, p, *from));
     Colour c = {light.x, light.y, light.z};
-    for (double& v : c) v = usable(gain * v);
+    for (double& v : c) v = displayable(gain * v);
     if (options.transform == ViewTransform::filmic) c = filmic(c);
     for (size_t i = 0; i < 3; ++i) out.pixels[p * 3 + i] = static_cast<float>(srgb_encode(c[i]));
   }

@@ -5,8 +5,8 @@
 namespace vug::loading {
 namespace {
 
-ParamInfo choice(const std::string& name, std::vector<std::string> choices,
-                 const std::string& fallback, const std::string& doc) {
+ParamInfo choice_param(const std::string& name, std::vector<std::string> choices,
+                       const std::string& fallback, const std::string& doc) {
   ParamInfo info;
   info.name = name;
   info.type = "name";
@@ -49,13 +49,14 @@ const KindInfo& grammar_info() {
     overlap.dimension = Dimension::ratio;
     overlap.doc = "penetration of a shape as a fraction of its extent; default: by its operation";
     info.params = {
-        choice("label", sgm::label_names(), "random", "side to which a shape is attached"),
+        choice_param("label", sgm::label_names(), "random", "side to which a shape is attached"),
         blend,
         overlap,
-        choice("reach", {"local", "whole"}, "local", "range of the effect of a shape"),
+        choice_param("reach", {"local", "whole"}, "local", "range of the effect of a shape"),
         whole("pieces", 0, 1000, "1",
               "number of shapes joined before they are attached; 0 counts as 1"),
-        choice("piece_label", sgm::label_names(), "random", "side to which each piece is attached"),
+        choice_param("piece_label", sgm::label_names(), "random",
+                     "side to which each piece is attached"),
         whole("steps", 1, 1e9, std::to_string(kMaxProductions), "maximum number of productions"),
         whole("limit", 1, 1e9, std::to_string(kMaxSymbols), "maximum number of symbols")};
     return info;

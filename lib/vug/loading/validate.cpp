@@ -35,7 +35,7 @@ bool contains(const shot::PointInstancer& place, std::string rest) {
 }
 
 /// The location of the declaration of the light.
-SourceLocation where_of(const std::string& light, const scene::Document& document) {
+SourceLocation location_of_light(const std::string& light, const scene::Document& document) {
   for (const scene::Declaration& made : document.declarations)
     if (made.kind == "light" && made.name == light) return made.where;
   return {};
@@ -78,7 +78,7 @@ void warn_about_dark_portals(const shot::Shot& shot, const scene::Document& docu
   for (const auto& [name, light] : shot.lights)
     if (light->is_portal())
       diagnostics.warning(
-          where_of(name, document),
+          location_of_light(name, document),
           fmt::format("no light comes through the portal '{}': the scene has no sky", name),
           "a portal emits no light itself: declare a sky, as light NAME = daylight()");
 }
@@ -134,7 +134,7 @@ void validate(const shot::Shot& shot, const scene::Document& document, Diagnosti
       for (const std::string& linked : *names)
         if (!is_linkable(shot, linked) && (whole || !is_declared(linked, document)))
           diagnostics.error(
-              where_of(name, document),
+              location_of_light(name, document),
               fmt::format("the light is linked to '{}', but no shown object has that name", linked),
               link_hint(shot, linked));
   if (!whole) return;

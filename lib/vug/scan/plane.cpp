@@ -161,7 +161,7 @@ class PlaneFitter {
   size_t stride_;
 };
 
-void require_valid(const PointCloud& cloud, const PlaneOptions& options) {
+void require_plane_options(const PointCloud& cloud, const PlaneOptions& options) {
   const auto refuse = [](const char* message) { throw Error(ErrorCode::bad_input, message); };
   if (cloud.size() < 3) refuse("a plane needs at least three points");
   if (cloud.size() > UINT32_MAX) refuse("a cloud has at most 4294967295 points");
@@ -192,7 +192,7 @@ double front(const PointCloud& cloud, const PlaneFrame& frame, const PlaneOption
 }  // namespace
 
 PlaneFit fit_plane(const PointCloud& cloud, const PlaneOptions& options, RandomKey key) {
-  require_valid(cloud, options);
+  require_plane_options(cloud, options);
   const PlaneFitter fitter(cloud, options);
   PlaneFit out = fitter.fit(key);
   PlaneFrame& frame = out.frame;

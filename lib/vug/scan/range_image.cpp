@@ -49,7 +49,7 @@ Imath::Box2d extent(const std::vector<Vec2d>& points) {
   return box;
 }
 
-void require_valid(const RangeOptions& options) {
+void require_range_options(const RangeOptions& options) {
   const auto refuse = [](const char* message) { throw Error(ErrorCode::bad_input, message); };
   if (!(options.pixel > 0 && std::isfinite(options.pixel)))
     refuse("the pixel size of a range image must be above 0");
@@ -126,7 +126,7 @@ double spacing(const PointCloud& cloud, const PlaneFrame& frame, const RangeOpti
 
 RangeImage range_image(const PointCloud& cloud, const PlaneFit& plane,
                        const RangeOptions& options) {
-  require_valid(options);
+  require_range_options(options);
   const double reach = kBend * plane.tolerance;
   const std::vector<Vec2d> near = on_plane(cloud, plane.frame, reach, reach);
   if (near.empty()) throw Error(ErrorCode::bad_input, "the cloud has no points near the plane");

@@ -7,7 +7,7 @@ namespace vug::scene {
 
 namespace {
 
-bool one_of(const Token& token, std::initializer_list<std::string_view> words) {
+bool is_one_of(const Token& token, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), token.text) != words.end();
 }
 
@@ -64,11 +64,11 @@ class Marker {
     } else if (first.is("->")) {
       marks_[at_].goes_on = true;
       part_ = Part::clause;
-    } else if (one_of(first, {"table", "decompose", "interpret"}) && !arrow_at_once()) {
+    } else if (is_one_of(first, {"table", "decompose", "interpret"}) && !arrow_at_once()) {
       part_ = Part::block;
     } else if (arrow_ahead()) {
       part_ = Part::head;
-    } else if (one_of(first, {"axiom", "ignore", "consider", "ages"})) {
+    } else if (is_one_of(first, {"axiom", "ignore", "consider", "ages"})) {
       part_ = Part::option;  // the keyword itself is not a module
     } else if (first.kind == TokenKind::sign || capital) {
       marks_[at_].goes_on = true;
@@ -77,7 +77,7 @@ class Marker {
       part_ = Part::option;
     }
     fresh_ = false;
-    listing_ = part_ == Part::option && one_of(first, {"axiom", "ignore", "consider", "ages"});
+    listing_ = part_ == Part::option && is_one_of(first, {"axiom", "ignore", "consider", "ages"});
   }
 
   bool arrow_at_once() const { return tokens_[at_ + 1].is("->"); }
@@ -108,7 +108,7 @@ class Marker {
     const bool outside = parens_ == 0;
     if (token.is("(")) ++parens_;
     if (token.is(")")) parens_ = std::max(0, parens_ - 1);
-    if (part_ == Part::head && outside && (token.is("@") || one_of(token, {"if", "after"})))
+    if (part_ == Part::head && outside && (token.is("@") || is_one_of(token, {"if", "after"})))
       part_ = Part::clause;
     if (outside && token.is("->") && part_ != Part::option) {
       part_ = Part::word;

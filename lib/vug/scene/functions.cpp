@@ -16,7 +16,7 @@ using Result = std::optional<Value>;
 using Vector = Value::Vector;
 
 /// All arguments as numbers; empty if one has another type or a name.
-std::vector<Number> numbers(const Arguments& arguments) {
+std::vector<Number> numbers_of(const Arguments& arguments) {
   std::vector<Number> out;
   for (const Argument& argument : arguments) {
     const Number* n = argument.value.get<Number>();
@@ -42,23 +42,23 @@ bool unify_all_dimensions(std::vector<Number>& all, const FaultSite& site) {
   return true;
 }
 
-Value checked(double value, Dimension dimension, const FaultSite& site) {
+Value finite_number(double value, Dimension dimension, const FaultSite& site) {
   if (!std::isfinite(value)) return site.fault("the result is not a finite number");
   return Number{value, dimension};
 }
 
 template <double (*F)(double)>
 Result plain(const Arguments& arguments, const FaultSite& site) {
-  const auto n = numbers(arguments);
+  const auto n = numbers_of(arguments);
   if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
-  return checked(F(n[0].value), Dimension::none, site);
+  return finite_number(F(n[0].value), Dimension::none, site);
 }
 
 template <double (*F)(double)>
 Result of_angle(const Arguments& arguments, const FaultSite& site) {
-  const auto n = numbers(arguments);
+  const auto n = numbers_of(arguments);
   if (n.size() != 1 || !is_angle(n[0])) return std::nullopt;
-  return checked(F(n[0].value), Dimension::none, site);
+  return finite_number(F(n[0].value), Dimension::none, site);
 }
 
 double floor_of(double x) { return std::floor(x); }
@@ -67,7 +67,7 @@ double round_of(double x) { return std::floor(x + 0.5); }
 
 template <bool Smallest>
 Result extreme(const Arguments& arguments, const FaultSite& site) {
-  auto n = numbers(arguments);
+  auto n = numbers_of(arguments);
   if (n.empty()) return std::nullopt;
   if (!unify_all_dimensions(n, site)) return Value();
   double best = n[0].value;
@@ -77,20 +77,20 @@ Result extreme(const Arguments& arguments, const FaultSite& site) {
 }
 
 Result absolute(const Arguments& arguments, const FaultSite&) {
-  const auto n = numbers(arguments);
+  const auto n = numbers_of(arguments);
   if (n.size() != 1) return std::nullopt;
   return Value(Number{std::fabs(n[0].value), n[0].dimension});
 }
 
 Result root(const Arguments& arguments, const FaultSite& site) {
-  const auto n = numbers(arguments);
+  const auto n = numbers_of(arguments);
   if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
   if (n[0].value < 0) return site.fault("the square root of a negative number");
   return Value(std::sqrt(n[0].value));
 }
 
 Result logarithm(const Arguments& arguments, const FaultSite& site) {
-  const auto n = numbers(arguments);
+  const auto n = numbers_of(arguments);
   if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
   if (n[0].value <= 0) return site.fault("the logarithm of a number that is not positive");
   return Value(maths::log(n[0].value));
@@ -98,7 +98,7 @@ Result logarithm(const Arguments& arguments, const FaultSite& site) {
 
 template <bool Sine>
 Result arc(const Arguments& arguments, const FaultSite& site) {
-  const auto n = numbers(arguments);
+  const auto n = numbers_of(arguments);
   if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
   if (std::fabs(n[0].value) > 1)
     return site.fault("the arcsine or arccosine of a number outside -1..1");
@@ -108,29 +108,29 @@ Result arc(const Arguments& arguments, const FaultSite& site) {
 }
 
 Result arc_tangent(const Arguments& arguments, const FaultSite& site) {
-  auto n = numbers(arguments);
+  auto n = numbers_of(arguments);
   if (n.size() == 1 && is_plain(n[0])) n.push_back({1});
   if (n.size() != 2) return std::nullopt;
   if (!unify_all_dimensions(n, site)) return Value();
   return Value(Number{maths::atan2(n[0].value, n[1].value), Dimension::angle});
 }
 
-Result power(const Arguments& arguments, const FaultSite& site) {
-  const auto n = numbers(arguments);
+Result power_of(const Arguments& arguments, const FaultSite& site) {
+  const auto n = numbers_of(arguments);
   return n.size() == 2 ? arithmetic('^', n[0], n[1], site) : std::nullopt;
 }
 
 Result modulo(const Arguments& arguments, const FaultSite& site) {
-  auto n = numbers(arguments);
+  auto n = numbers_of(arguments);
   if (n.size() != 2) return std::nullopt;
   if (!unify_all_dimensions(n, site)) return Value();
   if (n[1].value == 0) return site.fault("division by zero");
   const double whole = std::floor(n[0].value / n[1].value);
-  return checked(n[0].value - n[1].value * whole, n[0].dimension, site);
+  return finite_number(n[0].value - n[1].value * whole, n[0].dimension, site);
 }
 
 Result clamp(const Arguments& arguments, const FaultSite& site) {
-  auto n = numbers(arguments);
+  auto n = numbers_of(arguments);
   if (n.size() != 3) return std::nullopt;
   if (!unify_all_dimensions(n, site)) return Value();
   if (n[1].value > n[2].value)
@@ -161,7 +161,7 @@ const Vector* vector_at(const Arguments& arguments, size_t index) {
 Result length(const Arguments& arguments, const FaultSite& site) {
   const Vector* v = vector_at(arguments, 0);
   if (arguments.size() != 1 || !v) return std::nullopt;
-  return checked(v->value.length(), v->dimension, site);
+  return finite_number(v->value.length(), v->dimension, site);
 }
 
 Result normalize(const Arguments& arguments, const FaultSite& site) {
@@ -180,7 +180,7 @@ Result vector_product(const Arguments& arguments, const FaultSite& site) {
   if (!dimension)
     return site.fault("the product of these vectors has no dimension known here",
                       "divide one of them by a unit first, e.g. a / 1m");
-  if (Dot) return checked(a->value.dot(b->value), *dimension, site);
+  if (Dot) return finite_number(a->value.dot(b->value), *dimension, site);
   return Value(Vector{a->value.cross(b->value), *dimension});
 }
 
@@ -225,7 +225,7 @@ std::vector<Function> all_functions() {
       {"tanh", "a plain number", "hyperbolic tangent", plain<maths::tanh>},
       {"atanh", "a plain number between -1 and 1", "inverse hyperbolic tangent",
        plain<maths::atanh>},
-      {"pow", "two numbers", "the first to the power of the second", power},
+      {"pow", "two numbers", "the first to the power of the second", power_of},
       {"mod", "two numbers", "the remainder of a division, with the divisor's sign", modulo},
       {"clamp", "three numbers", "the first, clamped to the range of the others", clamp},
       {"mix", "two numbers or vectors and a number", "a (1 - t) + b t", mix},

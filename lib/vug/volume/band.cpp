@@ -2,18 +2,12 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/volume/band.h>
-#include <vug/volume/grid_access.h>
-
-#include <openvdb/openvdb.h>
+#include <vug/volume/openvdb_values.h>
 
 namespace vug::volume {
 namespace {
 
 using Leaf = openvdb::FloatTree::LeafNodeType;
-
-const openvdb::FloatGrid& floats(const LevelSet& level_set) {
-  return static_cast<const openvdb::FloatGrid&>(*level_set.data().grid);
-}
 
 /// The leaves of a tree and the number of active voxels before each.
 template <class Node, class Tree>
@@ -30,11 +24,9 @@ struct Leaves {
   size_t count = 0;
 };
 
-Vec3f vec(const openvdb::Vec3d& v) {
+Vec3f to_vec3f(const openvdb::Vec3d& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
-float stored(float value) { return value; }
-openvdb::Vec3f stored(const Vec3f& v) { return {v.x, v.y, v.z}; }
 
 template <class GridType, class T>
 Grid filled(const LevelSet& level_set, const std::vector<T>& values) {
@@ -85,9 +77,9 @@ BandPoints band_points(const LevelSet& level_set) {
         slope[axis] = steps > 0 ? static_cast<double>(ahead - behind) / steps : 0;
       }
       const openvdb::Vec3d up = slope.length() > 0 ? slope.unit() : openvdb::Vec3d(0, 1, 0);
-      out.normal[at] = vec(up);
+      out.normal[at] = to_vec3f(up);
       out.foot[at] =
-          vec(grid.indexToWorld(here.asVec3d()) - up * static_cast<double>(on.getValue()));
+          to_vec3f(grid.indexToWorld(here.asVec3d()) - up * static_cast<double>(on.getValue()));
     }
   });
   return out;

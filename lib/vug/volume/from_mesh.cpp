@@ -67,7 +67,7 @@ void require_on_lattice(const mesh::Mesh& mesh, const FromMeshOptions& options) 
 }
 
 /// The smallest single-precision number that OpenVDB's check accepts for `half_width` voxels.
-float background_of(const FromMeshOptions& options) {
+float mesh_background(const FromMeshOptions& options) {
   auto background = static_cast<float>(options.half_width * options.voxel);
   while (static_cast<double>(background) / options.voxel < options.half_width)
     background = std::nextafter(background, std::numeric_limits<float>::infinity());
@@ -145,7 +145,7 @@ LevelSet from_mesh(const mesh::Mesh& mesh, const FromMeshOptions& options, Progr
       interrupter, Triangles{mesh, options.voxel}, *lattice, band, band,
       openvdb::tools::DISABLE_RENORMALIZATION);
   progress.check();
-  const float background = background_of(options);
+  const float background = mesh_background(options);
   if (grid->activeVoxelCount() > 0) make_exact(grid->tree(), mesh, options.voxel, background);
   openvdb::tools::changeLevelSetBackground(grid->tree(), background);
   openvdb::tools::pruneLevelSet(grid->tree());

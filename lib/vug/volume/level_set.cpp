@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
-#include <vug/volume/grid_access.h>
 #include <vug/volume/level_set.h>
+#include <vug/volume/openvdb_values.h>
 
 #include <fmt/format.h>
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/Diagnostics.h>
 #include <openvdb/tools/Interpolation.h>
 
 #include <algorithm>
 
 namespace vug::volume {
-namespace {
-
-const openvdb::FloatGrid& floats(const Grid& grid) {
-  return static_cast<const openvdb::FloatGrid&>(*grid.data().grid);
-}
-
-}  // namespace
-
 LevelSet::LevelSet(const Grid& grid) : Grid(grid) {
   const openvdb::GridBase& base = *grid.data().grid;
   if (!base.isType<openvdb::FloatGrid>() || base.getGridClass() != openvdb::GRID_LEVEL_SET)

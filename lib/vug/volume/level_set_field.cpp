@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
-#include <vug/volume/grid_access.h>
 #include <vug/volume/io.h>
 #include <vug/volume/level_set_field.h>
-
-#include <openvdb/openvdb.h>
+#include <vug/volume/openvdb_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +13,6 @@ namespace {
 
 using Tree = openvdb::FloatTree;
 using openvdb::Coord;
-
-const openvdb::FloatGrid& floats(const LevelSet& level_set) {
-  return static_cast<const openvdb::FloatGrid&>(*level_set.data().grid);
-}
 
 /// The slope of the interpolant is at most the norm of its largest differences along the axes.
 double steepest(const openvdb::FloatGrid& grid, double voxel) {

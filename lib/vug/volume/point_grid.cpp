@@ -2,11 +2,10 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/base/parallel_sort.h>
-#include <vug/volume/grid_access.h>
+#include <vug/volume/openvdb_values.h>
 #include <vug/volume/points.h>
 
 #include <fmt/format.h>
-#include <openvdb/openvdb.h>
 #include <openvdb/points/PointAttribute.h>
 #include <openvdb/points/PointDataGrid.h>
 #include <openvdb/points/PointGroup.h>
@@ -149,10 +148,6 @@ std::vector<LeafPoints> make_leaves(Tree& tree, const std::vector<Slot>& slots,
 
 bool fits_half(float x) { return std::fabs(x) <= 65504 || !std::isfinite(x); }
 bool fits_half(const Vec3f& v) { return fits_half(v.x) && fits_half(v.y) && fits_half(v.z); }
-
-float stored(float x) { return x; }
-int32_t stored(int32_t x) { return x; }
-openvdb::Vec3f stored(const Vec3f& v) { return {v.x, v.y, v.z}; }
 
 template <class Codec, class T>
 void add_attribute(Tree& tree, const std::vector<LeafPoints>& parts, const std::vector<Slot>& slots,

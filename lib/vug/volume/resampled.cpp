@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
-#include <vug/volume/grid_access.h>
+#include <vug/volume/openvdb_values.h>
 #include <vug/volume/resampled.h>
 
 #include <fmt/format.h>
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/Prune.h>
 
 namespace vug::volume {
 namespace {
-
-openvdb::Vec3s stored(const Vec3f& v) { return {v.x, v.y, v.z}; }
-float stored(float value) { return value; }
 
 template <class ResultGrid, class Source, class Function>
 Grid resampled_on(const Source& where, const Function& value) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
-#include <vug/volume/grid_access.h>
+#include <vug/volume/openvdb_values.h>
 #include <vug/volume/surface_bricks.h>
 
 #include <fmt/format.h>
-#include <openvdb/openvdb.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,10 +24,6 @@ static_assert(Leaf::DIM == kSize);
 
 /// All samples that the gradients of a crossed cell need are within this distance of the surface.
 constexpr double kReach = 4;  // Voxels.
-
-const openvdb::FloatGrid& floats(const LevelSet& level_set) {
-  return static_cast<const openvdb::FloatGrid&>(*level_set.data().grid);
-}
 
 int16_t rounded(float value, float units) {
   const float scaled = std::clamp(std::nearbyint(value * units), -32767.0f, 32767.0f);

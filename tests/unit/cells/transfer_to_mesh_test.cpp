@@ -24,7 +24,7 @@ NetworkPtr network(const mesh::Mesh& mesh, const std::string& grid, double spaci
 
 /// The mesh with "x", a function of the cells' positions.
 template <class F>
-mesh::Mesh carried(mesh::Mesh mesh, const NetworkPtr& cells, const F& f) {
+mesh::Mesh carried_to_mesh(mesh::Mesh mesh, const NetworkPtr& cells, const F& f) {
   Simulation simulation(cells, RandomKey(1));
   std::vector<float>& x = simulation.attributes().column<float>("x").now;
   for (uint32_t i = 0; i < cells->size(); ++i) x[i] = static_cast<float>(f(cells->position[i]));
@@ -40,7 +40,7 @@ TEST(TransferToMesh, ConstantsStayExactly) {
   const mesh::Mesh ball = mesh::sphere_mesh(Vec3d(0), 1, 4);
   for (const double spacing : {0.02, 0.07, 0.5}) {  // Cells finer and coarser than the mesh.
     const mesh::Mesh mesh =
-        carried(ball, network(ball, "random", spacing), [](const Vec3f&) { return 0.1f; });
+        carried_to_mesh(ball, network(ball, "random", spacing), [](const Vec3f&) { return 0.1f; });
     for (const float v : values(mesh, "x")) ASSERT_EQ(v, 0.1f) << spacing;
     for (const float v : values(mesh, "transparent")) ASSERT_EQ(v, 0);
   }
@@ -55,7 +55,7 @@ TEST(TransferToMesh, LinearFunctionsAreReproduced) {
       {"random", 1.0 / 3}, {"triangle", 1.0 / 3}, {"square", 2.0 / 3}};
   for (const auto& [grid, bound] : bounds) {
     const NetworkPtr cells = network(ball, grid, 0.1);
-    const mesh::Mesh mesh = carried(ball, cells, linear);
+    const mesh::Mesh mesh = carried_to_mesh(ball, cells, linear);
     double worst = 0;
     for (size_t v = 0; v < mesh.positions.size(); ++v)
       worst = std::max(worst, std::fabs(values(mesh, "x")[v] - linear(mesh.positions[v])));
@@ -67,7 +67,7 @@ TEST(TransferToMesh, LinearFunctionsAreReproduced) {
 TEST(TransferToMesh, LinearFunctionsAreReproducedWithinTheReachAtABoundary) {
   mesh::Mesh floor = floor_mesh();
   const NetworkPtr cells = network(floor, "triangle", 0.05);
-  const mesh::Mesh mesh = carried(floor, cells, linear);
+  const mesh::Mesh mesh = carried_to_mesh(floor, cells, linear);
   // Four corners 1 m apart: coarser than the cells, so the mean edge length is the reach.
   const double edge = (4 + 2 * std::sqrt(2.0)) / 6;
   for (size_t v = 0; v < 4; ++v)
@@ -101,7 +101,7 @@ TEST(TransferToMesh, BothSidesOfAWallKeepTheirValues) {
   const mesh::Mesh wall = thin_wall();
   const NetworkPtr cells = network(wall, "random", 0.1);
   const mesh::Mesh mesh =
-      carried(wall, cells, [&](const Vec3f& p) { return p.z > 0.002f ? 1.0 : 0.0; });
+      carried_to_mesh(wall, cells, [&](const Vec3f& p) { return p.z > 0.002f ? 1.0 : 0.0; });
   for (size_t v = 0; v < mesh.positions.size(); ++v)
     ASSERT_EQ(values(mesh, "x")[v], mesh.positions[v].z > 0.002f ? 1 : 0);
 }
@@ -146,7 +146,7 @@ TEST(TransferToMesh, VerticesFarFromCellsUseTheNearestWithASimilarNormal) {
   mesh::Mesh inverted = ball;
   inverted.normals.clear();
   for (const Vec3f& p : inverted.positions) inverted.normals.push_back(-p);
-  const mesh::Mesh mesh = carried(inverted, cells, [](const Vec3f& p) { return p.y; });
+  const mesh::Mesh mesh = carried_to_mesh(inverted, cells, [](const Vec3f& p) { return p.y; });
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     ASSERT_TRUE(std::isfinite(values(mesh, "x")[v]));
     if (mesh.positions[v].y > 0.5f) {

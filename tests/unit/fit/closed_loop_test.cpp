@@ -12,7 +12,7 @@
 namespace vug::fit {
 namespace {
 
-FitOptions quick() {
+FitOptions short_chain() {
   FitOptions options;
   options.sampler.steps = 2000;
   options.runs = 1;
@@ -20,8 +20,8 @@ FitOptions quick() {
 }
 
 Model model_of(const RandomFacade& facade, const Evidence& pixels) {
-  return Model(ripperda(), quick().limits, facade.width, facade.height,
-               {&pixels, make_likelihood("kt", pixels), quick().pixel_weight});
+  return Model(ripperda(), short_chain().limits, facade.width, facade.height,
+               {&pixels, make_likelihood("kt", pixels), short_chain().pixel_weight});
 }
 
 /// Many trees draw the same picture. The reference is the shortest known tree of the noise-free
@@ -34,7 +34,7 @@ Tree shortest(const RandomFacade& facade) {
   const EdgeHints hints = EdgeHints::from_clusters(clean);
   TreeState derived = model.make_state(facade.tree);
   const double bits = polish({model, hints}, clean, derived).after;
-  const FitResult found = fit_facade(clean, ripperda(), quick(), RandomKey(2));
+  const FitResult found = fit_facade(clean, ripperda(), short_chain(), RandomKey(2));
   return found.report.bits < bits - 1e-6 ? found.tree : derived.tree;
 }
 
@@ -59,7 +59,7 @@ TEST(ClosedLoop, CountsStructuresAndEdgesAreRecovered) {
         Evidence::from_clusters(facade->width, facade->height, RandomFacade::kClasses,
                                 facade->noisy(0.05, RandomKey(77).at(seed)));
     const Tree truth = shortest(*facade);
-    const FitResult found = fit_facade(pixels, ripperda(), quick(), RandomKey(1));
+    const FitResult found = fit_facade(pixels, ripperda(), short_chain(), RandomKey(1));
     const Model model = model_of(*facade, pixels);
     const EdgeHints hints = EdgeHints::from_clusters(pixels);
     TreeState best = model.make_state(truth);
@@ -88,7 +88,7 @@ TEST(ClosedLoop, ChainsWithOtherSeedsFindTheSameTree) {
   ASSERT_TRUE(facade);
   const Evidence pixels = Evidence::from_clusters(
       facade->width, facade->height, RandomFacade::kClasses, facade->noisy(0.2, RandomKey(3)));
-  FitOptions options = quick();
+  FitOptions options = short_chain();
   options.sampler.steps = 20'000;
   std::vector<FitResult> found;
   double least = 1e300;

@@ -24,7 +24,7 @@ const PixelClassifierOptions kSmall{.first = {.trees = 6, .depth = 10},
                                     .second = {.trees = 6, .depth = 10, .tried_features = 20},
                                     .examples = 600};
 
-std::vector<LabelledImage> facades(int count) {
+std::vector<LabelledImage> noisy_facades(int count) {
   std::vector<LabelledImage> out;
   for (int i = 0; i < count; ++i) {
     PaintedFacade facade = painted(i, 80 + 4 * i, 120, 3 + i % 2, 3);
@@ -41,7 +41,7 @@ PixelClassifier trained(const std::vector<LabelledImage>& pictures) {
 
 TEST(PixelClassifier, GeneralisesToUnseenFacades) {
   ConfusionMatrix table(kRegionClasses.count());
-  const std::vector<LabelledImage> pictures = facades(6);
+  const std::vector<LabelledImage> pictures = noisy_facades(6);
   std::vector<int> seen(pictures.size(), 0);
   cross_validate(pictures, kRegionClasses, {.classifier = kSmall, .folds = 3}, RandomKey(1),
                  [&](size_t picture, const Planes& maps) {
@@ -56,7 +56,7 @@ TEST(PixelClassifier, GeneralisesToUnseenFacades) {
 }
 
 TEST(PixelClassifier, RoundTripPreservesTheModel) {
-  const std::vector<LabelledImage> pictures = facades(2);
+  const std::vector<LabelledImage> pictures = noisy_facades(2);
   const PixelClassifier model = trained(pictures);
   const ScratchFolder folder("vug_labels");
   write_text(folder.path() / "looks.json", model.to_json().dump());
@@ -66,7 +66,7 @@ TEST(PixelClassifier, RoundTripPreservesTheModel) {
 }
 
 TEST(PixelClassifier, TrainingDoesNotDependOnThreads) {
-  const std::vector<LabelledImage> pictures = facades(3);
+  const std::vector<LabelledImage> pictures = noisy_facades(3);
   std::string first;
   for (const int threads : {1, 2, 7}) {
     const ThreadLimit limit(threads);
@@ -77,7 +77,7 @@ TEST(PixelClassifier, TrainingDoesNotDependOnThreads) {
 }
 
 TEST(PixelClassifier, DamagedFilesAreRejected) {
-  const nlohmann::json whole = trained(facades(1)).to_json();
+  const nlohmann::json whole = trained(noisy_facades(1)).to_json();
   const auto refused = [&](const char* part, const nlohmann::json& value) {
     nlohmann::json text = whole;
     text[nlohmann::json::json_pointer(part)] = value;
@@ -106,7 +106,7 @@ TEST(PixelClassifier, TinyPlainAndUnlabelledPictures) {
   pixel.labels = {kUnlabelled};
   EXPECT_THROW(trained({pixel}), Error);
   EXPECT_THROW(trained({}), Error);
-  const std::vector<LabelledImage> pictures = facades(1);
+  const std::vector<LabelledImage> pictures = noisy_facades(1);
   PixelClassifierOptions options = kSmall;
   options.max_memory = 100'000;
   EXPECT_THROW(PixelClassifier::train({&pictures[0]}, kRegionClasses, {}, options, RandomKey(1)),

@@ -65,7 +65,7 @@ bool is_window_seed(int x, int y) {
   return false;
 }
 
-std::vector<uint8_t> picture(double noise) {
+std::vector<uint8_t> noisy_picture(double noise) {
   RandomStream stream{RandomKey(6)};
   std::vector<uint8_t> out;
   for (int y = 0; y < kSeedHeight; ++y)
@@ -103,7 +103,7 @@ double overlap(const Model& model, const TreeState& state) {
 /// Noisy clusters of windows and wall, and everything that chains need.
 struct Site {
   explicit Site(double noise)
-      : evidence(Evidence::from_clusters(kSeedWidth, kSeedHeight, 3, picture(noise))) {}
+      : evidence(Evidence::from_clusters(kSeedWidth, kSeedHeight, 3, noisy_picture(noise))) {}
   const Evidence evidence;
   const Rules rules = some_rules();
   const Model model{

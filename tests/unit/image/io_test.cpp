@@ -27,7 +27,7 @@ class Files : public ::testing::Test {
   const ScratchFolder folder_{"vug_image"};
 };
 
-Image noise(int width, int height, std::vector<std::string> channels, double scale) {
+Image noisy_channels(int width, int height, std::vector<std::string> channels, double scale) {
   Image image(width, height, std::move(channels));
   RandomStream random(RandomKey(11).at("noise"));
   for (float& v : image.pixels) v = static_cast<float>(scale * random.normal());
@@ -44,7 +44,8 @@ std::string message(const std::function<void()>& work) {
 }
 
 TEST_F(Files, FullFloatsSurviveBitForBit) {
-  Image image = noise(37, 23, {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "albedo.R"}, 1e3);
+  Image image =
+      noisy_channels(37, 23, {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "albedo.R"}, 1e3);
   image.at(3, 4, 4) = 1e10f;
   write_exr(file("a.exr"), image);
   const Image back = read(file("a.exr"));
@@ -53,7 +54,7 @@ TEST_F(Files, FullFloatsSurviveBitForBit) {
 }
 
 TEST_F(Files, HalfRoundsByAtMostItsUnitAndKeepsDepthExact) {
-  const Image image = noise(31, 17, {"R", "G", "B", "Z", "P.X"}, 10);
+  const Image image = noisy_channels(31, 17, {"R", "G", "B", "Z", "P.X"}, 10);
   ExrOptions options;
   options.half = true;
   write_exr(file("h.exr"), image, options);
@@ -74,8 +75,8 @@ TEST_F(Files, HalfRoundsByAtMostItsUnitAndKeepsDepthExact) {
 }
 
 TEST_F(Files, PartsAndTilesHoldTheSamePixels) {
-  const Image image =
-      noise(100, 70, {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "CryptoObject00.R"}, 10);
+  const Image image = noisy_channels(
+      100, 70, {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "CryptoObject00.R"}, 10);
   for (const bool half : {false, true}) {
     ExrOptions options;
     options.half = half;
@@ -111,7 +112,7 @@ TEST_F(Files, HalfClampsWhatItCannotHold) {
 }
 
 TEST_F(Files, SameContentGivesSameBytesAtAnyTime) {
-  const Image image = noise(16, 16, {"R", "G", "B"}, 1);
+  const Image image = noisy_channels(16, 16, {"R", "G", "B"}, 1);
   ExrOptions options;
   options.metadata = {{"vug:recipe", "seed 7"}, {"vug:version", "1"}};
   write_exr(file("1.exr"), image, options);
@@ -134,7 +135,7 @@ TEST_F(Files, MetadataComesBack) {
 }
 
 TEST_F(Files, PngHoldsTheDisplayValues) {
-  const Image image = noise(29, 13, {"R", "G", "B"}, 0.5);
+  const Image image = noisy_channels(29, 13, {"R", "G", "B"}, 0.5);
   const Image shown = display(image);
   write_png(file("p.png"), image);
   const Image back = read(file("p.png"));
@@ -184,8 +185,8 @@ TEST_F(Files, BrokenFilesAreReportedInSentences) {
   EXPECT_NE(message([&] { read(file("empty.png")); }).find("empty.png"), std::string::npos);
   EXPECT_THROW(read(fs::temp_directory_path()), Error);
 
-  write_exr(file("whole.exr"), noise(64, 64, {"R", "G", "B"}, 1));
-  write_png(file("whole.png"), noise(64, 64, {"R", "G", "B"}, 1));
+  write_exr(file("whole.exr"), noisy_channels(64, 64, {"R", "G", "B"}, 1));
+  write_png(file("whole.png"), noisy_channels(64, 64, {"R", "G", "B"}, 1));
   for (const char* name : {"whole.exr", "whole.png"}) {
     const std::string whole = read_text(file(name));
     for (const size_t part : {size_t{3}, whole.size() / 8, whole.size() / 2, whole.size() - 40}) {

@@ -21,7 +21,7 @@ Image halves() {
   return picture;
 }
 
-std::string refusal(const std::filesystem::path& path) {
+std::string refusal_of_texture(const std::filesystem::path& path) {
   try {
     const Texture texture(path);
   } catch (const Error& error) {
@@ -42,13 +42,13 @@ TEST(Texture, IsSharpForNarrowAndUniformForWideFilters) {
 }
 
 TEST(Texture, ReportsUnusableFiles) {
-  EXPECT_NE(refusal("no/such.exr").find("no/such.exr"), std::string::npos);
+  EXPECT_NE(refusal_of_texture("no/such.exr").find("no/such.exr"), std::string::npos);
   Image bad = halves();
   bad.at(3, 5, 1) = std::numeric_limits<float>::quiet_NaN();
   const ScratchFolder scratch("vug_texture");
   const auto path = scratch.file("nan.exr");
   write_exr(path, bad);
-  const std::string reason = refusal(path);
+  const std::string reason = refusal_of_texture(path);
   EXPECT_NE(reason.find("not finite"), std::string::npos) << reason;
   EXPECT_NE(reason.find("(3, 5)"), std::string::npos) << reason;
 }

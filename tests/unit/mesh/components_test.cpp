@@ -13,7 +13,7 @@ namespace vug::mesh {
 namespace {
 
 /// With normals and two attributes that distinguish the vertices of different `mark`.
-Mesh ball(const Vec3d& centre, double radius, float mark) {
+Mesh marked_ball(const Vec3d& centre, double radius, float mark) {
   Mesh mesh = sphere_mesh(centre, radius, 2);
   mesh.normals = vertex_normals(mesh);
   mesh.attributes = {{"Cd", 3, {}}, {"mark", 1, {}}};
@@ -31,8 +31,8 @@ Mesh inside_out(Mesh mesh) {
 }
 
 TEST(Components, TheSmallerOfTwoIsRemovedCompletely) {
-  const Mesh large = ball({0, 0, 0}, 1, 1000);
-  const Mesh small = ball({3, 0, 0}, 0.1, 2000);
+  const Mesh large = marked_ball({0, 0, 0}, 1, 1000);
+  const Mesh small = marked_ball({3, 0, 0}, 0.1, 2000);
   for (const Mesh& both : {joined(large, small), joined(small, large)}) {
     const LargeComponents left = large_components(both, 1);
     EXPECT_EQ(left.removed, 1U);
@@ -43,8 +43,8 @@ TEST(Components, TheSmallerOfTwoIsRemovedCompletely) {
 // The vertices of a sphere mesh lie on the sphere, and its first twelve span the bounding box of an
 // icosahedron; the diagonal is close to that of the cube around the ball.
 TEST(Components, TheSizeIsTheDiagonalOfTheBox) {
-  const Mesh small = ball({3, 0, 0}, 0.1, 2000);
-  const Mesh both = joined(ball({0, 0, 0}, 1, 1000), small);
+  const Mesh small = marked_ball({3, 0, 0}, 0.1, 2000);
+  const Mesh both = joined(marked_ball({0, 0, 0}, 1, 1000), small);
   const double diagonal = bounds(small).size().length();
   EXPECT_NEAR(diagonal, 0.2 * std::sqrt(3), 0.01);
   EXPECT_EQ(large_components(both, 0.999 * diagonal).mesh, both);
@@ -53,16 +53,17 @@ TEST(Components, TheSizeIsTheDiagonalOfTheBox) {
 }
 
 TEST(Components, ABubbleInsideABallIsRemovedToo) {
-  const Mesh large = ball({0, 0, 0}, 1, 1000);
-  const Mesh bubble = inside_out(ball({0.2, 0, 0}, 0.1, 2000));
+  const Mesh large = marked_ball({0, 0, 0}, 1, 1000);
+  const Mesh bubble = inside_out(marked_ball({0.2, 0, 0}, 0.1, 2000));
   const LargeComponents left = large_components(joined(large, bubble), 1);
   EXPECT_EQ(left.removed, 1U);
   EXPECT_EQ(left.mesh, large);
 }
 
 TEST(Components, TheLargestStaysWhateverItsSize) {
-  const Mesh large = ball({0, 0, 0}, 0.2, 1000);
-  const Mesh three = joined(joined(ball({3, 0, 0}, 0.1, 2000), large), ball({5, 0, 0}, 0.15, 3000));
+  const Mesh large = marked_ball({0, 0, 0}, 0.2, 1000);
+  const Mesh three =
+      joined(joined(marked_ball({3, 0, 0}, 0.1, 2000), large), marked_ball({5, 0, 0}, 0.15, 3000));
   const LargeComponents left = large_components(three, 100);
   EXPECT_EQ(left.removed, 2U);
   EXPECT_EQ(left.mesh, large);
@@ -76,7 +77,7 @@ TEST(Components, TouchingInAPointIsNotConnected) {
 }
 
 TEST(Components, ZeroKeepsEverything) {
-  Mesh both = joined(ball({0, 0, 0}, 1, 1000), ball({3, 0, 0}, 1e-6, 2000));
+  Mesh both = joined(marked_ball({0, 0, 0}, 1, 1000), marked_ball({3, 0, 0}, 1e-6, 2000));
   for (Attribute& attribute : both.attributes)  // For a vertex that no triangle uses.
     attribute.values.resize(attribute.values.size() + static_cast<size_t>(attribute.arity));
   both.positions.emplace_back(9.0F);

@@ -55,7 +55,7 @@ struct Probe {
   }
 };
 
-Mask mask(const std::string& name) {
+Mask shape_mask(const std::string& name) {
   Diagnostics diagnostics;
   const Arguments arguments = {{"radius", Number{kRadius, Dimension::length}, {}}};
   return *find_kind(masks(), name)->make(arguments, {}, diagnostics);
@@ -63,7 +63,7 @@ Mask mask(const std::string& name) {
 
 TEST(ShapeMasks, DistinguishEdgesFromHollowsOnAScaledRoughStep) {
   const Probe probe;
-  const Mask edge = mask("edge"), cavity = mask("cavity");
+  const Mask edge = shape_mask("edge"), cavity = shape_mask("cavity");
   // The relief (0.2 mm in values, up to 6 mm in space) bends faces by hundredths; voxels of a sixth
   // of the radius round off edges.
   const double near = 0.15;
@@ -87,7 +87,7 @@ TEST(ShapeMasks, DistinguishEdgesFromHollowsOnAScaledRoughStep) {
 
 TEST(ShapeMasks, FadeOverTheirRadius) {
   const Probe probe;
-  const Mask edge = mask("edge");
+  const Mask edge = shape_mask("edge");
   double last = 2;
   for (const double away : {0.15, 0.35, 0.6, 1.3}) {
     const double value = (*edge)(probe.at({-1 + away * kRadius, 0.5, 0}, {0, 1, 0}));

@@ -30,7 +30,7 @@ Scene corner() {
   return scene;
 }
 
-double sum_of(const image::Image& picture, const std::string& channel) {
+double channel_sum(const image::Image& picture, const std::string& channel) {
   return mean_of(picture, channel).value;
 }
 
@@ -106,8 +106,8 @@ TEST(Aovs, ComponentsSumToTheBeauty) {
         }
     for (const char* part : {"emission", "diffuse_direct", "diffuse_indirect", "specular_direct",
                              "specular_indirect", "volume_direct", "volume_indirect"})
-      EXPECT_GT(sum_of(picture, std::string(part) + ".G"), 0) << part;
-    EXPECT_EQ(sum_of(picture, "transmission_direct.G"), 0);
+      EXPECT_GT(channel_sum(picture, std::string(part) + ".G"), 0) << part;
+    EXPECT_EQ(channel_sum(picture, "transmission_direct.G"), 0);
   }
 }
 
@@ -123,10 +123,10 @@ TEST(Aovs, DirectLightIsThatOfAPathWithoutBounces) {
   o.integrator = make_integrator("path", {{"max_bounces", 0.0}});
   const image::Image direct = render(scene, o);
   for (const char* part : {"emission", "diffuse_direct", "specular_direct"})
-    EXPECT_NEAR(sum_of(longer, std::string(part) + ".R"), sum_of(direct, std::string(part) + ".R"),
-                1e-6)
+    EXPECT_NEAR(channel_sum(longer, std::string(part) + ".R"),
+                channel_sum(direct, std::string(part) + ".R"), 1e-6)
         << part;
-  EXPECT_EQ(sum_of(direct, "diffuse_indirect.R"), 0);
+  EXPECT_EQ(channel_sum(direct, "diffuse_indirect.R"), 0);
 }
 
 // The AOV of a light group equals the picture with only the lights of this group.
@@ -149,10 +149,12 @@ TEST(Aovs, GroupsArePicturesWithOnlyTheirLights) {
   const image::Image key = render(scene_with(true, false), options(40, 30, 256, 2));
   const image::Image fill = render(scene_with(false, true), options(40, 30, 256, 2));
   for (const std::string c : {"R", "B"}) {
-    EXPECT_NEAR(sum_of(both, "light_key." + c), sum_of(key, c), 0.01 * sum_of(key, c));
-    EXPECT_NEAR(sum_of(both, "light_fill." + c), sum_of(fill, c), 0.01 * sum_of(fill, c));
-    EXPECT_NEAR(sum_of(both, "light_key." + c) + sum_of(both, "light_fill." + c), sum_of(both, c),
-                1e-5 * sum_of(both, c));
+    EXPECT_NEAR(channel_sum(both, "light_key." + c), channel_sum(key, c),
+                0.01 * channel_sum(key, c));
+    EXPECT_NEAR(channel_sum(both, "light_fill." + c), channel_sum(fill, c),
+                0.01 * channel_sum(fill, c));
+    EXPECT_NEAR(channel_sum(both, "light_key." + c) + channel_sum(both, "light_fill." + c),
+                channel_sum(both, c), 1e-5 * channel_sum(both, c));
   }
 }
 

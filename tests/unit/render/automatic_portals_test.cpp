@@ -18,7 +18,7 @@ void add_quad(mesh::Mesh& mesh, const Vec3f& a, const Vec3f& b, const Vec3f& c, 
 }
 
 /// A room of 4 x 3 x 4 m whose roof has a hole of 0.5 x 0.5 m around (hole, hole).
-Scene room(float hole) {
+Scene room_with_hole(float hole) {
   mesh::Mesh m;
   const float s = 2, h = 3, a = hole - 0.25f, b = hole + 0.25f;
   add_quad(m, {-s, 0, -s}, {-s, 0, s}, {s, 0, s}, {s, 0, -s});
@@ -38,7 +38,7 @@ Scene room(float hole) {
 }
 
 TEST(AutomaticPortals, AreFoundWhereTheRoofIsOpen) {
-  const Scene scene = room(0.7f);
+  const Scene scene = room_with_hole(0.7f);
   const PreparedScene world(scene);
   const SamplerPtr sampler = make_sampler("sobol");
   const auto portals =
@@ -62,7 +62,7 @@ TEST(AutomaticPortals, AreNotSearchedInOpenScenes) {
 
 TEST(AutomaticPortals, KeepTheMean) {
   constexpr int kRuns = 16;
-  const Scene scene = room(-0.4f);
+  const Scene scene = room_with_hole(-0.4f);
   double mean[2] = {0, 0}, square[2] = {0, 0}, spread[2];
   for (int found = 0; found < 2; ++found) {
     for (int run = 0; run < kRuns; ++run) {
@@ -85,7 +85,7 @@ TEST(AutomaticPortals, AreTheSameForAnyNumberOfThreads) {
   const auto picture = [](int threads) {
     Options o = options(8, 6, 8, 4);
     o.threads = threads;
-    return render(room(0.2f), o);
+    return render(room_with_hole(0.2f), o);
   };
   const image::Image one = picture(1);
   EXPECT_EQ(one, picture(2));

@@ -19,7 +19,7 @@ constexpr int kSamples = 200000;
 
 /// Significance level of one of `tests` tests such that all of them together fail by chance in 1 of
 /// 100 cases (Sidak).
-double level(int tests) { return 1 - std::pow(0.99, 1.0 / tests); }
+double chi2_level(int tests) { return 1 - std::pow(0.99, 1.0 / tests); }
 
 /// A sky picture with a bright spot and a gradient, for lights that require a file.
 std::string sky_file() {
@@ -38,7 +38,7 @@ std::string sky_file() {
 }
 
 /// The required arguments of any kind.
-NamedValues needed(const KindInfo& info) {
+NamedValues required_parameters(const KindInfo& info) {
   NamedValues out;
   for (const ParamInfo& p : info.params)
     if (p.required && p.name == "file")
@@ -60,7 +60,7 @@ TEST(ChiSquare, EveryLightSamplesItsDensity) {
   for (const auto* kind : lights())
     for (const Vec3f& position : points) {
       SCOPED_TRACE(kind->info.name + " from x = " + std::to_string(position.x));
-      NamedValues given = needed(kind->info);
+      NamedValues given = required_parameters(kind->info);
       // Narrow cones are made wide enough for the test's cells.
       for (const ParamInfo& p : kind->info.params)
         if (p.name == "angle") given.emplace_back("angle", radians(0.9));
@@ -86,7 +86,7 @@ TEST(ChiSquare, EveryLightSamplesItsDensity) {
             return {s.direction, static_cast<double>(s.pdf)};
           },
           [&](const Vec3f& d) { return static_cast<double>(light->pdf(point, d)); });
-      EXPECT_GT(result.p, level(tests));
+      EXPECT_GT(result.p, chi2_level(tests));
       EXPECT_NEAR(result.integral, 1, 4e-3);
       EXPECT_LT(result.stray, kSamples / 10000);
       EXPECT_LT(result.disagreements, kSamples / 2000);  // edges, by rounding
@@ -109,7 +109,7 @@ TEST(ChiSquare, EveryPhaseFunctionSamplesItsDensity) {
             return {d, static_cast<double>(medium->phase(dot(d, travel)))};
           },
           [&](const Vec3f& d) { return static_cast<double>(medium->phase(dot(d, travel))); });
-      EXPECT_GT(result.p, level(static_cast<int>(media().size()) * 4));
+      EXPECT_GT(result.p, chi2_level(static_cast<int>(media().size()) * 4));
       EXPECT_NEAR(result.integral, 1, 2e-3);
       EXPECT_NEAR(mean_cosine, g, 4 / std::sqrt(3.0 * kSamples));
       EXPECT_LT(result.disagreements, kSamples / 10000);

@@ -23,7 +23,7 @@ MaterialPtr shining(const Pattern& pattern, double radiance) {
 }
 
 /// A square ceiling of cells x cells pairs of triangles that faces down.
-mesh::Mesh ceiling(float half, float height, int cells) {
+mesh::Mesh ceiling_mesh(float half, float height, int cells) {
   mesh::Mesh mesh;
   const auto at = [&](int i) {
     return half * (2 * static_cast<float>(i) / static_cast<float>(cells) - 1);
@@ -73,7 +73,7 @@ double quadrature(const MaterialPtr& floor, double half, double height, const Pa
   return sum * 4 * half * half / (kSteps * kSteps);
 }
 
-double stripes(const Vec3d& p) {
+double striped_emission(const Vec3d& p) {
   const double place = 5 * p.x + 2 * p.z;
   return place - std::floor(place) < 0.3 ? 0.2 + 0.8 * (0.5 + 0.5 * p.z) : 0;
 }
@@ -88,9 +88,9 @@ TEST(Emission, VaryingCeilingMatchesQuadrature) {
     for (const double height : {0.3, 20.0})
       for (const int cells : {1, 24}) {
         SCOPED_TRACE("height " + std::to_string(height) + ", cells " + std::to_string(cells));
-        const double expected = 3 * quadrature(floor, 1, height, stripes);
-        const Scene scene =
-            under(ceiling(1, static_cast<float>(height), cells), shining(stripes, 3), floor);
+        const double expected = 3 * quadrature(floor, 1, height, striped_emission);
+        const Scene scene = under(ceiling_mesh(1, static_cast<float>(height), cells),
+                                  shining(striped_emission, 3), floor);
         const Mean mean = mean_of(render(scene, options(32, 32, 256, 0)), "R");
         EXPECT_NEAR(mean.value, expected, 4 * mean.error + 1e-3 * expected);
         EXPECT_LT(mean.error, 0.01 * expected);
@@ -100,7 +100,8 @@ TEST(Emission, VaryingCeilingMatchesQuadrature) {
 
 TEST(Emission, IsVisibleFromItsFrontOnly) {
   const auto seen = [](double from) {
-    Scene scene = under(ceiling(1, 1, 3), shining([](const Vec3d& p) { return p.x > 0; }, 4), {});
+    Scene scene =
+        under(ceiling_mesh(1, 1, 3), shining([](const Vec3d& p) { return p.x > 0; }, 4), {});
     scene.camera = view({0.5, from, 0.2}, {0.5, 1, 0.2}, 0.1, {0, 0, 1});
     return render(scene, options(4, 4, 4, 0));
   };
@@ -119,7 +120,7 @@ double spot(const Vec3d& p) {
 
 /// Number of triangles of a mesh under that pattern that can be chosen as lights.
 size_t chosen(int cells) {
-  const Scene scene = under(ceiling(1, 0.4f, cells), shining(spot, 500), {});
+  const Scene scene = under(ceiling_mesh(1, 0.4f, cells), shining(spot, 500), {});
   return LightSet(scene.lights, scene.objects).size();
 }
 
@@ -131,13 +132,13 @@ TEST(Emission, OfTrianglesOutsideTheTreeIsNotLost) {
   const MaterialPtr floor = make_material("lambert", {{"albedo", Vec3d(1)}});
   const double expected = 500 * quadrature(floor, 1, 0.4, spot);
   for (const int cells : {1, 200}) {
-    const Scene scene = under(ceiling(1, 0.4f, cells), shining(spot, 500), floor);
+    const Scene scene = under(ceiling_mesh(1, 0.4f, cells), shining(spot, 500), floor);
     const Mean mean = mean_of(render(scene, options(32, 32, cells == 1 ? 2048 : 256, 0)), "R");
     EXPECT_NEAR(mean.value, expected, 4 * mean.error + 1e-3 * expected) << cells;
     EXPECT_LT(mean.error, 0.05 * expected);
   }
   const auto hazy = [](int cells) {
-    Scene scene = under(ceiling(1, 0.4f, cells), shining(spot, 500), {});
+    Scene scene = under(ceiling_mesh(1, 0.4f, cells), shining(spot, 500), {});
     scene.medium =
         make_medium("haze", {{"extinction", 0.5}, {"center", Vec3d(0)}, {"size", Vec3d(2)}});
     scene.camera = view({0.9, 0.1, 0}, {0, 0.1, 0}, 0.4);

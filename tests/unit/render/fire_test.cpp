@@ -25,17 +25,17 @@ MediumPtr fire(NamedValues more) {
 }
 
 /// Values at the lattice of the file (0 outside it), interpolated.
-double along_z(double z, int first, double start, double step) {
+double integral_along_z(double z, int first, double start, double step) {
   const double place = (z + 0.75) / 0.5, low = std::floor(place);
   const auto value = [&](double k) { return k >= first && k < first + 4 ? start + step * k : 0.0; };
   return value(low) + (place - low) * (value(low + 1) - value(low));
 }
-double density(double z) { return along_z(z, 0, 0.8, 0); }
-double kelvin(double z) { return along_z(z, 0, 1600, 100); }
-double flame(double z) { return along_z(z, 3, 0.5, 0); }
+double density(double z) { return integral_along_z(z, 0, 0.8, 0); }
+double kelvin(double z) { return integral_along_z(z, 0, 1600, 100); }
+double flame(double z) { return integral_along_z(z, 3, 0.5, 0); }
 
 /// Radiance at z = 5 along the z axis, for a given emission per metre.
-Rgb quadrature(const std::function<Vec3d(double)>& sent) {
+Rgb quadrature_of_fire(const std::function<Vec3d(double)>& sent) {
   constexpr int kSteps = 40000;
   constexpr double kFrom = 4, kTo = -2, kStep = (kFrom - kTo) / kSteps;
   double depth = 0;
@@ -80,7 +80,7 @@ TEST(Fire, PlatinumFreezesAtSixtyCandelas) {
 TEST(Fire, FlamesEmitIndependentlyOfTheDensity) {
   const Vec3d radiance(3, 2, 1);
   expect_seen(fire({{"albedo", Vec3d(0)}, {"emission", radiance}, {"emission_grid", "flame"}}),
-              quadrature([&](double z) { return radiance * flame(z); }));
+              quadrature_of_fire([&](double z) { return radiance * flame(z); }));
   // From behind, through the smoke; and only flames.
   EXPECT_EQ(kExtinction * density(2), 0);
   EXPECT_GT(flame(2), 0);
@@ -89,7 +89,7 @@ TEST(Fire, FlamesEmitIndependentlyOfTheDensity) {
 TEST(Fire, HeatEmissionIsProportionalToExtinction) {
   expect_seen(
       fire({{"albedo", Vec3d(0)}, {"temperature_grid", "temperature"}, {"temperature", 1.0}}),
-      quadrature([](double z) { return heat(z) * (kExtinction * density(z)); }));
+      quadrature_of_fire([](double z) { return heat(z) * (kExtinction * density(z)); }));
 }
 
 TEST(Fire, FlamesTakeTheirTemperatureFromTheGrid) {
@@ -100,7 +100,7 @@ TEST(Fire, FlamesTakeTheirTemperatureFromTheGrid) {
                     {"emission_grid", "flame"},
                     {"temperature_grid", "temperature"},
                     {"temperature", 1.0}}),
-              quadrature([&](double z) { return (heat(z) + more) * (0.5 * flame(z)); }));
+              quadrature_of_fire([&](double z) { return (heat(z) + more) * (0.5 * flame(z)); }));
 }
 
 TEST(Fire, MasksReplaceGrids) {
@@ -109,7 +109,7 @@ TEST(Fire, MasksReplaceGrids) {
       paint::make_mask([mask](const paint::EvalPoint& s) { return mask(s.position.z); });
   const Value value = ValueTraits<paint::Mask>::write(by_place);
   expect_seen(fire({{"albedo", Vec3d(0)}, {"temperature_mask", value}, {"temperature", 3000.0}}),
-              quadrature([&](double z) {
+              quadrature_of_fire([&](double z) {
                 return Vec3d(thermal_radiance(static_cast<float>(3000 * mask(z)))) *
                        (kExtinction * density(z));
               }));

@@ -15,7 +15,7 @@ constexpr const char* kHead = "IESNA:LM-63-1995\r\n[TEST] none\r\nTILT=NONE\r\n"
 
 IesProfile profile(const std::string& numbers) { return {kHead + numbers, "test.ies"}; }
 
-std::string refusal(const std::string& text) {
+std::string refusal_of_profile(const std::string& text) {
   try {
     const IesProfile made(text, "test.ies");
   } catch (const Error& error) {
@@ -58,22 +58,25 @@ TEST(Ies, SymmetriesAreExpanded) {
 
 TEST(Ies, InvalidFilesAreReportedByLine) {
   const std::string head = kHead;
-  EXPECT_NE(refusal("").find("line 1"), std::string::npos);
-  EXPECT_NE(refusal("P6 3 3").find("IESNA"), std::string::npos);
-  EXPECT_NE(refusal("IESNA91\n[A] b\n").find("TILT="), std::string::npos);
-  EXPECT_NE(refusal("IESNA91\nTILT=lamp.tlt\n1 1").find("line 2"), std::string::npos);
-  EXPECT_NE(refusal(head + "1 -1 1 2 1 1 1 0 0 0\n1 1 9\n0 x").find("line 6: 'x'"),
+  EXPECT_NE(refusal_of_profile("").find("line 1"), std::string::npos);
+  EXPECT_NE(refusal_of_profile("P6 3 3").find("IESNA"), std::string::npos);
+  EXPECT_NE(refusal_of_profile("IESNA91\n[A] b\n").find("TILT="), std::string::npos);
+  EXPECT_NE(refusal_of_profile("IESNA91\nTILT=lamp.tlt\n1 1").find("line 2"), std::string::npos);
+  EXPECT_NE(refusal_of_profile(head + "1 -1 1 2 1 1 1 0 0 0\n1 1 9\n0 x").find("line 6: 'x'"),
             std::string::npos);
-  EXPECT_NE(refusal(head + "1 -1 1 2 1 3 1").find("type C"), std::string::npos);
-  EXPECT_NE(refusal(head + "1 -1 1 2.5 1 1 1").find("whole number"), std::string::npos);
-  EXPECT_NE(refusal(head + "1 -1 1 9999 9999 1 1").find("four million"), std::string::npos);
+  EXPECT_NE(refusal_of_profile(head + "1 -1 1 2 1 3 1").find("type C"), std::string::npos);
+  EXPECT_NE(refusal_of_profile(head + "1 -1 1 2.5 1 1 1").find("whole number"), std::string::npos);
+  EXPECT_NE(refusal_of_profile(head + "1 -1 1 9999 9999 1 1").find("four million"),
+            std::string::npos);
   const std::string tail = head + "1 -1 1 2 2 1 1 0 0 0 1 1 9\n";
-  EXPECT_NE(refusal(tail + "90 0\n").find("must ascend"), std::string::npos);
-  EXPECT_NE(refusal(tail + "0 90\n0 70\n").find("must end with 90"), std::string::npos);
-  EXPECT_NE(refusal(tail + "0 90\n0 90\n1 2 -3 4").find("below 0"), std::string::npos);
-  EXPECT_NE(refusal(tail + "0 90\n0 90\n1 2 3").find("ends before"), std::string::npos);
-  EXPECT_NE(refusal(tail + "0 90\n0 90\n0 0 0 0").find("all intensities"), std::string::npos);
-  EXPECT_NE(refusal(tail + "0 90\n0 90\n1 nan 1 1").find("is not a number"), std::string::npos);
+  EXPECT_NE(refusal_of_profile(tail + "90 0\n").find("must ascend"), std::string::npos);
+  EXPECT_NE(refusal_of_profile(tail + "0 90\n0 70\n").find("must end with 90"), std::string::npos);
+  EXPECT_NE(refusal_of_profile(tail + "0 90\n0 90\n1 2 -3 4").find("below 0"), std::string::npos);
+  EXPECT_NE(refusal_of_profile(tail + "0 90\n0 90\n1 2 3").find("ends before"), std::string::npos);
+  EXPECT_NE(refusal_of_profile(tail + "0 90\n0 90\n0 0 0 0").find("all intensities"),
+            std::string::npos);
+  EXPECT_NE(refusal_of_profile(tail + "0 90\n0 90\n1 nan 1 1").find("is not a number"),
+            std::string::npos);
 }
 
 }  // namespace

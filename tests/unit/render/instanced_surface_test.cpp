@@ -12,14 +12,14 @@
 namespace vug::render {
 namespace {
 
-std::vector<Transform> places() {
+std::vector<Transform> two_transforms() {
   const Transform turn = Transform::rotation({1, 2, 3}, 1.1);
   return {turn, Transform::translation({3, -2, 5}) * turn * Transform::scaling({0.5, 2, 1}),
           Transform::translation({500, 20, -300}) * turn * Transform::scaling(Vec3d(0.3)),
           Transform::scaling({3, -0.4, 1}) * Transform::rotation({0, 1, 1}, 2)};
 }
 
-Object placed(Object object, std::vector<Transform> way) {
+Object moving_object(Object object, std::vector<Transform> way) {
   object.instance = std::make_shared<const InstanceTransform>(std::move(way));
   return object;
 }
@@ -27,8 +27,8 @@ Object placed(Object object, std::vector<Transform> way) {
 /// In the instance's own space, its ball is a ball.
 TEST(InstancedSurface, InstancesAreHitAtTheirTransform) {
   const Object own = traced(ball());
-  for (const Transform& place : places()) {
-    const PreparedScene world(only(placed(own, {place})));
+  for (const Transform& place : two_transforms()) {
+    const PreparedScene world(only(moving_object(own, {place})));
     const Transform back = place.inverse();
     RandomStream random(RandomKey(7));
     const auto reach = static_cast<float>(3 * place.max_stretch());
@@ -85,9 +85,10 @@ render::Object meshed(const field::Field& solid) {
 /// wall than single precision can resolve there: some escape, but fewer than with a mesh.
 TEST(InstancedSurface, InstancesAreTight) {
   const render::Object smooth = traced(lump()), sharp = traced(rough()), mesh = meshed(rough());
-  for (const Transform& place : places()) {
+  for (const Transform& place : two_transforms()) {
     const auto lost = [&](const render::Object& object, int steps) {
-      return leaks(PreparedScene(only(placed(object, {place}))), Vec3f(place.origin()), steps);
+      return leaks(PreparedScene(only(moving_object(object, {place}))), Vec3f(place.origin()),
+                   steps);
     };
     EXPECT_EQ(lost(smooth, 100000), 0u) << place.origin().x;
     EXPECT_LT(4 * lost(sharp, 100000), lost(mesh, 100000)) << place.origin().x;
@@ -96,7 +97,7 @@ TEST(InstancedSurface, InstancesAreTight) {
 
 TEST(InstancedSurface, MovesWhileTheShutterIsOpen) {
   const PreparedScene world(
-      only(placed(traced(ball()), {Transform(), Transform::translation({4, 0, 0})})));
+      only(moving_object(traced(ball()), {Transform(), Transform::translation({4, 0, 0})})));
   EXPECT_TRUE(world.moves());
   for (const float time : {0.0f, 0.25f, 1.0f}) {
     const PreparedScene now = world.at(time);

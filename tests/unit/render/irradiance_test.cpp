@@ -38,7 +38,7 @@ LightPtr ceiling(double height, double width, double depth, const Vec3d& shift) 
 }
 
 /// Form factor of a rectangle with one corner above the point (Howell, C-3).
-double corner(double a, double b, double height) {
+double corner_form_factor(double a, double b, double height) {
   const double x = a / height, y = b / height;
   const double p = std::sqrt(1 + x * x), q = std::sqrt(1 + y * y);
   return (x / p * std::atan(y / p) + y / q * std::atan(x / q)) / (2 * kPi);
@@ -47,13 +47,15 @@ double corner(double a, double b, double height) {
 TEST(Irradiance, RectangleOverThePoint) {
   for (const double height : {0.05, 0.5, 1.0, 30.0}) {
     SCOPED_TRACE(height);
-    expect_radiance(lit({ceiling(height, 0.8, 0.6, {0, 0, 0})}), 2 * 4 * corner(0.4, 0.3, height));
+    expect_radiance(lit({ceiling(height, 0.8, 0.6, {0, 0, 0})}),
+                    2 * 4 * corner_form_factor(0.4, 0.3, height));
   }
 }
 
 TEST(Irradiance, RectangleWithACornerOverThePoint) {
   // The width runs along +-x, the depth along +-z.
-  expect_radiance(lit({ceiling(0.7, 0.8, 0.6, {0.4, 0, 0.3})}, 1024), 2 * corner(0.8, 0.6, 0.7));
+  expect_radiance(lit({ceiling(0.7, 0.8, 0.6, {0.4, 0, 0.3})}, 1024),
+                  2 * corner_form_factor(0.8, 0.6, 0.7));
 }
 
 TEST(Irradiance, RectangleThatCrossesTheHorizon) {

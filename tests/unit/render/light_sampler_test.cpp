@@ -9,7 +9,7 @@ namespace {
 
 /// A floor with an emissive ball, a sun, portals to the sky (one of them upright), and a row of
 /// lights, two of which light only other objects; in haze.
-Scene many_lights() {
+Scene scene_of_many_lights() {
   Scene scene;
   scene.objects.push_back(object(floor_mesh(3), 0.6));
   Object ball = object(mesh::sphere_mesh({0.8, 0.5, -1}, 0.3, 2), 0.5);
@@ -44,7 +44,7 @@ TEST(LightSampler, HasTheSameMean) {
                                    {"light_samples", way == 2 ? 4 : 1},
                                    {"light_sampler", Value::Name{way == 0 ? "tree" : "uniform"}}});
       o.seed = static_cast<uint64_t>(run + 1);
-      const double m = mean_of(render(many_lights(), o), "R").value;
+      const double m = mean_of(render(scene_of_many_lights(), o), "R").value;
       mean[way] += m / kRuns;
       square[way] += m * m / kRuns;
     }

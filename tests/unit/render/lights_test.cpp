@@ -268,7 +268,7 @@ TEST(LightOutput, BlackBodiesHaveTheirColours) {
     EXPECT_GE(std::min({blackbody(kelvin).x, blackbody(kelvin).y, blackbody(kelvin).z}), 0);
 }
 
-std::string refusal(const std::string& kind, const NamedValues& parameters) {
+std::string refusal_of_light(const std::string& kind, const NamedValues& parameters) {
   try {
     make_light(kind, parameters);
   } catch (const Error& error) {
@@ -278,14 +278,16 @@ std::string refusal(const std::string& kind, const NamedValues& parameters) {
 }
 
 TEST(LightOutput, ContradictionsAreRejected) {
-  EXPECT_NE(refusal("disk", {{"power", 1.0}, {"lumen", 1.0}}).find("not in both"),
+  EXPECT_NE(refusal_of_light("disk", {{"power", 1.0}, {"lumen", 1.0}}).find("not in both"),
             std::string::npos);
-  EXPECT_NE(refusal("sphere", {{"power", 1.0}, {"radiance", Vec3d(0)}}).find("above 0"),
+  EXPECT_NE(refusal_of_light("sphere", {{"power", 1.0}, {"radiance", Vec3d(0)}}).find("above 0"),
             std::string::npos);
   for (const double size : {0.0, 1e300})
-    EXPECT_NE(refusal("spot", {{"direction", Vec3d(size)}}).find("direction"), std::string::npos);
-  EXPECT_NE(refusal("disk", {{"radius", 0.0}}).find("radius"), std::string::npos);
-  EXPECT_NE(refusal("rect", {{"temperature", 5.0}}).find("temperature"), std::string::npos);
+    EXPECT_NE(refusal_of_light("spot", {{"direction", Vec3d(size)}}).find("direction"),
+              std::string::npos);
+  EXPECT_NE(refusal_of_light("disk", {{"radius", 0.0}}).find("radius"), std::string::npos);
+  EXPECT_NE(refusal_of_light("rect", {{"temperature", 5.0}}).find("temperature"),
+            std::string::npos);
 }
 
 /// Two adjacent floors under one light and a sky.

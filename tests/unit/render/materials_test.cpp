@@ -85,7 +85,7 @@ std::vector<Case> cases(bool white) {
   return all;
 }
 
-Surface flat(bool inside) {
+Surface flat_surface(bool inside) {
   Surface surface;
   surface.position = {0, 0, 0};
   surface.geometric_normal = surface.shading_normal = {0, 0, 1};
@@ -108,7 +108,7 @@ TEST(Materials, SampleTheirDensity) {
         if (is_roughness(p)) wide.emplace_back(p.name, 0.4);
       const MaterialPtr material = each.make(wide);
       BsdfMemory memory;
-      const Bsdf& bsdf = material->at(flat(inside), direction_at(cosine, 0.3f), memory);
+      const Bsdf& bsdf = material->at(flat_surface(inside), direction_at(cosine, 0.3f), memory);
       // Each side separately, so that the cells are narrow around both poles.
       for (const float side : {1.0f, -1.0f}) {
         RandomStream random(RandomKey(5).at(each.name));
@@ -148,7 +148,7 @@ TEST(Materials, AreReciprocal) {
     RandomStream random(RandomKey(6).at(each.name));
     const auto f = [&](const Vec3f& out, const Vec3f& in, bool inside) {
       BsdfMemory memory;
-      const Bsdf& bsdf = material->at(flat(inside), out, memory);
+      const Bsdf& bsdf = material->at(flat_surface(inside), out, memory);
       return static_cast<double>(bsdf.evaluate(in).total().y / std::fabs(in.z));
     };
     for (int trial = 0; trial < 300; ++trial) {
@@ -206,7 +206,7 @@ TEST(Materials, WhiteOnesConserveEnergy) {
           SCOPED_TRACE(each.name + ", roughness " + std::to_string(roughness) + ", cosine " +
                        std::to_string(cosine) + (inside ? ", from inside" : ""));
           BsdfMemory memory;
-          const Bsdf& bsdf = material->at(flat(inside), direction_at(cosine, 0.2f), memory);
+          const Bsdf& bsdf = material->at(flat_surface(inside), direction_at(cosine, 0.2f), memory);
           const Furnace light = furnace(bsdf);
           EXPECT_LT(light.error, 0.002);
           EXPECT_GT(light.kept, 0.995 - 4 * light.error);
@@ -229,7 +229,7 @@ TEST(Materials, NeverReflectMoreThanTheyReceive) {
       const MaterialPtr material = each.make(some);
       SCOPED_TRACE(each.name + ", trial " + std::to_string(trial));
       BsdfMemory memory;
-      const Bsdf& bsdf = material->at(flat(trial % 2 == 1),
+      const Bsdf& bsdf = material->at(flat_surface(trial % 2 == 1),
                                       direction_at(0.02f + 0.98f * one(random), 0.7f), memory);
       const Furnace light = furnace(bsdf);
       EXPECT_LT(light.kept, 1.002 + 4 * light.error);

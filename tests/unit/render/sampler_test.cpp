@@ -10,7 +10,7 @@
 namespace vug::render {
 namespace {
 
-SampleId place(uint32_t x, uint32_t y, uint32_t index, uint32_t spp) {
+SampleId sample_id(uint32_t x, uint32_t y, uint32_t index, uint32_t spp) {
   SampleId id;
   id.x = x, id.y = y, id.index = index, id.spp = spp, id.seed = 3;
   return id;
@@ -22,9 +22,10 @@ TEST(Samplers, GiveTheSameBitsInAnyOrder) {
     const SamplerPtr a = make_sampler(kind->info.name), b = make_sampler(kind->info.name);
     std::vector<Vec2f> first;
     for (uint32_t i = 0; i < 64; ++i)
-      for (uint32_t d = 0; d < 10; ++d) first.push_back(a->pair(place(5, 9, i, 64), d));
+      for (uint32_t d = 0; d < 10; ++d) first.push_back(a->pair(sample_id(5, 9, i, 64), d));
     for (uint32_t i = 64; i-- > 0;)
-      for (uint32_t d = 10; d-- > 0;) EXPECT_EQ(b->pair(place(5, 9, i, 64), d), first[i * 10 + d]);
+      for (uint32_t d = 10; d-- > 0;)
+        EXPECT_EQ(b->pair(sample_id(5, 9, i, 64), d), first[i * 10 + d]);
   }
 }
 
@@ -34,7 +35,7 @@ TEST(Samplers, FourPairsEqualFourDimensions) {
     const SamplerPtr sampler = make_sampler(kind->info.name);
     for (uint32_t i = 0; i < 64; ++i)
       for (const uint32_t first : {0u, 2u, 1001u, 0xfffffff0u}) {
-        const SampleId id = place(60000 + i, 3 * i, i, 100);
+        const SampleId id = sample_id(60000 + i, 3 * i, i, 100);
         const FourPairs four = sampler->four_pairs(id, first);
         for (uint32_t d = 0; d < 4; ++d) EXPECT_EQ(four[d], sampler->pair(id, first + d));
       }
@@ -48,7 +49,7 @@ TEST(Samplers, LieInTheUnitSquareWithTheRightMoments) {
     constexpr int kCount = 1 << 16;
     double mean = 0, squares = 0, product = 0;
     for (uint32_t i = 0; i < kCount; ++i) {
-      const Vec2f p = sampler->pair(place(i % 16, i / 16 % 16, i / 256, 256), 7);
+      const Vec2f p = sampler->pair(sample_id(i % 16, i / 16 % 16, i / 256, 256), 7);
       ASSERT_TRUE(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1);
       mean += static_cast<double>(p.x) / kCount;
       squares += static_cast<double>(p.x * p.x) / kCount;
@@ -66,11 +67,11 @@ TEST(Samplers, PixelsSeedsAndDimensionsDiffer) {
     const SamplerPtr sampler = make_sampler(kind->info.name);
     std::set<float> seen;
     for (uint32_t pixel = 0; pixel < 32; ++pixel)
-      for (uint32_t d = 0; d < 32; ++d) seen.insert(sampler->pair(place(pixel, 2, 0, 4), d).x);
+      for (uint32_t d = 0; d < 32; ++d) seen.insert(sampler->pair(sample_id(pixel, 2, 0, 4), d).x);
     EXPECT_GT(seen.size(), 1020u);  // of 1024; 24-bit numbers occasionally coincide
-    SampleId other = place(1, 2, 0, 4);
+    SampleId other = sample_id(1, 2, 0, 4);
     other.seed = 4;
-    EXPECT_NE(sampler->pair(other, 0), sampler->pair(place(1, 2, 0, 4), 0));
+    EXPECT_NE(sampler->pair(other, 0), sampler->pair(sample_id(1, 2, 0, 4), 0));
   }
 }
 
@@ -83,7 +84,7 @@ TEST(Sobol, EveryPixelHoldsANetInEveryDimensionPair) {
         const uint32_t count = 1u << bits;
         std::set<uint32_t> cells;
         for (uint32_t i = 0; i < count; ++i) {
-          const Vec2f p = sampler->pair(place(13, 7, i, count), d);
+          const Vec2f p = sampler->pair(sample_id(13, 7, i, count), d);
           const auto x = static_cast<uint32_t>(p.x * static_cast<float>(1u << across));
           const auto y = static_cast<uint32_t>(p.y * static_cast<float>(1u << (bits - across)));
           cells.insert(x << 16 | y);
@@ -100,7 +101,7 @@ TEST(Sobol, BlocksOfPixelsFormANet) {
     std::set<uint32_t> cells;
     for (uint32_t y = 0; y < 8; ++y)
       for (uint32_t x = 0; x < 8; ++x) {
-        const Vec2f p = sampler->pair(place(16 + x, 40 + y, 0, 1), 3);
+        const Vec2f p = sampler->pair(sample_id(16 + x, 40 + y, 0, 1), 3);
         cells.insert(static_cast<uint32_t>(p.x * static_cast<float>(1u << across)) << 16 |
                      static_cast<uint32_t>(p.y * static_cast<float>(1u << (6 - across))));
       }
@@ -117,7 +118,7 @@ TEST(Sobol, IntegratesSmoothFunctionsMuchBetter) {
     for (uint32_t pixel = 0; pixel < 256; ++pixel) {
       double mean = 0;
       for (uint32_t i = 0; i < 64; ++i) {
-        const Vec2f p = sampler->pair(place(pixel % 16, pixel / 16, i, 64), 2);
+        const Vec2f p = sampler->pair(sample_id(pixel % 16, pixel / 16, i, 64), 2);
         mean += static_cast<double>(p.x * p.y) / 64;
       }
       squares += (mean - 0.25) * (mean - 0.25) / 256;

@@ -10,7 +10,7 @@ namespace vug::render {
 namespace {
 
 /// A ball in a closed rock room, lit by one light.
-Scene room(double ball_albedo = 0.7) {
+Scene room_with_ball(double ball_albedo = 0.7) {
   Scene scene;
   scene.camera = view({0, 0, 1.9}, {0, -0.3, 0}, 1.2);
   scene.objects = {
@@ -37,7 +37,7 @@ image::NoisyPicture shot(const Scene& scene, int spp, uint64_t seed) {
 }
 
 TEST(SignificanceOfRenders, AHundredSeedsRaiseNoMoreAlarmsThanChosen) {
-  const Scene scene = room();
+  const Scene scene = room_with_ball();
   const image::NoisyPicture reference = shot(scene, 32, 1000);
   int alarms = 0;
   for (uint64_t seed = 0; seed < 100; ++seed)
@@ -46,7 +46,7 @@ TEST(SignificanceOfRenders, AHundredSeedsRaiseNoMoreAlarmsThanChosen) {
 }
 
 TEST(SignificanceOfRenders, FewSamplesAgainstManyRaiseNoAlarm) {
-  const Scene scene = room();
+  const Scene scene = room_with_ball();
   const image::NoisyPicture reference = shot(scene, 512, 1000);
   int alarms = 0;
   for (uint64_t seed = 0; seed < 30; ++seed)
@@ -55,7 +55,7 @@ TEST(SignificanceOfRenders, FewSamplesAgainstManyRaiseNoAlarm) {
 }
 
 TEST(SignificanceOfRenders, OnePercentLessLightIsDetected) {
-  const Scene scene = room();
+  const Scene scene = room_with_ball();
   const image::NoisyPicture reference = shot(scene, 256, 1);
   for (uint64_t seed = 2; seed < 5; ++seed) {
     image::NoisyPicture darker = shot(scene, 256, seed);
@@ -68,9 +68,10 @@ TEST(SignificanceOfRenders, OnePercentLessLightIsDetected) {
 }
 
 TEST(SignificanceOfRenders, AnotherMaterialIsDetected) {
-  const image::NoisyPicture reference = shot(room(0.7), 256, 1);
+  const image::NoisyPicture reference = shot(room_with_ball(0.7), 256, 1);
   for (uint64_t seed = 2; seed < 5; ++seed)
-    EXPECT_TRUE(test_significance(reference, shot(room(0.6), 256, seed)).different) << seed;
+    EXPECT_TRUE(test_significance(reference, shot(room_with_ball(0.6), 256, seed)).different)
+        << seed;
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ MaterialPtr thin(NamedValues more) {
 
 /// Radiance of a sheet at the origin that a square light of radiance 1 lights from 60 cm above or
 /// below, by the midpoint rule.
-double quadrature(const MaterialPtr& material, float side, const Vec3f& out, bool inside = false) {
+double quadrature_of_light(const MaterialPtr& material, float side, const Vec3f& out,
+                           bool inside = false) {
   constexpr int kSteps = 600;
   Surface surface;
   surface.geometric_normal = surface.shading_normal = {0, inside ? -1.0f : 1.0f, 0};
@@ -53,7 +54,7 @@ TEST(Thin, IsLitFromBothSides) {
                                           {"height", 1.0},
                                           {"visible", false}})};
       const Mean mean = mean_of(render(scene, options(32, 32, 64, 0)), "R");
-      const double expected = quadrature(material, side, out);
+      const double expected = quadrature_of_light(material, side, out);
       EXPECT_NEAR(mean.value, expected, 4 * mean.error + 1e-3 * expected);
       // Lights behind the sheet are sampled, too: BSDF sampling alone has ten times that error.
       EXPECT_LT(mean.error, 0.01 * expected);
@@ -75,7 +76,7 @@ TEST(Thin, LightsBehindARoughFaceAreSampled) {
                                       {"width", 1.0},
                                       {"height", 1.0},
                                       {"visible", false}})};
-  const double expected = quadrature(glass, 1, out, true);
+  const double expected = quadrature_of_light(glass, 1, out, true);
   const Mean mean = mean_of(render(scene, options(32, 32, 64, 0)), "R");
   EXPECT_NEAR(mean.value, expected, 4 * mean.error + 1e-3 * expected);
   EXPECT_LT(mean.error, 0.01 * expected);

@@ -13,7 +13,7 @@ struct KeyedValue {
   bool moves = false;
 };
 
-KeyedValue read(const std::string& text, double frame) {
+KeyedValue read_at(const std::string& text, double frame) {
   Diagnostics diagnostics;
   const Document document = parse(text, "t.vug", diagnostics);
   FakeResolver resolver;
@@ -28,8 +28,8 @@ KeyedValue read(const std::string& text, double frame) {
   return out;
 }
 
-std::string x(const std::string& expression, double frame) {
-  return read("let x = " + expression, frame).value;
+std::string x_at(const std::string& expression, double frame) {
+  return read_at("let x = " + expression, frame).value;
 }
 
 TEST(Keys, AreInterpolatedLinearly) {
@@ -37,16 +37,16 @@ TEST(Keys, AreInterpolatedLinearly) {
   for (const auto& [frame, value] :
        {std::pair(-4.0, "0.5m"), std::pair(1.0, "0.5m"), std::pair(6.0, "1.5m"),
         std::pair(11.0, "2.5m"), std::pair(16.0, "2.25m"), std::pair(99.0, "2m")})
-    EXPECT_EQ(x(keys, frame), value) << frame;
-  EXPECT_EQ(x("keys(0: (0, 1, 2), 10: (1m, 2m, 3m))", 5), "(0.5m, 1.5m, 2.5m)");
-  EXPECT_EQ(x("keys(-10: 0, 10: 1rad)", 0), "0.5rad");
-  EXPECT_EQ(x("2 * keys(0: 1, 0.5: 3) + frame", 0.25), "4.25");
+    EXPECT_EQ(x_at(keys, frame), value) << frame;
+  EXPECT_EQ(x_at("keys(0: (0, 1, 2), 10: (1m, 2m, 3m))", 5), "(0.5m, 1.5m, 2.5m)");
+  EXPECT_EQ(x_at("keys(-10: 0, 10: 1rad)", 0), "0.5rad");
+  EXPECT_EQ(x_at("2 * keys(0: 1, 0.5: 3) + frame", 0.25), "4.25");
 }
 
 TEST(Keys, StepsHoldAnyValue) {
-  EXPECT_EQ(x("keys(step, 1: \"a\", 5: \"b\")", 4.9), "\"a\"");
-  EXPECT_EQ(x("keys(step, 1: 1m, 5: 2m)", 5), "2m");
-  EXPECT_EQ(x("keys(step, 1: true, 5: false)", 0), "true");
+  EXPECT_EQ(x_at("keys(step, 1: \"a\", 5: \"b\")", 4.9), "\"a\"");
+  EXPECT_EQ(x_at("keys(step, 1: 1m, 5: 2m)", 5), "2m");
+  EXPECT_EQ(x_at("keys(step, 1: true, 5: false)", 0), "true");
 }
 
 TEST(Keys, SmoothCurvesAreFlatAtEndsAndNeverOvershoot) {
@@ -69,33 +69,35 @@ TEST(Keys, SmoothCurvesAreFlatAtEndsAndNeverOvershoot) {
   EXPECT_NEAR((at(h) - at(0)) / h, 0, 1e-4) << "flat at the first key";
   EXPECT_NEAR((at(20) - at(20 - h)) / h, 0, 1e-4) << "flat at the last key";
   EXPECT_NEAR((at(4 + h) - at(4)) / h, (at(4) - at(4 - h)) / h, 1e-3) << "no corner between";
-  EXPECT_EQ(x("keys(smooth, 0: 0, 2: 1)", 0.5), "0.15625");  // 3 t^2 - 2 t^3 at a quarter
+  EXPECT_EQ(x_at("keys(smooth, 0: 0, 2: 1)", 0.5), "0.15625");  // 3 t^2 - 2 t^3 at a quarter
 }
 
 TEST(Keys, TrackFrameDependence) {
-  EXPECT_FALSE(read("let x = 1 + 2", 3).moves);
-  EXPECT_TRUE(read("let x = frame", 3).moves);
-  EXPECT_TRUE(read("let x = keys(1: 2)", 3).moves);
-  EXPECT_TRUE(read("let y = frame\nlet x = 2 * y", 3).moves);
+  EXPECT_FALSE(read_at("let x = 1 + 2", 3).moves);
+  EXPECT_TRUE(read_at("let x = frame", 3).moves);
+  EXPECT_TRUE(read_at("let x = keys(1: 2)", 3).moves);
+  EXPECT_TRUE(read_at("let y = frame\nlet x = 2 * y", 3).moves);
 }
 
 TEST(Keys, EachKeyDrawsItsOwnNumber) {
   const std::string keys = "keys(1: 0..1, 2: 0..1)";
-  EXPECT_NE(x(keys, 1), x(keys, 2));
-  EXPECT_EQ(x(keys, 1), x("keys(1: 0..1, 2: 0..1, 3: 5)", 1)) << "a further key changes nothing";
+  EXPECT_NE(x_at(keys, 1), x_at(keys, 2));
+  EXPECT_EQ(x_at(keys, 1), x_at("keys(1: 0..1, 2: 0..1, 3: 5)", 1))
+      << "a further key changes nothing";
 }
 
 TEST(Keys, ReportErrors) {
-  EXPECT_EQ(x("keys()", 1), "! 'keys' needs at least one key");
-  EXPECT_EQ(x("keys(1, 2)", 1), "! 'keys' needs frames with their values");
-  EXPECT_EQ(x("keys(a: 2)", 1), "! 'keys' needs frames with their values");
-  EXPECT_EQ(x("keys(5: 1, 3: 2)", 1), "! the key at frame 3 comes after that at 5");
-  EXPECT_EQ(x("keys(5: 1, 5: 2)", 1), "! the key at frame 5 comes after that at 5");
-  EXPECT_EQ(x("keys(1: 1m, 2: 3deg)", 1), "! keys cannot mix a length and an angle");
-  EXPECT_EQ(x("keys(1: 1m, 2: (1, 2, 3))", 1), "! keys cannot mix a length and a vector");
-  EXPECT_EQ(x("keys(1: true, 2: false)", 1), "! true or false cannot be interpolated");
-  EXPECT_EQ(x("keys(1s: 1)", 1), "! a key must be a frame number without a unit");
-  EXPECT_EQ(read("let frame = 2", 1).value, "! 'frame' is a keyword and cannot be used as a name");
+  EXPECT_EQ(x_at("keys()", 1), "! 'keys' needs at least one key");
+  EXPECT_EQ(x_at("keys(1, 2)", 1), "! 'keys' needs frames with their values");
+  EXPECT_EQ(x_at("keys(a: 2)", 1), "! 'keys' needs frames with their values");
+  EXPECT_EQ(x_at("keys(5: 1, 3: 2)", 1), "! the key at frame 3 comes after that at 5");
+  EXPECT_EQ(x_at("keys(5: 1, 5: 2)", 1), "! the key at frame 5 comes after that at 5");
+  EXPECT_EQ(x_at("keys(1: 1m, 2: 3deg)", 1), "! keys cannot mix a length and an angle");
+  EXPECT_EQ(x_at("keys(1: 1m, 2: (1, 2, 3))", 1), "! keys cannot mix a length and a vector");
+  EXPECT_EQ(x_at("keys(1: true, 2: false)", 1), "! true or false cannot be interpolated");
+  EXPECT_EQ(x_at("keys(1s: 1)", 1), "! a key must be a frame number without a unit");
+  EXPECT_EQ(read_at("let frame = 2", 1).value,
+            "! 'frame' is a keyword and cannot be used as a name");
 }
 
 }  // namespace

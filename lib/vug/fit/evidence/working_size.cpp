@@ -20,7 +20,7 @@ struct Span {
   std::vector<double> shares;
 };
 
-std::vector<Span> spans(int from, int to) {
+std::vector<Span> sample_spans(int from, int to) {
   std::vector<Span> out(static_cast<size_t>(to));
   const double step = static_cast<double>(from) / to;
   for (int i = 0; i < to; ++i) {
@@ -53,8 +53,8 @@ image::Image downsampled(const image::Image& picture, WorkingSize size) {
                             picture.height, size.width, size.height));
   if (size == WorkingSize{picture.width, picture.height}) return picture;
   image::Image out(size.width, size.height, picture.channels);
-  const std::vector<Span> across = spans(picture.width, size.width);
-  const std::vector<Span> down = spans(picture.height, size.height);
+  const std::vector<Span> across = sample_spans(picture.width, size.width);
+  const std::vector<Span> down = sample_spans(picture.height, size.height);
   parallel_for(static_cast<size_t>(size.height), [&](size_t row) {
     for (int x = 0; x < size.width; ++x)
       for (size_t c = 0; c < picture.channels.size(); ++c) {

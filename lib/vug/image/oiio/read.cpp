@@ -69,7 +69,7 @@ std::unique_ptr<OIIO::ImageInput> open_input(const std::filesystem::path& path) 
 
 /// The parts with the same window as the first: those of a multi-part EXR, not the thumbnails that
 /// some formats add.
-std::vector<OIIO::ImageSpec> parts_of(OIIO::ImageInput& input) {
+std::vector<OIIO::ImageSpec> part_specs(OIIO::ImageInput& input) {
   std::vector<OIIO::ImageSpec> parts = {input.spec()};
   const bool many = std::string_view(input.format_name()) == "openexr";
   for (int i = 1; many && input.seek_subimage(i, 0); ++i) {
@@ -130,7 +130,7 @@ FileInfo info_of(const std::vector<OIIO::ImageSpec>& parts) {
 
 Pixels read(const std::filesystem::path& path) {
   const auto input = open_input(path);
-  const std::vector<OIIO::ImageSpec> parts = parts_of(*input);
+  const std::vector<OIIO::ImageSpec> parts = part_specs(*input);
   const OIIO::ImageSpec& spec = parts.front();
   const std::vector<std::string> channels = channels_of(parts);
   require_memory(4.0 * spec.width * spec.height * static_cast<double>(channels.size()),
@@ -148,13 +148,13 @@ Pixels read(const std::filesystem::path& path) {
 }
 
 FileInfo read_info(const std::filesystem::path& path) {
-  return info_of(parts_of(*open_input(path)));
+  return info_of(part_specs(*open_input(path)));
 }
 
 std::optional<DeepInfo> read_deep_info(const std::filesystem::path& path) {
   const auto input = open_any(path);
   if (!input->spec().deep) return std::nullopt;
-  const std::vector<OIIO::ImageSpec> parts = parts_of(*input);
+  const std::vector<OIIO::ImageSpec> parts = part_specs(*input);
   DeepInfo info{info_of(parts)};
   constexpr double kPixelBytes = 16;  // Memory of OpenImageIO for a pixel without samples.
   require_memory(kPixelBytes * info.file.width * info.file.height, available_memory(),

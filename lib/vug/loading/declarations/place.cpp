@@ -112,7 +112,7 @@ bool resolve_model(shot::Model& model, const SourceLocation& where, ReadContext&
 }
 
 /// The location of an entry of the block, else that of the declaration's name.
-SourceLocation where_of(const char* key, const scene::Declaration& declaration) {
+SourceLocation location_of_entry(const char* key, const scene::Declaration& declaration) {
   const scene::Entry* entry = declaration.find_entry(key);
   return entry ? entry->where : declaration.where;
 }
@@ -121,7 +121,7 @@ SourceLocation where_of(const char* key, const scene::Declaration& declaration) 
 std::optional<Error> find_mismatch(const shot::PointInstancer& plan,
                                    const scene::Declaration& declaration) {
   const auto refuse = [&](const char* key, const std::string& what, const std::string& hint = {}) {
-    return Error(ErrorCode::bad_input, what, where_of(key, declaration), hint);
+    return Error(ErrorCode::bad_input, what, location_of_entry(key, declaration), hint);
   };
   if (plan.of.empty()) return refuse("of", "there is nothing to place: the list is empty");
   if (!plan.shares.empty() && plan.shares.size() != plan.of.size())

@@ -19,7 +19,7 @@ struct Gradient {
   }
 };
 
-Vec3d color_at(const std::vector<Vec3d>& colors, double t) {
+Vec3d gradient_color(const std::vector<Vec3d>& colors, double t) {
   if (colors.empty()) return Vec3d(0.5);
   const double x = std::clamp(t, 0.0, 1.0) * static_cast<double>(colors.size() - 1);
   const size_t i = std::min(static_cast<size_t>(x), colors.size() - 1);
@@ -33,7 +33,8 @@ Vec3d color_at(const std::vector<Vec3d>& colors, double t) {
 
 VUG_PAINT_KIND(gradient) {
   return paint_kind<Gradient>("gradient", [](const Gradient& g) {
-    return make_paint([g](const EvalPoint& point) { return color_at(g.colors, (*g.mask)(point)); },
-                      g.mask->uses());
+    return make_paint(
+        [g](const EvalPoint& point) { return gradient_color(g.colors, (*g.mask)(point)); },
+        g.mask->uses());
   });
 }

@@ -86,7 +86,7 @@ class Preetham {
 
 constexpr size_t kWidth = 512, kHeight = 256;
 
-std::vector<Rgb> texels(const Daylight& p) {
+std::vector<Rgb> daylight_texels(const Daylight& p) {
   const Vec3d sun = p.direction();
   const Preetham model(sun, p.turbidity);
   std::vector<Rgb> out;
@@ -110,7 +110,7 @@ std::vector<Rgb> texels(const Daylight& p) {
 class DaylightLight final : public EnvironmentMap {
  public:
   explicit DaylightLight(const Daylight& p)
-      : EnvironmentMap(linking_of(p), kWidth, kHeight, texels(p), 0) {}
+      : EnvironmentMap(linking_of(p), kWidth, kHeight, daylight_texels(p), 0) {}
 };
 
 }  // namespace

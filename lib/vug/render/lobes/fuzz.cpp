@@ -24,11 +24,11 @@ struct FuzzTable {
   std::array<float, kFuzzRoughnesses> mean, largest;
 };
 
-float node_roughness(int j) {
+float fuzz_roughness(int j) {
   return kMinFuzzRoughness +
          (1 - kMinFuzzRoughness) * static_cast<float>(j) / (kFuzzRoughnesses - 1);
 }
-float node_cosine(int i) {
+float fuzz_cosine(int i) {
   const float x = static_cast<float>(i) / (kFuzzCosines - 1);
   return std::max(x * x, 1e-3f);
 }
@@ -47,13 +47,13 @@ const FuzzTable& fuzz_table() {
     FuzzTable s{};
     for (size_t j = 0; j < kFuzzRoughnesses; ++j) {
       for (size_t i = 0; i < kFuzzCosines; ++i) {
-        const Vec3f out = direction_at(node_cosine(static_cast<int>(i)), 0);
+        const Vec3f out = direction_at(fuzz_cosine(static_cast<int>(i)), 0);
         double sum = 0;
         for (int a = 0; a < kSteps; ++a)
           for (int b = 0; b < kTurns; ++b) {  // half of the azimuths
             const float c = (static_cast<float>(a) + 0.5f) / kSteps;
             const Vec3f in = direction_at(c, (static_cast<float>(b) + 0.5f) / (2 * kTurns));
-            sum += static_cast<double>(c * fibres(out, in, node_roughness(static_cast<int>(j))));
+            sum += static_cast<double>(c * fibres(out, in, fuzz_roughness(static_cast<int>(j))));
           }
         s.albedo[j][i] = static_cast<float>(2 * kPi * sum / (kSteps * kTurns));
         s.largest[j] = std::max(s.largest[j], s.albedo[j][i]);

@@ -115,7 +115,7 @@ void SurfaceParams::describe(Schema<SurfaceParams>& s) {
 
 /// Albedo of single collisions for which a deep body reflects `color`: the inverse of van de
 /// Hulst's fit 1980 (cite vandehulst1980), exact for white and black.
-float single_albedo(float color) {
+float single_scattering_albedo(float color) {
   const float b = 1.139f + 1.17f * color;
   const float s = 2 * (1 - color) / (b + std::sqrt(b * b - 0.556f * (1 - color)));
   return std::max(0.0f, 1 - s * s);
@@ -259,7 +259,8 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
     const ClearCoatLobe face(color, ClearCoatLobe::Base::open, roughness, *face_, out);
     bsdf.add_subsurface(dry * cloudy, face,
                         {static_cast<float>(p_.mean_free_path),
-                         {single_albedo(color.x), single_albedo(color.y), single_albedo(color.z)}},
+                         {single_scattering_albedo(color.x), single_scattering_albedo(color.y),
+                          single_scattering_albedo(color.z)}},
                         color);
   }
   return bsdf;

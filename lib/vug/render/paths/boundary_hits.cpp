@@ -9,7 +9,7 @@ namespace {
 /// Face 2a + s is the low (s = 0) or high side of axis a; its grid spans the two following axes.
 int axis_of(int face) { return face / 2; }
 int across(int face) { return (axis_of(face) + 1) % 3; }
-int along(int face) { return (axis_of(face) + 2) % 3; }
+int next_axis_of(int face) { return (axis_of(face) + 2) % 3; }
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void BoundaryHits::count(const Ray& ray) {
     const float part = size > 0 ? (at[axis] - box_.min[axis]) / size : 0;
     return std::clamp(static_cast<int>(part * kCells), 0, kCells - 1);
   };
-  const int place = (face * kCells + cell(along(face))) * kCells + cell(across(face));
+  const int place = (face * kCells + cell(next_axis_of(face))) * kCells + cell(across(face));
   counts_[static_cast<size_t>(place)].fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -69,7 +69,7 @@ std::vector<BoundaryHits::CellGroup> BoundaryHits::groups() const {
 }
 
 RectangleParams BoundaryHits::rectangle(const CellGroup& group, int margin) const {
-  const int axis = axis_of(group.face), a = across(group.face), b = along(group.face);
+  const int axis = axis_of(group.face), a = across(group.face), b = next_axis_of(group.face);
   const Vec3d low(box_.min), size(box_.max - box_.min);
   const auto edge = [&](int on, int cell) {
     return low[on] + size[on] * std::clamp(cell, 0, kCells) / kCells;
