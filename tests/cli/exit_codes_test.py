@@ -183,7 +183,7 @@ class Unusable(VugTest):
     def test_a_faulty_override_is_one_fault(self):
         self.write("ball.vug", "param R = 1m\n" + BALL.replace("1m", "R"))
         self.assertEqual(self.refused("check", "ball.vug", "-D", "R=1e999"),
-                         "-D R:1:1: error: the number 1e999 is too large\n1e999\n^~~~~\n")
+                         "-D R: error: the number 1e999 is too large\n1e999\n^~~~~\n")
 
     def test_errors_suggest_a_remedy(self):
         self.write("ball.vug", BALL + "camera front { eye (0, 0, 5) }\n")

@@ -18,7 +18,8 @@ bool SourceLocation::contains(const SourceLocation& inner) const {
 }
 
 std::string to_string(const SourceLocation& where) {
-  if (!where.known()) return where.file;
+  // An expression of the command line has one line, which the excerpt shows.
+  if (!where.known() || where.file.starts_with("-D ")) return where.file;
   return fmt::format("{}:{}:{}", where.file, where.line, where.column);
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Deep images: samples with depth for each pixel, so that other programs can composite objects
-// between them.
+// Deep images: samples with depth per pixel, between which other programs can composite objects.
 #pragma once
 
 #include <vug/image/io.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random choices of a move with their probability. The same code draws the choices of a move and
-// scores those of the reverse move, so the two densities of a reversible jump are written only
-// once.
+// scores those of the reverse move: the two densities of a reversible jump are written only once.
 #pragma once
 
 #include <vug/base/rng.h>

@@ -6,6 +6,7 @@
 #include <vug/loading/facade_binding.h>
 #include <vug/loading/grammar_binding.h>
 #include <vug/loading/reader.h>
+#include <vug/mesh/format.h>
 #include <vug/render/film/aov_table.h>
 #include <vug/shot/lsystem_plan.h>
 
@@ -50,6 +51,7 @@ std::vector<const KindInfo*> all_kinds() {
     for (const RegisteredKind& kind : registry.kinds) kinds.push_back(kind.info);
   for (const KindInfo& aov : aov_kinds()) kinds.push_back(&aov);
   for (const image::Measure* measure : image::measures()) kinds.push_back(&measure->info);
+  for (const mesh::Format* format : mesh::formats()) kinds.push_back(&format->info);
   for (const exchange::Format* format : exchange::formats()) kinds.push_back(&format->info);
   for (const exchange::Program* program : exchange::programs()) kinds.push_back(&program->info);
   return kinds;

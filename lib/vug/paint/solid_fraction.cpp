@@ -19,8 +19,7 @@ std::array<Vec3d, kPairs> half_ball() {
   std::array<Vec3d, kPairs> points;
   for (int i = 0; i < kPairs; ++i) {
     const double z = (i + 0.5) / kPairs, ring = std::sqrt(1 - z * z);
-    const double turn = 2 * kPi * kGolden * i;
-    const double u = 0.5 + kPlastic * i;
+    const double turn = 2 * kPi * kGolden * i, u = 0.5 + kPlastic * i;
     const double radius = maths::pow(u - std::floor(u), 1.0 / 3);  // uniform in volume
     points[static_cast<size_t>(i)] =
         Vec3d(ring * maths::cos(turn), ring * maths::sin(turn), z) * radius;

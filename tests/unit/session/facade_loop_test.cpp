@@ -16,10 +16,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 
 namespace vug::session {
 namespace {
@@ -50,6 +50,22 @@ int number_of(const char* name, int otherwise) {
   return text ? std::atoi(text) : otherwise;
 }
 
+/// The line with each occurrence of a whole word replaced.
+std::string with_word(const std::string& line, const std::string& word, const std::string& by) {
+  const auto letter = [&](size_t at) {
+    return at < line.size() &&
+           (std::isalnum(static_cast<unsigned char>(line[at])) || line[at] == '_');
+  };
+  std::string out;
+  size_t from = 0;
+  for (size_t at = line.find(word); at != std::string::npos; at = line.find(word, at + 1)) {
+    if (letter(at + word.size()) || (at > 0 && letter(at - 1))) continue;
+    out += line.substr(from, at - from) + by;
+    from = at + word.size();
+  }
+  return out + line.substr(from);
+}
+
 /// The published rules in a wall of 1.2 m. Each kind of element is plain and has its own depth,
 /// since without colours only the depth distinguishes them.
 std::string plain_grammar() {
@@ -58,11 +74,10 @@ std::string plain_grammar() {
   bool rules = false;
   while (std::getline(file, line)) {
     if (rules && line.find('#') == std::string::npos) {
-      line = std::regex_replace(line, std::regex("\\bwindow\\b"), "window(reveal: 20cm)");
-      line = std::regex_replace(line, std::regex("\\bdoor\\b"), "door(reveal: 36cm, panels: 0)");
-      line = std::regex_replace(line, std::regex("\\bdoorway\\b"), "doorway(depth: 52cm)");
-      line = std::regex_replace(line, std::regex("\\bshop\\b"),
-                                "shop(reveal: 68cm, riser: 0, sign: 0, bays: 1)");
+      line = with_word(line, "window", "window(reveal: 20cm)");
+      line = with_word(line, "door", "door(reveal: 36cm, panels: 0)");
+      line = with_word(line, "doorway", "doorway(depth: 52cm)");
+      line = with_word(line, "shop", "shop(reveal: 68cm, riser: 0, sign: 0, bays: 1)");
     }
     if (line.find("axiom") != std::string::npos) rules = true, line += "\n  thickness 1.2m";
     out += line + "\n";

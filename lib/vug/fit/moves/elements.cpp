@@ -34,8 +34,7 @@ bool elements(const MoveContext& context, TreeState& state, Choices& forward, Ch
     score_pick(state, back, i, pair);
     return context.model.compute_areas(state);
   }
-  const int next = tree.end(i);
-  const int both = width + state.area(next).width;
+  const int next = tree.end(i), both = width + state.area(next).width;
   const bool last = tree.end(next) == tree.end(above);
   state.erase(above, next);
   tree[i].extent = static_cast<int16_t>(last ? 0 : both);

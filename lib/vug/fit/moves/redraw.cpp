@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moves one edge of windows, or of a free-standing element, to a position that the picture hints
-// at.
+// Moves an edge of windows, or of a free-standing element, to a position that the picture suggests.
 #include <vug/fit/move.h>
 
 namespace vug::fit {
