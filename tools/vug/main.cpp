@@ -101,9 +101,8 @@ Error unexpected_argument_error(const CLI::App& app) {
                      : fmt::format("unexpected arguments: '{}'", fmt::join(words, "', '")),
                  {}, help);
   const std::string name = option->substr(0, option->find('='));
-  const std::string near = nearest_name(name, option_names(*command));
   return Error(ErrorCode::bad_input, fmt::format("unknown option '{}'", name), {},
-               near.empty() ? help : fmt::format("did you mean '{}'?", near));
+               did_you_mean(name, option_names(*command), help));
 }
 
 /// The error for a command line whose verb is missing, or unknown and preceded by options.

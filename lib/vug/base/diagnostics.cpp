@@ -48,7 +48,8 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
   size_t best_distance = std::max<size_t>(1, name.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     const size_t distance = edit_distance(name, candidate);
-    if (distance < best_distance) {
+    const bool has_nothing_in_common = distance >= std::max(name.size(), candidate.size());
+    if (distance < best_distance && !has_nothing_in_common) {
       best = candidate;
       best_distance = distance;
     }
@@ -56,11 +57,15 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
   return best;
 }
 
+std::string did_you_mean(const std::string& name, const std::vector<std::string>& candidates,
+                         const std::string& otherwise) {
+  const std::string near = nearest_name(name, candidates);
+  return near.empty() ? otherwise : fmt::format("did you mean '{}'?", near);
+}
+
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates) {
-  if (const std::string near = nearest_name(name, candidates); !near.empty())
-    return fmt::format("did you mean '{}'?", near);
-  if (candidates.empty()) return {};
-  return fmt::format("known: {}", fmt::join(candidates, ", "));
+  const std::string known = fmt::format("known: {}", fmt::join(candidates, ", "));
+  return did_you_mean(name, candidates, candidates.empty() ? "" : known);
 }
 
 }  // namespace vug

@@ -40,6 +40,10 @@ class Diagnostics {
 /// the distance of each exceeds a third of the name's length (at least 1).
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
 
+/// "did you mean 'x'?" for the nearest candidate, or another hint if none is near.
+std::string did_you_mean(const std::string& name, const std::vector<std::string>& candidates,
+                         const std::string& otherwise = {});
+
 /// "did you mean 'x'?" for the nearest candidate, else "known: a, b, c". Empty without candidates.
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates);
 

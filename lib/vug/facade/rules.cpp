@@ -129,12 +129,10 @@ class Reader {
     for (const auto& [head, arity] : arities_) names.push_back(head);
     for (const ElementKind* kind : elements()) names.push_back(kind->info.name);
     for (const SplitKind* kind : splits()) names.push_back(kind->info.name);
-    const std::string near = nearest_name(expr.text, names);
     diagnostics_.error(
         expr.where,
         fmt::format("'{}' is neither a symbol with a rule nor a split nor an element", expr.text),
-        near.empty() ? "'vug list split' and 'vug list element' list them"
-                     : fmt::format("did you mean '{}'?", near));
+        did_you_mean(expr.text, names, "'vug list split' and 'vug list element' list them"));
   }
 
   const scene::Grammar& grammar_;

@@ -69,10 +69,9 @@ class AttributeChecker {
 
   void check_name(const std::string& name, const SourceLocation& where) const {
     if (std::find(names_.begin(), names_.end(), name) != names_.end()) return;
-    const std::string near = nearest_name(name, names_);
-    if (near.empty() && where.file != file_) return;
+    if (where.file != file_ && nearest_name(name, names_).empty()) return;
     diagnostics_.warning(where, fmt::format("unknown attribute '{}'", name),
-                         near.empty() ? others() : fmt::format("did you mean '{}'?", near));
+                         did_you_mean(name, names_, others()));
   }
 
   std::string others() const {

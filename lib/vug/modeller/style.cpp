@@ -134,13 +134,11 @@ int Style::find_rule(const std::string& symbol, const std::string& called) const
                 fmt::format("several rules of '{}' begin with '{}'", symbol, called), {},
                 fmt::format("one of: {}", fmt::join(names, ", ")));
   }
-  std::string near = nearest_name(called, names);
   std::vector<std::string> words;
   for (const std::string& name : names) words.push_back(first_word(name));
-  if (near.empty()) near = nearest_name(called, words);
+  const std::string known = fmt::format("its rules: {}", fmt::join(names, ", "));
   throw Error(ErrorCode::bad_input, fmt::format("'{}' has no rule '{}'", symbol, called), {},
-              near.empty() ? fmt::format("its rules: {}", fmt::join(names, ", "))
-                           : fmt::format("did you mean '{}'?", near));
+              did_you_mean(called, names, did_you_mean(called, words, known)));
 }
 
 bool Style::ends_in_elements(const std::string& symbol) const {

@@ -102,8 +102,7 @@ bool Evaluator::is_known(const Value& value, const Expr& expr) {
 std::string Evaluator::name_hint(const std::string& name) const {
   std::vector<std::string> names = resolver_.known_names();
   for (const auto& [known, value] : globals_) names.push_back(known);
-  const std::string near = nearest_name(name, names);
-  if (near != name) return near.empty() ? "" : fmt::format("did you mean '{}'?", near);
+  if (nearest_name(name, names) != name) return did_you_mean(name, names);
   for (const Declaration& made : document_.declarations)  // it exists, but has another kind
     if (made.name == name && made.target && made.target->kind == ExprKind::name)
       return fmt::format("'{}' is declared by '{}' on '{}'", name, made.kind, made.target->text);
@@ -322,10 +321,9 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   std::vector<std::string> names = resolver_.known_calls();
   for (const Function& function : functions()) names.emplace_back(function.name);
   names.insert(names.end(), {"if", "pick", "keys"});
-  const std::string near = nearest_name(expr.text, names);
   diagnostics_.error(word_at(expr.where, expr.text),
                      fmt::format("unknown function '{}'", expr.text),
-                     near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+                     did_you_mean(expr.text, names));
   return {};
 }
 

@@ -47,13 +47,12 @@ void Evaluator::read_overrides() {
       if (document_.skipped.may_declare(given.name)) continue;
       std::vector<std::string> names;
       for (const Param& param : document_.params) names.push_back(param.name);
-      const std::string near = nearest_name(given.name, names);
-      diagnostics_.error(
-          {file, 0, 0}, fmt::format("the scene has no param '{}'", given.name),
-          names.empty() ? "it declares no parameters; add one with e.g. 'param R = 1m'"
-                        : fmt::format("{}its params: {}",
-                                      near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
-                                      fmt::join(names, ", ")));
+      const std::string near = did_you_mean(given.name, names);
+      diagnostics_.error({file, 0, 0}, fmt::format("the scene has no param '{}'", given.name),
+                         names.empty()
+                             ? "it declares no parameters; add one with e.g. 'param R = 1m'"
+                             : fmt::format("{}{}its params: {}", near, near.empty() ? "" : " ",
+                                           fmt::join(names, ", ")));
       continue;
     }
     sources_.push_back(std::make_shared<const Source>(Source{file, given.text}));

@@ -205,10 +205,9 @@ class StatementParser {
       }
       if (!cursor_.accept_beyond_newlines("{")) {
         const std::string hint =
-            nearest_name(made.kind, {"seed", "param", "let", "include", "grammar"});
+            did_you_mean(made.kind, {"seed", "param", "let", "include", "grammar"});
         if (hint.empty()) cursor_.unexpected("'=' or '{'");
-        cursor_.fail(kind, fmt::format("unknown statement '{}'", kind.text),
-                     fmt::format("did you mean '{}'?", hint));
+        cursor_.fail(kind, fmt::format("unknown statement '{}'", kind.text), hint);
       }
       if (cursor_.faults() == faults) made.broken = false;
       entries(made);

@@ -36,10 +36,9 @@ fs::path find_grammar_file(const fs::path& folder, const std::string& file) {
     for (const fs::directory_entry& entry : fs::directory_iterator(each, ignored))
       if (entry.path().extension() == ".vug") names.push_back(entry.path().filename().string());
   }
-  const std::string near = nearest_name(file, names);
   throw Error(ErrorCode::bad_input, fmt::format("there is no grammar '{}': no such file", file), {},
-              near.empty() ? "name a file with its folder, or one of data/facades, as ripperda.vug"
-                           : fmt::format("did you mean '{}'?", near));
+              did_you_mean(file, names,
+                           "name a file with its folder, or one of data/facades, as ripperda.vug"));
 }
 
 modeller::StyleLoader facade_style_loader(const fs::path& folder) {

@@ -37,10 +37,9 @@ void print_kind(const KindInfo& kind) {
 int run(const Options& options) {
   const std::vector<const KindInfo*> kinds = loading::find_kinds(options.what);
   if (kinds.empty()) {
-    const std::string near = nearest_name(options.what, loading::kind_words());
-    throw Error(
-        ErrorCode::bad_input, fmt::format("unknown kind or category '{}'", options.what), {},
-        near.empty() ? "'vug list' lists all of them" : fmt::format("did you mean '{}'?", near));
+    throw Error(ErrorCode::bad_input, fmt::format("unknown kind or category '{}'", options.what),
+                {},
+                did_you_mean(options.what, loading::kind_words(), "'vug list' lists all of them"));
   }
   if (options.json) {
     fmt::print("{}\n", loading::catalogue_json(kinds).dump(2));

@@ -141,11 +141,10 @@ ViewOptions ocio_view(const ViewSelection& choice, WorkingSpace space,
   const Config config = open(choice.config);
   const auto refuse = [&](const char* what, const std::string& name,
                           const std::vector<std::string>& there) {
-    const std::string near = nearest_name(name, there);
+    const std::string near = did_you_mean(name, there);
     return Error(
         ErrorCode::bad_input, fmt::format("unknown {} '{}' {}", what, name, config.name), {},
-        fmt::format("{}known: {}", near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
-                    fmt::join(there, ", ")));
+        fmt::format("{}{}known: {}", near, near.empty() ? "" : " ", fmt::join(there, ", ")));
   };
   const std::vector<std::string> screens = displays(config);
   const std::string display =
