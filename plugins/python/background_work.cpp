@@ -68,8 +68,7 @@ void run_in_background(EventQueue& queue, Progress& progress, const Callback& ca
   bool stopped = false;
   std::thread worker([&] {
     try {
-      const ThreadLimit limit(threads);
-      work();
+      with_threads(threads, [&] { work(); });
     } catch (...) {
       fault = std::current_exception();
     }

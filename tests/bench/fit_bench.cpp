@@ -96,20 +96,21 @@ const char* verdict(bool kept) { return kept ? "kept" : "MISSED"; }
 
 /// Eight chains from the best seed, on two threads.
 void measure_chains(const Rules& rules, double millions) {
-  const ThreadLimit both(kCores);
-  const Evidence pixels = evidence(false);
-  const Model model(rules, {}, kWidth, kHeight, {&pixels, make_likelihood("kt", pixels)});
-  const EdgeHints hints = EdgeHints::from_clusters(pixels);
-  const MoveContext context{model, hints};
-  const std::vector<TreeState> found = seeds(context, pixels, false);
-  SamplerOptions options;
-  options.steps = static_cast<int64_t>(1e6 * millions);
-  const double begin = processor_seconds();
-  sample(context, options, RandomKey(1), Progress::none(), &found.front());
-  const double used = (processor_seconds() - begin) / millions;
-  fmt::print(
-      "8 chains of 1 M proposals: {:.1f} s of the processor, {:.1f} s on {} cores ({} s: {})\n",
-      used, used / kCores, kCores, kChains, verdict(used / kCores <= kChains));
+  with_threads(kCores, [&] {
+    const Evidence pixels = evidence(false);
+    const Model model(rules, {}, kWidth, kHeight, {&pixels, make_likelihood("kt", pixels)});
+    const EdgeHints hints = EdgeHints::from_clusters(pixels);
+    const MoveContext context{model, hints};
+    const std::vector<TreeState> found = seeds(context, pixels, false);
+    SamplerOptions options;
+    options.steps = static_cast<int64_t>(1e6 * millions);
+    const double begin = processor_seconds();
+    sample(context, options, RandomKey(1), Progress::none(), &found.front());
+    const double used = (processor_seconds() - begin) / millions;
+    fmt::print(
+        "8 chains of 1 M proposals: {:.1f} s of the processor, {:.1f} s on {} cores ({} s: {})\n",
+        used, used / kCores, kCores, kChains, verdict(used / kCores <= kChains));
+  });
 }
 
 struct Search {
@@ -138,14 +139,16 @@ Search search(const Rules& rules, const Evidence& pixels, double stop) {
 
 void measure_usable(const Rules& rules, const std::string& name, const Evidence& pixels) {
   constexpr double kEarly = 0.8;  // share of the time, because steps in progress are completed
-  const ThreadLimit both(kCores);
-  const Search whole = search(rules, pixels, 0), early = search(rules, pixels, kEarly * kUsable);
-  const double more = early.bits / whole.bits - 1;
-  fmt::print(
-      "{}: {:.0f} bits after {:.1f} s ({:.1f} of the processor), {:.2f} % more after {:.1f} s "
-      "({:.1f}) ({} % in {} s: {})\n",
-      name, whole.bits, whole.seconds, whole.processor, 100 * more, early.seconds, early.processor,
-      100 * kTolerance, kUsable, verdict(more <= kTolerance && early.seconds <= kUsable));
+  with_threads(kCores, [&] {
+    const Search whole = search(rules, pixels, 0), early = search(rules, pixels, kEarly * kUsable);
+    const double more = early.bits / whole.bits - 1;
+    fmt::print(
+        "{}: {:.0f} bits after {:.1f} s ({:.1f} of the processor), {:.2f} % more after {:.1f} s "
+        "({:.1f}) ({} % in {} s: {})\n",
+        name, whole.bits, whole.seconds, whole.processor, 100 * more, early.seconds,
+        early.processor, 100 * kTolerance, kUsable,
+        verdict(more <= kTolerance && early.seconds <= kUsable));
+  });
 }
 
 /// The evidence of all pixels of a photo, from their colours.
@@ -161,10 +164,11 @@ int main(int argc, char** argv) {
   const Rules rules = compile(vug::facade::load_rules(VUG_DATA "/facades/ripperda.vug"));
   double least = INFINITY;
   {
-    const vug::ThreadLimit one(1);
-    for (const LikelihoodKind* kind : likelihood_kinds())
-      least =
-          std::min(least, measure(rules, kind->info.name, static_cast<int64_t>(1e6 * millions)));
+    vug::with_threads(1, [&] {
+      for (const LikelihoodKind* kind : likelihood_kinds())
+        least =
+            std::min(least, measure(rules, kind->info.name, static_cast<int64_t>(1e6 * millions)));
+    });
   }
   fmt::print("the slowest: {:.2f} M proposals/s on a thread ({}: {}); librjmcmc: 3.2 on circles\n",
              least, kRate, verdict(least >= kRate));

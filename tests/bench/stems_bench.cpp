@@ -34,27 +34,29 @@ flora::SweepOptions prototype() {
 
 void prototype_of_a_grove(benchmark::State& state) {
   const shot::LSystemPlan& plan = *moso().shot.lsystems.at(0);
-  const ThreadLimit threads(1);
-  flora::MeshOptions mesh;
-  mesh.tolerance = 1e-3;
-  mesh.min_sides = 3;
-  size_t leaves = 0, triangles = 0;
-  for (auto _ : state) {
-    const lsystem::Drawing drawing = plan.draw();
-    const mesh::Mesh stems = flora::swept_mesh(flora::tubes(drawing, prototype()), mesh);
-    leaves = drawing.instances.size();
-    triangles = stems.triangles.size();
-    benchmark::DoNotOptimize(stems.positions.data());
-  }
-  state.counters["leaves"] = static_cast<double>(leaves);
-  state.counters["triangles"] = static_cast<double>(triangles);
+  with_threads(1, [&] {
+    flora::MeshOptions mesh;
+    mesh.tolerance = 1e-3;
+    mesh.min_sides = 3;
+    size_t leaves = 0, triangles = 0;
+    for (auto _ : state) {
+      const lsystem::Drawing drawing = plan.draw();
+      const mesh::Mesh stems = flora::swept_mesh(flora::tubes(drawing, prototype()), mesh);
+      leaves = drawing.instances.size();
+      triangles = stems.triangles.size();
+      benchmark::DoNotOptimize(stems.positions.data());
+    }
+    state.counters["leaves"] = static_cast<double>(leaves);
+    state.counters["triangles"] = static_cast<double>(triangles);
+  });
 }
 BENCHMARK(prototype_of_a_grove)->Unit(benchmark::kMillisecond);
 
 void turtle(benchmark::State& state) {
   const shot::LSystemPlan& plan = *moso().shot.lsystems.at(0);
-  const ThreadLimit threads(1);
-  for (auto _ : state) benchmark::DoNotOptimize(plan.draw().instances.size());
+  with_threads(1, [&] {
+    for (auto _ : state) benchmark::DoNotOptimize(plan.draw().instances.size());
+  });
 }
 BENCHMARK(turtle)->Unit(benchmark::kMillisecond);
 

@@ -62,12 +62,13 @@ void by_one_and_two(benchmark::State& state, const Work& work) {
   for (auto _ : state) {
     double both = 0;
     for (const size_t which : {0, 1}) {
-      const ThreadLimit limit(which == 0 ? 1 : 2);
-      const auto start = std::chrono::steady_clock::now();
-      made = work();
-      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-      fastest[which] = std::min(fastest[which], taken.count());
-      both += taken.count();
+      with_threads(which == 0 ? 1 : 2, [&] {
+        const auto start = std::chrono::steady_clock::now();
+        made = work();
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+        fastest[which] = std::min(fastest[which], taken.count());
+        both += taken.count();
+      });
     }
     state.SetIterationTime(both);
   }

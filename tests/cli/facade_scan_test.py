@@ -94,11 +94,11 @@ class FacadeScan(VugTest):
             self.assertEqual((result.err, json.loads(result.out)["doubts"]), ("", []))
 
     def test_same_bytes_for_any_threads(self):
-        for threads in (1, 2, 7):
+        for threads in (1, 2, 5, 8):
             self.expect(0, "facade", "scan", "wall.ply", "-o", f"out{threads}/wall.exr", "--threads", threads)
         for name in ("wall.exr", "wall.png", "wall.svg", "wall.json"):
-            bytes_of = [(self.folder / f"out{threads}" / name).read_bytes() for threads in (1, 2, 7)]
-            self.assertTrue(bytes_of[0] == bytes_of[1] == bytes_of[2], name)
+            bytes_of = [(self.folder / f"out{threads}" / name).read_bytes() for threads in (1, 2, 5, 8)]
+            self.assertEqual(len(set(bytes_of)), 1, name)
 
     def test_invalid_clouds_are_rejected(self):
         for text, said in (("", "empty"), ("1 2 3\n", "three points"), ("1 2\n", "broken.xyz:1:1"),

@@ -3,6 +3,7 @@
 
 #include <tbb/global_control.h>
 #include <tbb/info.h>
+#include <tbb/task_arena.h>
 
 #include <atomic>
 
@@ -25,13 +26,19 @@ const global_control no_workers(global_control::max_allowed_parallelism, 1);
 
 std::atomic<int> limit{0};  // 0: none
 
-}  // namespace
-
-struct ThreadLimit::Control {
-  explicit Control(int threads) : before(limit.exchange(threads)) {}
-  ~Control() { limit = before; }
+/// Sets the limit during its lifetime.
+struct ThreadLimit {
+  explicit ThreadLimit(int threads) : before(limit.exchange(threads)) {}
+  ~ThreadLimit() { limit = before; }
   int before;
 };
+
+}  // namespace
+
+void detail::run_with_threads(int threads, const std::function<void()>& work) {
+  const ThreadLimit own(threads);
+  work();
+}
 
 int thread_count() {
   const int threads = limit;
@@ -40,21 +47,18 @@ int thread_count() {
 
 #else
 
-struct ThreadLimit::Control {
-  explicit Control(int threads)
-      : limit(global_control::max_allowed_parallelism,
-              static_cast<size_t>(threads > 0 ? threads : all_cores())) {}
-  global_control limit;
-};
+void detail::run_with_threads(int threads, const std::function<void()>& work) {
+  const int wanted = threads > 0 ? threads : all_cores();
+  const global_control limit(global_control::max_allowed_parallelism, static_cast<size_t>(wanted));
+  // An arena of its own, because the implicit one never has more threads than there are cores.
+  tbb::task_arena arena(thread_count());
+  arena.execute([&] { work(); });
+}
 
 int thread_count() {
   return static_cast<int>(global_control::active_value(global_control::max_allowed_parallelism));
 }
 
 #endif
-
-ThreadLimit::ThreadLimit(int threads) : control_(std::make_unique<Control>(threads)) {}
-
-ThreadLimit::~ThreadLimit() = default;
 
 }  // namespace vug

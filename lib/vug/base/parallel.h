@@ -10,7 +10,10 @@
 #endif
 
 #include <cstddef>
-#include <memory>
+#include <functional>
+#include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace vug {
@@ -56,19 +59,23 @@ Sum ordered_sum(size_t count, Sum zero, const Term& term, size_t chunk = 4096) {
       chunk);
 }
 
-/// Limits the number of threads during its lifetime; 0 means all cores. The limit may exceed the
-/// number of cores.
-class ThreadLimit {
- public:
-  explicit ThreadLimit(int threads);
-  ~ThreadLimit();
-  ThreadLimit(const ThreadLimit&) = delete;
-  ThreadLimit& operator=(const ThreadLimit&) = delete;
+namespace detail {
+void run_with_threads(int threads, const std::function<void()>& work);
+}
 
- private:
-  struct Control;
-  std::unique_ptr<Control> control_;
-};
+/// Runs `work` and returns its result; parallel loops in it use this number of threads, which may
+/// exceed the number of cores. 0: one thread per core. A nested call can only reduce the number.
+template <class Work>
+auto with_threads(int threads, const Work& work) {
+  using Result = std::invoke_result_t<Work>;
+  if constexpr (std::is_void_v<Result>) {
+    detail::run_with_threads(threads, work);
+  } else {
+    std::optional<Result> result;
+    detail::run_with_threads(threads, [&] { result.emplace(work()); });
+    return std::move(*result);
+  }
+}
 
 /// The number of threads that parallel loops use now.
 int thread_count();

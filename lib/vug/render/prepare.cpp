@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
-#include <vug/base/parallel.h>
 #include <vug/render/film/surface_aov.h>
 #include <vug/render/kinds.h>
 #include <vug/render/paths/automatic_portals.h>
 #include <vug/render/prepare.h>
+#include <vug/render/thread_option.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
 
 namespace vug::render {
 namespace {
@@ -96,10 +95,9 @@ Ray PreparedRender::camera_ray(const SampleId& id, float time) const {
   return ray;
 }
 
-PreparedRender prepare(const Scene& scene, const Options& options, Progress& progress) {
-  require_valid(scene, options);
-  std::optional<ThreadLimit> limit;
-  if (options.threads > 0) limit.emplace(options.threads);
+namespace {
+
+PreparedRender prepare_valid(const Scene& scene, const Options& options, Progress& progress) {
   PreparedRender out;
   out.scene = &scene;
   out.options = options;
@@ -141,6 +139,13 @@ PreparedRender prepare(const Scene& scene, const Options& options, Progress& pro
                       progress);
     });
   return out;
+}
+
+}  // namespace
+
+PreparedRender prepare(const Scene& scene, const Options& options, Progress& progress) {
+  require_valid(scene, options);
+  return with_threads_of(options, [&] { return prepare_valid(scene, options, progress); });
 }
 
 }  // namespace vug::render

@@ -2,6 +2,7 @@
 #include <vug/base/parallel.h>
 #include <vug/render/film/render_state.h>
 #include <vug/render/prepare.h>
+#include <vug/render/thread_option.h>
 #include <vug/render/tile_loop.h>
 
 #include <algorithm>
@@ -71,7 +72,8 @@ image::Image render(const PreparedRender& prepared, Progress& progress,
   TileProgress tiles(prepared.region, 0, static_cast<uint32_t>(options.spp),
                      std::max(options.tile_size, 1));
   DevelopingSink sink(options, tiles, deep);
-  render_tiles(prepared, tiles, sink, callbacks, progress);
+  with_threads_of(prepared.options,
+                  [&] { render_tiles(prepared, tiles, sink, callbacks, progress); });
   return sink.take_picture();
 }
 

@@ -20,8 +20,6 @@ std::vector<size_t> unfinished_tiles(const TileProgress& tiles, uint32_t count) 
 
 void render_tiles(const PreparedRender& prepared, const TileProgress& tiles, TileSink& sink,
                   const RenderCallbacks& callbacks, Progress& progress) {
-  std::optional<ThreadLimit> limit;
-  if (prepared.options.threads > 0) limit.emplace(prepared.options.threads);
   if (callbacks.estimate)
     callbacks.estimate(estimate_seconds(prepared, static_cast<double>(tiles.missing()), progress));
   progress.begin("rendering", tiles.samples());

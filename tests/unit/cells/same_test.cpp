@@ -27,10 +27,11 @@ TEST(SameBytes, ForAnyNumberOfThreadsAndOrderOfPolygons) {
     BuildOptions o = options(kind->info.name, 0.06);
     o.relax = 3;
     const Digest expected = digest(build(Surface({shared(torus)}), o).network);
-    for (const int threads : {1, 2, 7}) {
-      const ThreadLimit limit(threads);
-      EXPECT_EQ(digest(build(Surface({shared(shuffled)}), o).network), expected)
-          << kind->info.name << " " << threads;
+    for (const int threads : {1, 2, 5, 8}) {
+      with_threads(threads, [&] {
+        EXPECT_EQ(digest(build(Surface({shared(shuffled)}), o).network), expected)
+            << kind->info.name << " " << threads;
+      });
     }
     o.key = RandomKey(1);
     EXPECT_NE(digest(build(Surface({shared(torus)}), o).network), expected) << kind->info.name;

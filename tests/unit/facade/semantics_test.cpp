@@ -86,8 +86,7 @@ TEST(Semantics, MeshesCarryKindsAndNodes) {
   mesh::Mesh one_thread = mesh;
   add_semantics(mesh, {first, second});
   {
-    const ThreadLimit limit(1);
-    add_semantics(one_thread, {first, second});
+    with_threads(1, [&] { add_semantics(one_thread, {first, second}); });
   }
   EXPECT_EQ(mesh, one_thread);
   std::vector<std::string> names;

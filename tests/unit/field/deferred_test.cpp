@@ -26,14 +26,15 @@ TEST(Deferred, IsComputedOnceWhenAValueIsNeeded) {
   EXPECT_EQ(field.bounds(), ball.bounds());
   EXPECT_EQ(calls, 0);
   std::vector<double> values(4000);
-  const ThreadLimit threads(7);
-  parallel_for(values.size(), [&](size_t i) { values[i] = field.value(Vec3d(0, double(i), 0)); });
-  EXPECT_EQ(calls, 1);
-  for (size_t i = 0; i < values.size(); ++i) ASSERT_EQ(values[i], double(i) - 2);
-  EXPECT_EQ(to_string(field), to_string(ball));
-  const Ball region{Vec3d(0, 3, 0), 0.5};
-  EXPECT_EQ(field.restricted(region).range.lo, ball.restricted(region).range.lo);
-  EXPECT_EQ(field.restricted(region).range.hi, ball.restricted(region).range.hi);
+  with_threads(7, [&] {
+    parallel_for(values.size(), [&](size_t i) { values[i] = field.value(Vec3d(0, double(i), 0)); });
+    EXPECT_EQ(calls, 1);
+    for (size_t i = 0; i < values.size(); ++i) ASSERT_EQ(values[i], double(i) - 2);
+    EXPECT_EQ(to_string(field), to_string(ball));
+    const Ball region{Vec3d(0, 3, 0), 0.5};
+    EXPECT_EQ(field.restricted(region).range.lo, ball.restricted(region).range.lo);
+    EXPECT_EQ(field.restricted(region).range.hi, ball.restricted(region).range.hi);
+  });
 }
 
 TEST(Deferred, AnErrorIsRepeated) {

@@ -130,8 +130,7 @@ TEST(Dripstone, AnyGirthAndTipGiveASolid) {
 
 TEST(Dripstone, SameForAnyNumberOfThreads) {
   const auto drips_with = [](int threads) {
-    const ThreadLimit limit(threads);
-    return find_drips(hall(), options());
+    return with_threads(threads, [&] { return find_drips(hall(), options()); });
   };
   const auto one = drips_with(1), many = drips_with(7);
   ASSERT_EQ(one.size(), many.size());

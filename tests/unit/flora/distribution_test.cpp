@@ -122,9 +122,10 @@ TEST(Distributions, DependOnTheKey) {
   for (const DistributionKind* kind : distributions()) {
     const std::string& name = kind->info.name;
     const std::vector<Vec2d> first = draw(name, {}, square(30), 0.4, 7);
-    const ThreadLimit limit(3);
-    EXPECT_EQ(draw(name, {}, square(30), 0.4, 7), first) << name;
-    EXPECT_NE(draw(name, {}, square(30), 0.4, 8), first) << name;
+    with_threads(3, [&] {
+      EXPECT_EQ(draw(name, {}, square(30), 0.4, 7), first) << name;
+      EXPECT_NE(draw(name, {}, square(30), 0.4, 8), first) << name;
+    });
   }
 }
 

@@ -156,15 +156,16 @@ TEST(Grove, TheNearestDiameterIsChosen) {
 
 TEST(Grove, DoesNotDependOnThreads) {
   const auto run = [](int threads) {
-    const ThreadLimit limit(threads);
-    GroveOptions o = options(3);
-    o.ground = ground_of(ball({10, -20, 10}, 25));
-    o.retention = [](const GroundPoint& foot) { return foot.position.x / 20; };
-    o.diameter = 0.1, o.diameter_spread = 0.03;
-    std::vector<double> numbers;
-    for (const Stem& stem : grove(Plot(square(20)), o))
-      numbers.insert(numbers.end(), {stem.base.position.x, stem.base.position.y, stem.diameter});
-    return numbers;
+    return with_threads(threads, [&] {
+      GroveOptions o = options(3);
+      o.ground = ground_of(ball({10, -20, 10}, 25));
+      o.retention = [](const GroundPoint& foot) { return foot.position.x / 20; };
+      o.diameter = 0.1, o.diameter_spread = 0.03;
+      std::vector<double> numbers;
+      for (const Stem& stem : grove(Plot(square(20)), o))
+        numbers.insert(numbers.end(), {stem.base.position.x, stem.base.position.y, stem.diameter});
+      return numbers;
+    });
   };
   const std::vector<double> one = run(1);
   EXPECT_GT(one.size(), 1000u);

@@ -54,9 +54,10 @@ TEST(MergeInstances, KeepsCommonAttributesOnlyForAnyNumberOfThreads) {
   const mesh::Mesh all = merge_instances({block(), plain}, copies);
   EXPECT_EQ(mesh::find_attribute(all, "height"), nullptr);
   EXPECT_TRUE(all.normals.empty());
-  const ThreadLimit limit(7);
-  EXPECT_EQ(merge_instances({block(), plain}, copies), all);
-  EXPECT_TRUE(merge_instances({}, {}).triangles.empty());
+  with_threads(7, [&] {
+    EXPECT_EQ(merge_instances({block(), plain}, copies), all);
+    EXPECT_TRUE(merge_instances({}, {}).triangles.empty());
+  });
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ TEST(SampleElimination, EqualsSequentialElimination) {
     for (uint32_t j = 0; j < count && rank[i] > 0; ++j) free &= !(expected[j] && close(i, j));
     expected[i] = free;
   }
-  for (const int threads : {1, 2, 7}) {
-    const ThreadLimit limit(threads);
-    EXPECT_EQ(eliminate_samples(grid, rank, close), expected) << threads;
+  for (const int threads : {1, 2, 5, 8}) {
+    with_threads(threads,
+                 [&] { EXPECT_EQ(eliminate_samples(grid, rank, close), expected) << threads; });
   }
 }
 

@@ -84,13 +84,14 @@ TEST(Scatter, DensityFollowsTheProbabilityAndOthersStay) {
 TEST(Scatter, IsTheSameForAnyNumberOfThreadsAndDiffersBySeed) {
   const Mesh ball = sphere_mesh(Vec3d(0), 2, 3);
   const auto positions = [&](int threads, uint64_t seed) {
-    const ThreadLimit limit(threads);
-    ScatterOptions o = options(0.2, seed);
-    o.keep_probability = [](const SurfaceSample& spot) { return 0.5 + 0.2 * spot.position.x; };
-    std::vector<double> out;
-    for (const SurfaceSample& spot : scatter(ball, o))
-      out.insert(out.end(), {spot.position.x, spot.position.y, spot.position.z});
-    return out;
+    return with_threads(threads, [&] {
+      ScatterOptions o = options(0.2, seed);
+      o.keep_probability = [](const SurfaceSample& spot) { return 0.5 + 0.2 * spot.position.x; };
+      std::vector<double> out;
+      for (const SurfaceSample& spot : scatter(ball, o))
+        out.insert(out.end(), {spot.position.x, spot.position.y, spot.position.z});
+      return out;
+    });
   };
   EXPECT_EQ(positions(1, 1), positions(7, 1));
   EXPECT_NE(positions(1, 1), positions(1, 2));

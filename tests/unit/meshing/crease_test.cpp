@@ -6,7 +6,7 @@
 #include <vug/base/rng.h>
 #include <vug/mesh/distance.h>
 #include <vug/meshing/crease.h>
-#include <vug/metrics/self_intersections.h>
+#include <vug/mesh/self_intersections.h>
 
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ TEST(Crease, EdgesOfACutBoxArePreserved) {
   EXPECT_LT(sharp.largest, 0.05);
   EXPECT_LT(sharp.rms, 0.01);
   EXPECT_GT(newton.rms, 10 * sharp.rms);
-  EXPECT_TRUE(metrics::self_intersections(found.mesh).empty());
+  EXPECT_TRUE(mesh::self_intersections(found.mesh).empty());
 }
 
 // Gradients around a vertex of these solids differ by more than the crease angle, although nothing

@@ -235,17 +235,18 @@ TEST(WideBvh, HandlesNoneOneAndManyAtOnePlace) {
 TEST(WideBvh, IsTheSameForAnyNumberOfThreads) {
   const std::vector<WideBvh::Geometry> parts{{scattered_triangles(20000, 5), 0}};
   const auto trace_all = [&](int threads) {
-    const ThreadLimit limit(threads);
-    const WideBvh tree(parts);
-    std::vector<std::pair<uint32_t, float>> all;
-    RandomStream random{RandomKey(6)};
-    for (int i = 0; i < 2000; ++i) {
-      const Vec3f from = point(random);
-      BvhTraversal search(tree, {from, direction(random)}, kFar, BvhTraversal::Query::closest);
-      search.run();
-      all.emplace_back(search.hit() ? search.triangle() : ~0u, search.distance());
-    }
-    return std::pair(tree.bytes(), all);
+    return with_threads(threads, [&] {
+      const WideBvh tree(parts);
+      std::vector<std::pair<uint32_t, float>> all;
+      RandomStream random{RandomKey(6)};
+      for (int i = 0; i < 2000; ++i) {
+        const Vec3f from = point(random);
+        BvhTraversal search(tree, {from, direction(random)}, kFar, BvhTraversal::Query::closest);
+        search.run();
+        all.emplace_back(search.hit() ? search.triangle() : ~0u, search.distance());
+      }
+      return std::pair(tree.bytes(), all);
+    });
   };
   EXPECT_EQ(trace_all(1), trace_all(7));
 }

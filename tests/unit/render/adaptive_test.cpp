@@ -83,7 +83,7 @@ TEST(Adaptive, ThreadsDoNotMatter) {
   o.noise = 0.08;
   o.threads = 1;
   const image::Image one = render(hall(), o);
-  for (const int threads : {2, 7}) {
+  for (const int threads : {2, 5, 8}) {
     o.threads = threads;
     EXPECT_EQ(render(hall(), o), one) << threads;
   }

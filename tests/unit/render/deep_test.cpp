@@ -152,7 +152,7 @@ TEST(Deep, SlicesHaveTheBytesOfTheWhole) {
   Options o = deep_options(12);
   image::DeepImage whole;
   const image::Image picture = render(scene, o, Progress::none(), {}, &whole);
-  for (const int threads : {1, 2, 7}) {
+  for (const int threads : {1, 2, 5, 8}) {
     o.threads = threads;
     RenderState joint = begin_render(o);
     for (const int band : {2, 0, 1})

@@ -121,8 +121,7 @@ TEST(Opacity, HalfTransparentWhiteVanishesInAWhiteSky) {
 TEST(Opacity, IsTheSameForAnyNumberOfThreads) {
   const Scene scene = over_a_light(black(0.37), 3);
   const auto picture = [&](int threads) {
-    const ThreadLimit limit(threads);
-    return render(scene, options(40, 40, 8, 2));
+    return with_threads(threads, [&] { return render(scene, options(40, 40, 8, 2)); });
   };
   const image::Image one = picture(1);
   EXPECT_EQ(picture(2), one);

@@ -59,7 +59,7 @@ TEST(Render, SameBytesForAnyThreadsAndTiles) {
   Options o = options(61, 37, 4, 4);
   o.threads = 1;
   const Digest one = bytes(render(scene, o));
-  for (const int threads : {2, 7})
+  for (const int threads : {2, 5, 8})
     for (const int tile : {8, 16, 37}) {
       o.threads = threads, o.tile_size = tile;
       EXPECT_EQ(bytes(render(scene, o)), one) << threads << " threads, tiles of " << tile;

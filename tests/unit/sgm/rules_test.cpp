@@ -61,15 +61,16 @@ TEST(Figure9, HasTwelveProductionsAndGrowsAlongX) {
 
 TEST(Figure9, IsTheSameOnAnyNumberOfThreads) {
   const auto fingerprint = [](int threads) {
-    const ThreadLimit limit(threads);
-    std::vector<std::string> out(16);
-    parallel_for(out.size(), [&](size_t seed) {
-      const DerivationResult cave = derive(figure9(), RandomKey(seed));
-      out[seed] = grammar::tree_json(cave.tree);
-      for (double x = -2; x < 12; x += 0.37)
-        out[seed] += to_string(Value(cave.field.value({x, 0.1, 0.2}))) + " ";
+    return with_threads(threads, [&] {
+      std::vector<std::string> out(16);
+      parallel_for(out.size(), [&](size_t seed) {
+        const DerivationResult cave = derive(figure9(), RandomKey(seed));
+        out[seed] = grammar::tree_json(cave.tree);
+        for (double x = -2; x < 12; x += 0.37)
+          out[seed] += to_string(Value(cave.field.value({x, 0.1, 0.2}))) + " ";
+      });
+      return out;
     });
-    return out;
   };
   const auto one = fingerprint(1);
   EXPECT_EQ(one, fingerprint(2));

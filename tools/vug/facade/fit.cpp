@@ -163,7 +163,6 @@ int run(Options options) {
     throw Error(ErrorCode::bad_input,
                 "--width and --height do not apply to a scan, which has a size", {},
                 "remove --width and --height");
-  const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar_mode());
   const fs::path folder = options.folder;
   options.fit.grammar = grammar_file(options);
@@ -256,7 +255,9 @@ Verb facade_fit_verb() {
         app.add_option("--seed", options->fit.seed, "Seed of the chains")->transform(seed_number());
         app.add_flag("--no-carving", options->no_carving, "Do not write the carved .vdb");
         options->work.add_to(app);
-        return [options] { return run(*options); };
+        return [options] {
+          return with_threads(options->work.threads, [&] { return run(*options); });
+        };
       }};
 }
 

@@ -213,7 +213,6 @@ void warn_of_thin_wall(const session::CarvingOptions& carving) {
 }
 
 int run(Options options) {
-  const ThreadLimit threads(options.work.threads);
   if (!options.carve.empty() && extension_of(options.carve) != ".vdb")
     throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .vdb", options.carve), {},
                 "for meshes, write a scene with --scene and run 'vug build'");
@@ -342,7 +341,7 @@ Verb facade_model_verb() {
             options->work.add_to(app);
             return [options, &app] {
               order_edits(app, *options);
-              return run(*options);
+              return with_threads(options->work.threads, [&] { return run(*options); });
             };
           }};
 }

@@ -125,7 +125,6 @@ void require_consistent(const Options& options) {
 }
 
 int run(Options options) {
-  const ThreadLimit threads(options.work.threads);
   const bool exr = extension_of(options.output) == ".exr";
   if (!exr) require_extension(options.output, ".png", "the output is an .exr or a .png");
   if (!options.onto.empty() && !exr)
@@ -195,7 +194,7 @@ Verb facade_rectify_verb() {
             ->expected(1, 4)
             ->needs(onto);
         o->work.add_to(app);
-        return [o] { return run(*o); };
+        return [o] { return with_threads(o->work.threads, [&] { return run(*o); }); };
       }};
 }
 

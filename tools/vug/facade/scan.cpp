@@ -59,7 +59,6 @@ void write(const fs::path& exr, const scan::RangeImage& range, const scan::Surfa
 }
 
 int run(Options options) {
-  const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar_mode());
   if (!options.output.empty()) {
     require_extension(options.output, ".exr", "the range image is an EXR");
@@ -171,7 +170,7 @@ Verb facade_scan_verb() {
                 ->transform(seed_number());
             app.add_flag("--json", o->json, "Machine-readable report");
             o->work.add_to(app);
-            return [o] { return run(*o); };
+            return [o] { return with_threads(o->work.threads, [&] { return run(*o); }); };
           }};
 }
 

@@ -33,7 +33,6 @@ void report(const fit::ConfusionMatrix& table, const fit::Classes& classes) {
 }
 
 int run(Options options) {
-  const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar_mode());
   if (options.output.empty() && options.folds == 0)
     throw Error(ErrorCode::bad_input, "neither -o nor --folds given", {},
@@ -98,7 +97,7 @@ Verb facade_train_verb() {
         options->work.add_to(app);
         return [options] {
           options->classifier.second.trees = options->classifier.first.trees;
-          return run(*options);
+          return with_threads(options->work.threads, [&] { return run(*options); });
         };
       }};
 }

@@ -71,7 +71,6 @@ int run(Options options) {
                 "name the file with --checkpoint");
   if (!options.checkpoint.empty())
     require_extension(options.checkpoint, ".vdb", "a checkpoint of cells is a VDB file of points");
-  const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar_mode());
   if (!options.frames.empty()) return run_frames(options, progress);
   const loading::Loaded loaded = options.scene.load();
@@ -108,7 +107,9 @@ Verb build_verb() {
             ->excludes("--frame")
             ->excludes(checkpoint);
         options->work.add_to(app);
-        return [options] { return run(*options); };
+        return [options] {
+          return with_threads(options->work.threads, [&] { return run(*options); });
+        };
       }};
 }
 

@@ -96,7 +96,6 @@ int run(const Options& options) {
                 fmt::format("the L-system '{}' has {}", system.name,
                             system.timed ? "a time instead of steps" : "steps instead of a time"),
                 {}, system.timed ? "write --time T" : "write --steps N");
-  const ThreadLimit limit(options.threads);
   lsystem::Derivation derivation = plan->derive(options.steps, options.time);
   const lsystem::Word word =
       options.drawn ? plan->interpret(std::move(derivation)) : std::move(derivation.word);
@@ -141,7 +140,8 @@ Verb derive_verb() {
             app.add_flag("--json", options->json, "Machine-readable output: counts, hash and word");
             app.add_option("--threads", options->threads, "Number of threads; 0 uses all cores")
                 ->check(CLI::Range(0, 1024));
-            return [options] { return run(*options); };
+            return
+                [options] { return with_threads(options->threads, [&] { return run(*options); }); };
           }};
 }
 

@@ -51,7 +51,6 @@ void require_distinct(const std::vector<image::Limit>& limits) {
 }
 
 int run(Options options) {
-  const ThreadLimit threads(options.threads);
   using Better = image::Measure::Better;
   if (!options.thresholds.empty()) options.diff.limits = read_limits(options.thresholds);
   std::vector<image::Limit> limits;
@@ -119,7 +118,7 @@ Verb diff_verb() {
         app.add_option("--threads", o->threads, "Number of threads; 0 uses all cores")
             ->check(integer_in(0, 1024));
         app.add_flag("--quiet,-q", o->quiet, "No table; the exit code is the result");
-        return [o] { return run(*o); };
+        return [o] { return with_threads(o->threads, [&] { return run(*o); }); };
       }};
 }
 

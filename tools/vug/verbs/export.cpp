@@ -29,7 +29,6 @@ int run(const Options& options) {
   if (!options.up.empty()) what.up = options.up == "z" ? exchange::UpAxis::z : exchange::UpAxis::y;
   if (!options.unit.empty()) what.metres_per_unit = options.unit == "cm" ? 0.01 : 1;
   what.levels = options.levels;
-  const ThreadLimit threads(options.work.threads);
   const loading::Loaded loaded = options.scene.load();
   const shot::Shot shot = delivery::with_meshes(loaded.shot);
   require_outputs(delivery::export_paths(shot, options.folder, what),
@@ -71,7 +70,9 @@ Verb export_verb() {
                    "Number of additional levels of detail, each with a quarter of the triangles")
                 ->check(integer_in(0, 8));
             options->work.add_to(app);
-            return [options] { return run(*options); };
+            return [options] {
+              return with_threads(options->work.threads, [&] { return run(*options); });
+            };
           }};
 }
 

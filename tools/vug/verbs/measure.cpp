@@ -37,7 +37,6 @@ void refuse_scene_options(const Options& options) {
 }
 
 metrics::Report report_of(const Options& options) {
-  const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar_mode());
   if (extension_of(options.scene.scene) != ".vug") {
     refuse_scene_options(options);
@@ -51,7 +50,6 @@ metrics::Report report_of(const Options& options) {
 int run_cells(const Options& options) {
   if (extension_of(options.scene.scene) != ".vug") refuse_scene_options(options);
   const loading::Loaded loaded = options.scene.load();
-  const ThreadLimit threads(options.work.threads);
   building::Builder builder(loaded.shot, options.work.build_options(loaded),
                             terminal_progress(options.work.bar_mode()));
   print_report(delivery::describe_cells(builder, options.cells), options.json);
@@ -74,7 +72,7 @@ Verb measure_verb() {
   return {
       "measure",
       "Measures a mesh of a scene, or a .vdb, .obj, .ply or .stl file; exit code 1 if it is not a "
-      "closed solid.",
+      "closed solid, or intersects itself.",
       [](CLI::App& app) {
         auto options = std::make_shared<Options>();
         options->scene.add_to(app, &options->work);

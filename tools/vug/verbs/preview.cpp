@@ -39,7 +39,6 @@ int run(Options options) {
   if (options.output.empty())
     options.output = std::filesystem::path(options.scene.scene).stem().string() + ".html";
   require_extension(options.output, ".html", "the page is an .html file");
-  const ThreadLimit threads(options.work.threads);
   const loading::Loaded loaded = options.scene.load();
   const shot::Shot shot = delivery::with_meshes(loaded.shot);
   std::vector<std::filesystem::path> inputs = loading::file_dependencies(loaded);
@@ -84,7 +83,9 @@ Verb preview_verb() {
             app.add_option("--mesh", options->mesh,
                            "Mesh whose metrics are shown; default the largest");
             options->work.add_to(app);
-            return [options] { return run(*options); };
+            return [options] {
+              return with_threads(options->work.threads, [&] { return run(*options); });
+            };
           }};
 }
 

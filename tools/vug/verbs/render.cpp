@@ -194,7 +194,6 @@ int run(Options options) {
       clear_progress_bar();
       fmt::print(stderr, "rendering takes {} and {}\n", time_text(seconds), bytes_text(bytes));
     };
-  const ThreadLimit threads(options.work.threads);
   Progress& progress = terminal_progress(options.work.bar_mode());
   const loading::SceneSource source = options.scene.source();
   options.picture.source = &source;
@@ -255,7 +254,9 @@ Verb render_verb() {
         app.add_option("--samples", options->samples,
                        "Samples of each pixel for --part, A..B: samples A to B-1");
         options->work.add_to(app);
-        return [options] { return run(*options); };
+        return [options] {
+          return with_threads(options->work.threads, [&] { return run(*options); });
+        };
       }};
 }
 

@@ -215,7 +215,6 @@ int measure_all(const Options& options, const std::vector<std::string>& values,
 }
 
 int run(const Options& options) {
-  const ThreadLimit threads(options.work.threads);
   for (const std::string& name : options.plot) column(name);  // check names before any work
   if (options.param == "seed" && options.scene.seed)
     throw Error(ErrorCode::bad_input, "--seed conflicts with a sweep over the seed", {},
@@ -262,7 +261,9 @@ Verb sweep_verb() {
             app.add_option("-o,--output", options->output,
                            "Stem of the output files OUTPUT.csv and OUTPUT.svg");
             options->work.add_to(app);
-            return [options] { return run(*options); };
+            return [options] {
+              return with_threads(options->work.threads, [&] { return run(*options); });
+            };
           }};
 }
 

@@ -2,6 +2,7 @@
 #include <vug/base/error.h>
 #include <vug/render/film/adaptive.h>
 #include <vug/render/film/render_state.h>
+#include <vug/render/thread_option.h>
 #include <vug/render/tile_loop.h>
 
 #include <fmt/format.h>
@@ -138,7 +139,8 @@ void continue_render(const PreparedRender& prepared, RenderState& state,
                      const RenderCallbacks& callbacks, Progress& progress) {
   AccumulatingSink sink(prepared.options, state, callbacks);
   try {
-    render_tiles(prepared, state, sink, callbacks, progress);
+    with_threads_of(prepared.options,
+                    [&] { render_tiles(prepared, state, sink, callbacks, progress); });
   } catch (const Error& error) {
     if (error.code() == ErrorCode::cancelled) sink.save();
     throw;
