@@ -2,8 +2,10 @@
 // Values that are not distances are repaired to first order, d = v / |grad v| (taubin1994, section
 // 3): the zero set is unchanged, and near it d is the distance up to O(d^2 curvature).
 #include <vug/volume/block.h>
+#include <vug/volume/contact.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace vug::volume {
 
@@ -115,6 +117,13 @@ void keep_neighbours(const field::Field& field, const NarrowBand& band, Pack* va
   for (int i = 0; i < kPacks; ++i) values[i] = neighbours.held(values[i], values[i]);
 }
 
+float contact_in(const Cell& cell, double voxel) {
+  int64_t farthest = 0;
+  for (const int64_t low : cell.origin)
+    farthest = std::max({farthest, std::abs(low), std::abs(low + cell.size)});
+  return contact_distance(static_cast<double>(farthest) * voxel);
+}
+
 }  // namespace
 
 bool Block::any_active() const {
@@ -135,10 +144,12 @@ void evaluate(const field::Field& field, const Cell& cell, const NarrowBand& ban
     if (steep) keep_neighbours(field, band, values);
   }
   const Pack background(band.background), zero(0.0);
+  const Pack contact(contact_in(cell, band.voxel)), zero_inside(-kLeastDistance);
   for (int x = 0; x < 8; ++x) {
     uint64_t word = 0;
     for (int y = 0; y < 8; ++y) {
       const int i = 8 * x + y;
+      values[i] = select(abs(values[i]) <= contact, min(-abs(values[i]), zero_inside), values[i]);
       const PackMask active = abs(values[i]) < background;
       word |= static_cast<uint64_t>(_mm256_movemask_ps(active.bits)) << (8 * y);
       const Pack off = select(values[i] < zero, -background, background);

@@ -5,6 +5,8 @@
 #include <vug/mesh/distance.h>
 #include <vug/mesh/topology.h>
 #include <vug/mesh/weld.h>
+#include <vug/volume/contact.h>
+#include <vug/volume/fitting_voxel.h>
 #include <vug/volume/from_mesh.h>
 #include <vug/volume/grid_access.h>
 
@@ -102,6 +104,11 @@ void make_exact(Tree& tree, const mesh::Mesh& mesh, double voxel, float backgrou
   const mesh::MeshDistance exact(mesh::welded(mesh));
   const Tree before(tree);
   const auto clear = static_cast<float>(0.1 * voxel);
+  double farthest = 0;
+  for (const Vec3f& p : mesh.positions)
+    farthest = std::max({farthest, std::fabs(static_cast<double>(p.x)),
+                         std::fabs(static_cast<double>(p.y)), std::fabs(static_cast<double>(p.z))});
+  const float contact = contact_distance(farthest);
   std::vector<Tree::LeafNodeType*> leaves;
   tree.getNodes(leaves);
   parallel_for(leaves.size(), [&](size_t n) {
@@ -114,6 +121,10 @@ void make_exact(Tree& tree, const mesh::Mesh& mesh, double voxel, float backgrou
       if (std::fabs(*it) < clear && has_outside(at, c, clear))
         inside = (p - closest.point).dot(closest.normal) < 0;
       const auto distance = static_cast<float>(closest.distance);
+      if (distance <= contact) {
+        it.setValue(-std::max(distance, kLeastDistance));
+        continue;
+      }
       const float value = std::min(distance, background);
       if (distance < background)
         it.setValue(inside ? -value : value);

@@ -6,6 +6,8 @@
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/VolumeToMesh.h>
 
+#include <limits>
+
 namespace vug::volume {
 
 Polygons polygons_of(const LevelSet& level_set, const PolygonOptions& options) {
@@ -16,9 +18,11 @@ Polygons polygons_of(const LevelSet& level_set, const PolygonOptions& options) {
   std::vector<openvdb::Vec3s> points;
   std::vector<openvdb::Vec3I> triangles;
   std::vector<openvdb::Vec4I> quads;
+  // For OpenVDB, values below the isovalue are inside: those that are equal are to be inside, too.
+  const double iso = options.iso == 0 ? std::numeric_limits<float>::min() : options.iso;
   // OpenVDB's library contains this instantiation.
   openvdb::tools::volumeToMesh(static_cast<const openvdb::FloatGrid&>(*level_set.data().grid),
-                               points, triangles, quads, options.iso, options.adaptivity);
+                               points, triangles, quads, iso, options.adaptivity);
   out.points.reserve(points.size()), out.triangles.reserve(triangles.size());
   out.quads.reserve(quads.size());
   for (const openvdb::Vec3s& p : points) out.points.emplace_back(p.x(), p.y(), p.z());

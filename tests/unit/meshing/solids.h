@@ -131,6 +131,13 @@ inline std::vector<Solid> solids() {
   };
 }
 
+inline double area(const mesh::Mesh& mesh) {
+  double sum = 0;
+  for (size_t f = 0; f < mesh.triangles.size(); ++f)
+    sum += 0.5 * mesh::double_area_vector(mesh, f).length();
+  return sum;
+}
+
 inline PolygonizeResult polygonized(const field::Field& f, double voxel,
                                     const PolygonizeOptions& options = {}) {
   volume::VoxelizeOptions voxels;
