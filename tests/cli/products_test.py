@@ -251,7 +251,7 @@ class Sweep(VugTest):
 class Measure(VugTest):
     KEYS = ["area", "volume", "volume_cells", "cf", "cf_area", "vertices", "triangles",
             "productions", "build_seconds", "components", "genus", "boundary_edges",
-            "nonmanifold_edges", "self_intersections", "bounds"]
+            "nonmanifold_edges", "zero_area_triangles", "self_intersections", "bounds"]
 
     def test_the_keys_that_scripts_rely_on(self):
         self.write("cave.vug", CAVE)

@@ -6,6 +6,7 @@
 #include <vug/meshing/blocks.h>
 #include <vug/meshing/polygonize.h>
 #include <vug/meshing/project.h>
+#include <vug/meshing/remove_crossings.h>
 #include <vug/meshing/split_quads.h>
 #include <vug/volume/polygons.h>
 
@@ -69,6 +70,7 @@ PolygonizeResult polygonize(const volume::LevelSet& level_set, const field::Fiel
   result.mesh.triangles =
       split_quads(raw, polished.points, has_work ? exact : nullptr, voxel, progress);
   result.mesh.positions.assign(polished.points.begin(), polished.points.end());
+  if (has_work) remove_crossings(raw, polished, result.mesh);
   std::vector<SurfacePoint> found;
   if (exact) {
     found = sample_vertices(result.mesh, *exact, voxel, progress);

@@ -23,12 +23,6 @@ bool is_flat(const Face& face, const std::vector<Vec3d>& points) {
   return min_facing(face, 0, points) > kFlatCosine && min_facing(face, 1, points) > kFlatCosine;
 }
 
-bool shorter_from_0(const Face& face, const std::vector<Vec3d>& points) {
-  const double from_0 = (points[face.corners[2]] - points[face.corners[0]]).length2();
-  const double from_1 = (points[face.corners[3]] - points[face.corners[1]]).length2();
-  return from_0 <= from_1;
-}
-
 /// Chooses the diagonals of bent quads.
 class DiagonalChooser {
  public:
@@ -70,6 +64,18 @@ class DiagonalChooser {
 
 }  // namespace
 
+bool shorter_from_0(const Face& face, const std::vector<Vec3d>& points) {
+  const double from_0 = (points[face.corners[2]] - points[face.corners[0]]).length2();
+  const double from_1 = (points[face.corners[3]] - points[face.corners[1]]).length2();
+  return from_0 <= from_1;
+}
+
+std::array<mesh::Triangle, 2> halves(const Face& face, bool from_0) {
+  const auto& c = face.corners;
+  if (from_0) return {{{c[0], c[1], c[2]}, {c[0], c[2], c[3]}}};
+  return {{{c[1], c[2], c[3]}, {c[1], c[3], c[0]}}};
+}
+
 std::vector<mesh::Triangle> split_quads(const FaceMesh& faces, const std::vector<Vec3d>& points,
                                         const field::Field* exact, double voxel,
                                         Progress& progress) {
@@ -105,15 +111,12 @@ std::vector<mesh::Triangle> split_quads(const FaceMesh& faces, const std::vector
   std::vector<mesh::Triangle> triangles;
   triangles.reserve(2 * count);
   for (size_t f = 0; f < count; ++f) {
-    const auto& c = faces.faces[f].corners;
-    if (faces.faces[f].size == 3) {
-      triangles.push_back({c[0], c[1], c[2]});
-    } else if (from_0[f]) {
-      triangles.push_back({c[0], c[1], c[2]});
-      triangles.push_back({c[0], c[2], c[3]});
+    const Face& face = faces.faces[f];
+    if (face.size == 3) {
+      triangles.push_back({face.corners[0], face.corners[1], face.corners[2]});
     } else {
-      triangles.push_back({c[1], c[2], c[3]});
-      triangles.push_back({c[1], c[3], c[0]});
+      const auto [a, b] = halves(face, from_0[f]);
+      triangles.insert(triangles.end(), {a, b});
     }
   }
   return triangles;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/metrics/report.h>
-#include <vug/metrics/self_intersections.h>
 #include <vug/metrics/surface.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace vug::metrics {
@@ -27,7 +27,9 @@ void for_each(const Report& r, const Row& row) {
   row("boundary_edges", r.boundary_edges, "");
   row("nonmanifold_edges", r.nonmanifold_edges, "");
   row("misoriented_edges", r.misoriented_edges, "");
+  row("zero_area_triangles", r.zero_area_triangles, "");
   row("self_intersections", r.self_intersections, "");
+  row("crossing_places", r.crossing_places, "");
   row("bounds", r.bounds, "m");
 }
 
@@ -37,6 +39,17 @@ std::string text(const Box3d& box) {
   if (box.isEmpty()) return "-";
   return fmt::format("({:.6g}, {:.6g}, {:.6g}) .. ({:.6g}, {:.6g}, {:.6g})", box.min.x, box.min.y,
                      box.min.z, box.max.x, box.max.y, box.max.z);
+}
+/// The places with the most pairs.
+std::string text(const std::vector<CrossingPlace>& places) {
+  constexpr size_t kMost = 5;
+  std::string list;
+  for (size_t i = 0; i < std::min(kMost, places.size()); ++i)
+    list += fmt::format("{}{} within {:.2g} m at ({:.6g}, {:.6g}, {:.6g})", i ? "; " : "",
+                        places[i].pairs, places[i].size, places[i].centre.x, places[i].centre.y,
+                        places[i].centre.z);
+  if (places.size() > kMost) list += fmt::format("; and {} others", places.size() - kMost);
+  return list.empty() ? "-" : list;
 }
 template <class T>
 std::string text(const std::optional<T>& value) {
@@ -48,6 +61,14 @@ nlohmann::ordered_json json(size_t value) { return value; }
 nlohmann::ordered_json json(const Box3d& box) {
   if (box.isEmpty()) return nullptr;
   return {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
+}
+nlohmann::ordered_json json(const std::vector<CrossingPlace>& places) {
+  auto list = nlohmann::ordered_json::array();
+  for (const CrossingPlace& place : places)
+    list.push_back({{"center", {place.centre.x, place.centre.y, place.centre.z}},
+                    {"size", place.size},
+                    {"pairs", place.pairs}});
+  return list;
 }
 template <class T>
 nlohmann::ordered_json json(const std::optional<T>& value) {
@@ -72,7 +93,13 @@ Report measure(const mesh::Mesh& mesh, const MeasureOptions& options) {
   report.boundary_edges = topology.boundary_edges;
   report.nonmanifold_edges = topology.nonmanifold_edges;
   report.misoriented_edges = topology.misoriented_edges;
-  if (options.self_intersections) report.self_intersections = self_intersections(mesh).size();
+  report.zero_area_triangles = topology.degenerate_triangles;
+  if (options.self_intersections) {
+    const std::vector<mesh::FacePair> pairs = mesh::self_intersections(mesh);
+    report.self_intersections = pairs.size();
+    report.crossing_triangles = crossing_triangles(pairs);
+    report.crossing_places = crossing_places(mesh, pairs);
+  }
   report.bounds = mesh::bounds(mesh);
   return report;
 }

@@ -2,7 +2,7 @@
 // The report of `vug measure` on a solid, as a table and as JSON.
 #pragma once
 
-#include <vug/mesh/mesh.h>
+#include <vug/metrics/crossing_places.h>
 
 #include <optional>
 #include <string>
@@ -25,8 +25,17 @@ struct Report {
   size_t boundary_edges = 0;
   size_t nonmanifold_edges = 0;
   size_t misoriented_edges = 0;
+  size_t zero_area_triangles = 0;
   std::optional<size_t> self_intersections;  ///< Pairs of triangles; empty if not computed.
+  size_t crossing_triangles = 0;             ///< Triangles in these pairs.
+  std::vector<CrossingPlace> crossing_places = {};
   Box3d bounds;
+
+  /// The share of the triangles that intersect others or have no area.
+  double invalid_share() const {
+    const auto invalid = static_cast<double>(zero_area_triangles + crossing_triangles);
+    return triangles == 0 ? 0 : invalid / static_cast<double>(triangles);
+  }
 
   /// Whether the mesh bounds a solid: closed, two triangles at each edge, consistently oriented.
   bool is_closed_solid() const {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "arguments.h"
 #include "print.h"
 #include "progress_bar.h"
 #include "scene_options.h"
@@ -19,6 +20,7 @@ struct Options {
   std::string mesh;
   std::string cells;
   bool json = false;
+  double max_invalid = 0;
 };
 
 /// Error(bad_input) for scene options, which do not apply to a file of geometry.
@@ -63,7 +65,8 @@ int run(const Options& options) {
     fmt::print("{}", metrics::to_json(report));
   else
     fmt::print("{}", metrics::to_table(report));
-  return report.is_closed_solid() ? kDone : kAnswerNo;
+  return report.is_closed_solid() && report.invalid_share() <= options.max_invalid ? kDone
+                                                                                   : kAnswerNo;
 }
 
 }  // namespace
@@ -80,9 +83,15 @@ Verb measure_verb() {
         app.add_option("--cells", options->cells,
                        "Measure the cells of this name instead: their regularity and links")
             ->excludes("--mesh");
+        app.add_option("--max-invalid", options->max_invalid,
+                       "Share of triangles, e.g. 0.1%, that may intersect others or have no area "
+                       "before the exit code is 1; default 0")
+            ->transform(number_in(Dimension::none, 0, 1));
         app.add_flag("--json", options->json, "Machine-readable output");
         options->work.add_to(app);
-        return [options] { return run(*options); };
+        return [options] {
+          return with_threads(options->work.threads, [&] { return run(*options); });
+        };
       }};
 }
 
