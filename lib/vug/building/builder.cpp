@@ -7,6 +7,7 @@
 #include <vug/building/memory_estimate.h>
 #include <vug/metrics/surface.h>
 #include <vug/shot/queries.h>
+#include <vug/volume/fitting_voxel.h>
 #include <vug/volume/from_mesh.h>
 #include <vug/volume/level_set_field.h>
 
@@ -178,8 +179,10 @@ void Builder::require_mesh_memory(const shot::MeshPtr& plan) const {
     return;
   try {
     const auto estimate = volume::estimate(volume.field, voxelize_options(volume, memory_budget()));
-    require_memory(estimate.bytes + meshing_bytes(estimate.active_voxels, band), memory_budget(),
-                   fmt::format("a mesh and its grid with voxels of {} m", volume.voxel));
+    const double bytes = estimate.bytes + meshing_bytes(estimate.active_voxels, band);
+    require_memory(bytes, memory_budget(),
+                   fmt::format("a mesh and its grid with voxels of {} m", volume.voxel),
+                   volume::fitting_voxel_hint(volume.voxel, bytes, memory_budget()));
   } catch (Error& error) {
     throw volume_error(volume, error, fmt::format("making the mesh '{}'", plan->name));
   }
@@ -297,9 +300,10 @@ void Builder::require_surface_memory(const shot::MeshPtr& plan) const {
   if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
   try {
     const auto estimate = volume::estimate(volume.field, voxelize_options(volume, memory_budget()));
-    require_memory(estimate.bytes + surface_bytes(estimate.surface_area, volume.voxel),
-                   memory_budget(),
-                   fmt::format("a surface and its grid with voxels of {} m", volume.voxel));
+    const double bytes = estimate.bytes + surface_bytes(estimate.surface_area, volume.voxel);
+    require_memory(bytes, memory_budget(),
+                   fmt::format("a surface and its grid with voxels of {} m", volume.voxel),
+                   volume::fitting_voxel_hint(volume.voxel, bytes, memory_budget()));
   } catch (Error& error) {
     throw volume_error(volume, error, fmt::format("making the surface of '{}'", plan->name));
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/maths.h>
 #include <vug/scene/lexer.h>
 #include <vug/scene/units.h>
 #include <vug/scene/utf8.h>
@@ -6,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <utility>
 
@@ -61,7 +63,8 @@ class Lexer {
     }
     begin();
     if (c == '\n' || c == ';') return push(TokenKind::newline, 1);
-    if (c == '#') return comment();
+    if (c == '#') return is_colour() ? colour() : comment();
+    if (c == '/' && look(1) == '/' && braces_ == 0) return foreign_comment();
     if (is_digit(c) || (c == '.' && is_digit(look(1)))) return number();
     if (is_letter(c)) return push(TokenKind::name, word(0));
     if (c == '"') return quoted();
@@ -127,11 +130,47 @@ class Lexer {
   }
 
   void comment() {
-    size_t length = 0;
-    while (at_ + length < text_.size() && look(length) != '\n') ++length;
+    const size_t length = rest_of_line();
     if (comments_) return push(TokenKind::comment, length);
     advance(length);
     touches_ = false;
+  }
+
+  size_t rest_of_line() const {
+    size_t length = 0;
+    while (at_ + length < text_.size() && look(length) != '\n') ++length;
+    return length;
+  }
+
+  /// Whether a colour in the notation of web pages stands where a value is expected.
+  bool is_colour() const {
+    const std::string_view digits = text_.substr(at_ + 1, 6);
+    const auto is_hex = [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; };
+    if (digits.size() < 6 || !std::all_of(digits.begin(), digits.end(), is_hex) || word(1) != 6 ||
+        std::none_of(digits.begin(), digits.end(), is_digit) || tokens_.empty())
+      return false;
+    const Token& before = tokens_.back();
+    const bool same_line = before.line == line_ && before.text != "\n";
+    return same_line && (before.kind == TokenKind::name || before.is(":") || before.is(",") ||
+                         before.is("(") || before.is("[") || before.is("="));
+  }
+
+  /// Reports such a colour with the linear values that it stands for (IEC 61966-2-1).
+  void colour() {
+    const auto linear = [&](size_t from) {
+      const std::string digits(text_.substr(at_ + from, 2));
+      const double code = static_cast<double>(std::stoi(digits, nullptr, 16)) / 255;
+      return code <= 0.04045 ? code / 12.92 : maths::pow((code + 0.055) / 1.055, 2.4);
+    };
+    error("'#' starts a comment, not a colour",
+          fmt::format("colours are linear: write ({:.3f}, {:.3f}, {:.3f}) for {}", linear(1),
+                      linear(3), linear(5), text_.substr(at_, 7)));
+    push(TokenKind::junk, 7);
+  }
+
+  void foreign_comment() {
+    error("'//' does not start a comment", "comments start with '#'");
+    push(TokenKind::junk, rest_of_line());
   }
 
   /// Length of the word that starts `from` bytes ahead.
@@ -175,10 +214,16 @@ class Lexer {
       if (const auto known = with_unit(value, name))
         result = *known;
       else
-        error(fmt::format("unknown unit '{}'", name.substr(0, 40)),
-              suggestion(name.substr(0, 40), unit_names()));
+        error(fmt::format("unknown unit '{}'", name.substr(0, 40)), unit_hint(name.substr(0, 40)));
     }
     push(TokenKind::number, length + unit, result);
+  }
+
+  static std::string unit_hint(const std::string& name) {
+    for (const char* other : {"W", "kW", "lm", "lx", "cd", "nt", "K", "kg", "Hz", "sr"})
+      if (name == other)
+        return "only lengths, angles, times and percentages have units: write the number alone";
+    return suggestion(name, unit_names());
   }
 
   void quoted() {

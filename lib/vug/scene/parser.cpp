@@ -98,9 +98,23 @@ class Loader {
     std::string looked;
     for (const fs::path& place : places)
       looked += (looked.empty() ? "" : ", ") + (place.empty() ? "." : place.generic_string());
-    diagnostics_.error(where, fmt::format("cannot find the file '{}'", wanted),
-                       "looked in " + looked);
+    const std::string elsewhere = in_subfolder(fs::path(wanted).filename());
+    diagnostics_.error(
+        where, fmt::format("cannot find the file '{}'", wanted),
+        elsewhere.empty() ? "looked in " + looked : fmt::format("did you mean '{}'?", elsewhere));
     return false;
+  }
+
+  /// The path of a file with this name in a folder below those of includes, or an empty string.
+  std::string in_subfolder(const fs::path& name) const {
+    std::vector<std::string> found;
+    std::error_code failed;
+    for (const fs::path& folder : options_.include_folders)
+      for (fs::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end;
+           entry.increment(failed))
+        if (entry->path().filename() == name && fs::is_regular_file(entry->path(), failed))
+          found.push_back(entry->path().lexically_relative(folder).generic_string());
+    return found.empty() ? "" : *std::min_element(found.begin(), found.end());
   }
 
   bool is_cyclic(const fs::path& path, const SourceLocation& where) {

@@ -145,9 +145,10 @@ LevelSet from_mesh(const mesh::Mesh& mesh, const FromMeshOptions& options, Progr
   initialise_openvdb();
   require_closed(mesh);
   require_on_lattice(mesh, options);
-  require_memory(from_mesh_bytes(area_of(mesh), options),
-                 options.max_memory ? options.max_memory : available_memory(),
-                 fmt::format("a level set with voxels of {} m", options.voxel));
+  const double bytes = from_mesh_bytes(area_of(mesh), options);
+  const uint64_t limit = options.max_memory ? options.max_memory : available_memory();
+  require_memory(bytes, limit, fmt::format("a level set with voxels of {} m", options.voxel),
+                 fitting_voxel_hint(options.voxel, bytes, limit));
   progress.begin("level set of a mesh", 1);
   const auto lattice = openvdb::math::Transform::createLinearTransform(options.voxel);
   const auto band = static_cast<float>(options.half_width + 1);

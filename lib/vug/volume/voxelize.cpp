@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/base/memory.h>
+#include <vug/volume/fitting_voxel.h>
 #include <vug/volume/octree.h>
 #include <vug/volume/region.h>
 #include <vug/volume/trim_band.h>
@@ -32,8 +33,9 @@ double dense_bytes(const Box3d& box, const VoxelizeOptions& options) {
 void check_memory(const field::Field& field, const Box3d& box, const VoxelizeOptions& options) {
   const uint64_t limit = options.max_memory ? options.max_memory : available_memory();
   if (dense_bytes(box, options) <= static_cast<double>(limit)) return;
-  require_memory(estimate(field, options).bytes, limit,
-                 fmt::format("a level set with voxels of {} m", options.voxel));
+  const double bytes = estimate(field, options).bytes;
+  require_memory(bytes, limit, fmt::format("a level set with voxels of {} m", options.voxel),
+                 fitting_voxel_hint(options.voxel, bytes, limit));
 }
 
 /// OpenVDB considers a map singular if its determinant is below 3e-15.

@@ -9,6 +9,7 @@
 #include <vug/loading/validate.h>
 #include <vug/shot/lsystem_plan.h>
 #include <vug/shot/queries.h>
+#include <vug/volume/fitting_voxel.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::cli {
@@ -59,7 +60,8 @@ void check_memory(loading::Loaded& loaded) {
           plan->where,
           fmt::format("the volume '{}' needs about {} of memory; {} are available", plan->name,
                       bytes_text(bytes), bytes_text(static_cast<double>(limit))),
-          "use a larger voxel or a smaller region");
+          fmt::format("use voxels of at least {:.2g} m or a smaller region",
+                      volume::fitting_voxel(plan->voxel, bytes, static_cast<double>(limit))));
   }
 }
 

@@ -44,7 +44,8 @@ Schema<MeshBlock> mesh_schema() {
                "remove components, such as crumbs and closed bubbles, with a shorter box diagonal",
            .dimension = Dimension::length,
            .min = 0})
-      .param("paint", &shot::MeshPlan::paint, {.doc = "vertex colours: a paint or one colour"})
+      .param("paint", &shot::MeshPlan::paint,
+             {.doc = "vertex colours: a paint or one colour", .min = 0, .max = 1})
       .param(
           "elements", &MeshBlock::elements_of,
           {.doc = "facades, or solids that they are carved into: the vertices store their node and "
@@ -160,6 +161,13 @@ const DeclarationKind& mesh_declaration() {
   static const DeclarationKind kind = {
       mesh_schema().info(),
       [](const scene::Declaration& declaration, ReadContext& context) -> Value {
+        if (const scene::Entry* entry = declaration.find_entry("material")) {
+          context.diagnostics.error(
+              entry->where, "'mesh' has no parameter 'material'",
+              fmt::format("a material belongs to an object: object NAME on {} {{ material ... }}",
+                          declaration.name));
+          return Value();
+        }
         std::optional<MeshBlock> block = read_block(mesh_schema(), declaration, context);
         const bool is_given = declaration.find_entry("file") || declaration.find_entry("of");
         const shot::VolumePtr volume = is_given ? nullptr : read_volume(declaration, context);
