@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (!diagnostics.has_errors()) {
     require(formatted_dump(formatted, options) == dump(document), "format keeps the meaning");
     require(format(formatted) == formatted, "format settles after one pass");
-    check_params_read(document, diagnostics);
+    check_unused_names(document, diagnostics);
     const auto nests = [](const SourceLocation& parent, const SourceLocation& child) {
       require(parent.contains(child), "the ranges of a document nest");
     };

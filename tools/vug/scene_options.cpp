@@ -15,7 +15,8 @@ namespace vug::cli {
 namespace {
 
 /// The loaded scene, after its diagnostics have been printed.
-loading::Loaded usable(loading::Loaded loaded) {
+loading::Loaded usable(loading::Loaded loaded, const SceneOptions& options) {
+  options.apply_strictness(loaded.diagnostics);
   fmt::print(stderr, "{}", loaded.report());
   if (!loaded.usable()) throw ExitRequest{kUnusable};
   return loaded;
@@ -31,6 +32,7 @@ void SceneOptions::add_to(CLI::App& app, const WorkOptions* work) {
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
   app.add_option("--seed", seed, "Seed that replaces the scene's own")->check(seed_number());
+  app.add_flag("--strict", strict, "Warnings about the scene are errors");
   app.add_option("--frame", frame, "Frame number of an animated scene; default 1")
       ->transform(number_in(Dimension::none, -1e6, 1e6));
 }
@@ -56,14 +58,23 @@ loading::LoadOptions SceneOptions::load_options() const {
   return options;
 }
 
-loading::Loaded SceneOptions::load() const { return usable(loading::load(scene, load_options())); }
+void SceneOptions::apply_strictness(Diagnostics& diagnostics) const {
+  if (!strict) return;
+  Diagnostics errors;
+  for (const Diagnostic& one : diagnostics.all()) errors.error(one.where, one.message, one.hint);
+  diagnostics = std::move(errors);
+}
+
+loading::Loaded SceneOptions::load() const {
+  return usable(loading::load(scene, load_options()), *this);
+}
 
 loading::SceneSource SceneOptions::source() const {
   return loading::SceneSource(scene, load_options());
 }
 
 loading::Loaded SceneOptions::load(const loading::SceneSource& source, double at) const {
-  return usable(source.at(at));
+  return usable(source.at(at), *this);
 }
 
 void WorkOptions::add_to(CLI::App& app) {

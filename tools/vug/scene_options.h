@@ -23,6 +23,7 @@ struct SceneOptions {
   std::vector<std::string> defines;
   std::optional<uint64_t> seed;
   std::optional<double> frame;
+  bool strict = false;  ///< Warnings about the scene are errors.
 
   /// `work`: the options of the same verb, or null. Its limits also apply while the scene is
   /// loaded.
@@ -35,6 +36,8 @@ struct SceneOptions {
   /// Loads a frame of `source()` in the same way.
   loading::Loaded load(const loading::SceneSource& source, double at) const;
   loading::LoadOptions load_options() const;
+  /// With `--strict`, makes the warnings errors.
+  void apply_strictness(Diagnostics& diagnostics) const;
 
  private:
   const WorkOptions* work_ = nullptr;

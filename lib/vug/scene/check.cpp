@@ -209,7 +209,7 @@ void check_names(Document& document, Diagnostics& diagnostics) {
   NameChecker(diagnostics).run(document);
 }
 
-void check_params_read(const Document& document, Diagnostics& diagnostics) {
+void check_unused_names(const Document& document, Diagnostics& diagnostics) {
   NameCollector reader;
   reader.add(document.seed);
   for (const Param& param : document.params)
@@ -227,11 +227,15 @@ void check_params_read(const Document& document, Diagnostics& diagnostics) {
     for (const Rule& rule : grammar.rules) reader.add(rule);
     if (grammar.lsystem) reader.add(*grammar.lsystem);
   }
-  for (const Param& param : document.params)
-    if (!reader.names.count(param.name) && !document.skipped.may_mention(param.name) &&
-        !document.skipped.doubtful.count(param.name))
-      diagnostics.error(param.where, fmt::format("param '{}' is never used", param.name),
-                        "use it in an expression or remove it");
+  const auto check = [&](const char* word, const std::string& name, const SourceLocation& where) {
+    const bool included = !document.sources.empty() && where.file != document.sources[0]->file;
+    if (!included && !reader.names.count(name) && !document.skipped.may_mention(name) &&
+        !document.skipped.doubtful.count(name))
+      diagnostics.warning(where, fmt::format("{} '{}' is never used", word, name),
+                          "use it in an expression or remove it");
+  };
+  for (const Param& param : document.params) check("param", param.name, param.where);
+  for (const Let& let : document.lets) check("let", let.name, let.where);
 }
 
 }  // namespace vug::scene

@@ -167,9 +167,10 @@ TEST(Evaluator, ParamsHiddenByFormalsAreUnused) {
   Diagnostics diagnostics;
   const Document document = parsed(
       "param n = 1\nparam k = 2\ngrammar g {\n  axiom A(k)\n  A(n) if n > 0 -> A(n - 1)\n}\n");
-  check_params_read(document, diagnostics);
+  check_unused_names(document, diagnostics);
   ASSERT_EQ(diagnostics.all().size(), 1u);
   EXPECT_EQ(diagnostics.all()[0].message, "param 'n' is never used");
+  EXPECT_FALSE(diagnostics.has_errors());
 }
 
 TEST(Evaluator, GrowingListsAreRejected) {

@@ -71,7 +71,7 @@ bool is_without_products(const shot::Shot& shot) {
 }
 
 /// Loads the scene and checks what `vug render` with default options would check.
-loading::Loaded examine(const Options& options) {
+loading::Loaded load_and_check(const Options& options) {
   loading::Loaded loaded = loading::load(options.scene.scene, options.scene.load_options());
   if (!loaded.usable()) return loaded;
   for (const shot::CellsPtr& cells : shot::declared_cells(loaded.shot)) try {
@@ -99,6 +99,12 @@ loading::Loaded examine(const Options& options) {
         {options.scene.scene, 0, 0}, "the scene declares nothing to build or to render",
         "declare a volume or a mesh, such as volume rock = level_set(sphere(1m), voxel: 5cm)");
   check_memory(loaded);
+  return loaded;
+}
+
+loading::Loaded examine(const Options& options) {
+  loading::Loaded loaded = load_and_check(options);
+  options.scene.apply_strictness(loaded.diagnostics);
   return loaded;
 }
 

@@ -30,6 +30,7 @@ void refuse_scene_options(const Options& options) {
                        : options.scene.frame          ? "--frame"
                        : !options.mesh.empty()        ? "--mesh"
                        : !options.cells.empty()       ? "--cells"
+                       : options.scene.strict         ? "--strict"
                                                       : nullptr;
   if (option)
     throw Error(ErrorCode::bad_input,
