@@ -192,6 +192,17 @@ class CheckTest(unittest.TestCase):
         self.finds("layout", {"lib/vug/mesh/a/b/c.cpp": BODY}, "at most one folder below a module")
         self.finds("layout", {"lib/vug/mesh/MyMesh.cpp": BODY}, "snake_case")
 
+    def test_index_of_the_sources(self):
+        page = ("# Architecture\n\n`field/primitives/`\n\n## Index of the sources\n\n"
+                "The first sentence of each file of the library. Folders of kinds contain one file per kind. "
+                "`tools/dev/source_index`\nwrites this list.\n\n### base\n\n- `base/vec.h`: Vectors.\n\n"
+                "### mesh\n\n- `mesh/mesh.h`: Triangles.\n")
+        # Modules without headers are not in the index.
+        self.passes("source_index", {"docs/architecture.md": page})
+        self.finds("source_index", {"docs/architecture.md": page.replace("Triangles", "Polygons")}, "out of date")
+        self.finds("source_index", {"docs/architecture.md": page, "lib/vug/mesh/weld.h": "// Welding.\n"},
+                   "out of date")
+
     def test_kinds_are_listed_once_and_in_order(self):
         name = "lib/vug/field/CMakeLists.txt"
         self.finds("layout", {name: GOOD[name].replace("box\n  sphere", "sphere\n  box")},
