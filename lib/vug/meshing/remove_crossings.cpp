@@ -8,8 +8,9 @@
 namespace vug::meshing {
 namespace {
 
-constexpr double kShares[] = {1, 0.5, 0.25, 0};  ///< Of the move, after each shortening.
-constexpr uint8_t kRaw = 3;                      ///< The index of the last.
+constexpr double kShares[] = {1, 0.5, 0.25,
+                              0};  ///< Shares of the move that remain, one after the other.
+constexpr uint8_t kRaw = 3;        ///< The index of the last.
 
 void sort_unique(std::vector<uint32_t>& list) {
   std::sort(list.begin(), list.end());

@@ -8,7 +8,7 @@ namespace vug::metrics {
 
 /// A connected group of intersecting triangles.
 struct CrossingPlace {
-  Vec3d centre;     ///< Of the bounding box of the triangles, metres.
+  Vec3d centre;     ///< The centre of the bounding box of the triangles, metres.
   double size = 0;  ///< Longest edge of that box, metres.
   size_t pairs = 0;
 

@@ -5,8 +5,8 @@
 
 #include <vug/base/rng.h>
 #include <vug/mesh/distance.h>
-#include <vug/meshing/crease.h>
 #include <vug/mesh/self_intersections.h>
+#include <vug/meshing/crease.h>
 
 #include <gtest/gtest.h>
 

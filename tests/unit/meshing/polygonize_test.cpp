@@ -3,9 +3,9 @@
 
 #include <vug/base/parallel.h>
 #include <vug/field/noise.h>
+#include <vug/mesh/self_intersections.h>
 #include <vug/mesh/topology.h>
 #include <vug/meshing/project.h>
-#include <vug/mesh/self_intersections.h>
 
 #include <gtest/gtest.h>
 
