@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// A network without a surface: cells of a regular grid on a plane whose opposite sides are joined.
 #include <vug/base/error.h>
 #include <vug/cells/network.h>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Conversion of assemblies to another up axis and unit, and the bounds of an assembly.
 #include <vug/base/parallel.h>
 #include <vug/exchange/assembly.h>
 #include <vug/exchange/channels.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Conversion of a derivation to the tree of a facade.
 #include <vug/facade/scope.h>
 
 namespace vug::facade {

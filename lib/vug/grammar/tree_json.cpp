@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// JSON output of derivation trees; ordered_json keeps the order of the members.
 #include <vug/grammar/tree_output.h>
 
 #include <fmt/core.h>
@@ -7,7 +8,6 @@
 namespace vug::grammar {
 namespace {
 
-// JSON output of derivation trees; ordered_json keeps the order of the members.
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Value& value) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// SVG drawings of derivation trees.
 #include <vug/base/xml.h>
 #include <vug/grammar/layout.h>
 #include <vug/grammar/tree_output.h>

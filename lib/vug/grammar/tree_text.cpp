@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Output of derivation trees as indented text.
 #include <vug/grammar/tree_output.h>
 
 namespace vug::grammar {

@@ -97,8 +97,9 @@ Diff diff(const ImageUnderTest& reference, const ImageUnderTest& test, const Dif
     const double share = 1 - std::pow(1 - alarm, 1.0 / static_cast<double>(views.size()));
     if (out) own.exposure = out->exposure;
     const auto there = views_of(test.image.channels);
-    const auto other = std::find_if(there.begin(), there.end(),
-                                    [&](const View& each) { return each.name == view.name; });
+    const auto other =
+        std::find_if(there.begin(), there.end(),
+                     [&name = view.name](const View& each) { return each.name == name; });
     const Diff one =
         named(diff_view(in_view(reference, view), in_view(test, *other), own, share), view);
     if (out)

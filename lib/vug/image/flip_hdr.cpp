@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The FLIP measure of HDR pictures: the largest difference over a range of exposures.
 #include <vug/base/maths.h>
 #include <vug/base/parallel.h>
 #include <vug/image/flip.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Pictures of one value per pixel in colours of evenly increasing lightness.
 #include <vug/image/diff.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reading of a picture, with its noise and its mask, for a comparison.
 #include <vug/base/error.h>
 #include <vug/image/diff.h>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// PNG files of a view: exposure, tone curve, dithering and quantisation to 8 bits.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/image/backend.h>

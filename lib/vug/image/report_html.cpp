@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The report of a comparison of pictures as an HTML page.
 #include <vug/base/xml.h>
 #include <vug/image/page.h>
 #include <vug/image/report.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writing of EXR files through a temporary file.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/image/backend.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The documentation of `grammar` blocks for `vug list`.
 #include <vug/loading/grammar_binding.h>
 #include <vug/sgm/bond.h>
 

@@ -12,9 +12,9 @@ namespace vug::mesh {
 namespace {
 
 struct Entry {
-  uint64_t key;
+  uint64_t key = 0;
   Vec3f point;
-  uint32_t index;
+  uint32_t index = 0;
 
   bool operator<(const Entry& other) const {
     if (key != other.key) return key < other.key;

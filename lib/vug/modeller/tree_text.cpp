@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Facade trees as JSON text, with checks of what is read.
 #include <vug/base/json_value.h>
 #include <vug/modeller/tree_to_edits.h>
 

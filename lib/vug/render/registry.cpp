@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Creation of cameras, samplers, materials, lights, media and integrators by name.
 #include <vug/render/kinds.h>
 
 namespace vug::render {

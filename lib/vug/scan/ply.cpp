@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Point clouds from PLY files.
 #include <vug/mesh/ply_body.h>
 #include <vug/mesh/ply_header.h>
 #include <vug/scan/read.h>

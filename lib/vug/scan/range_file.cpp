@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// EXR files of range images.
 #include <fmt/format.h>
 #include <vug/base/error.h>
 #include <vug/scan/range_image.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Point clouds from rendered pictures with positions.
 #include <vug/base/error.h>
 #include <vug/image/io.h>
 #include <vug/scan/read.h>

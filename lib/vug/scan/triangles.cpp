@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Openings of a wall by large triangles between its points.
 #include <vug/base/median.h>
 #include <vug/scan/opening_extraction.h>
 #include <vug/scan/openings.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Point clouds from text files with one point per line.
 #include <fmt/format.h>
 #include <vug/base/error.h>
 #include <vug/mesh/text_scanner.h>

@@ -59,6 +59,7 @@ class Marker {
   void begin_line(const Token& first) {
     const bool open = brackets_ > 0 || polygons_ > 0;
     const bool capital = first.kind == TokenKind::name && first.text[0] <= 'Z';
+    const bool is_keyword = is_one_of(first, {"axiom", "ignore", "consider", "ages"});
     if (open) {
       marks_[at_].goes_on = true;
     } else if (first.is("->")) {
@@ -68,16 +69,14 @@ class Marker {
       part_ = Part::block;
     } else if (arrow_ahead()) {
       part_ = Part::head;
-    } else if (is_one_of(first, {"axiom", "ignore", "consider", "ages"})) {
-      part_ = Part::option;  // the keyword itself is not a module
-    } else if (first.kind == TokenKind::sign || capital) {
+    } else if (!is_keyword && (first.kind == TokenKind::sign || capital)) {
       marks_[at_].goes_on = true;
       part_ = Part::word;
     } else {
       part_ = Part::option;
     }
     fresh_ = false;
-    listing_ = part_ == Part::option && is_one_of(first, {"axiom", "ignore", "consider", "ages"});
+    listing_ = part_ == Part::option && is_keyword;
   }
 
   bool arrow_at_once() const { return tokens_[at_ + 1].is("->"); }

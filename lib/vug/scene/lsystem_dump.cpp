@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// L-systems of documents as text in a canonical form, for comparisons in tests.
 #include <vug/scene/lsystem_document.h>
 
 #include <fmt/format.h>

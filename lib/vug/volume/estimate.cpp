@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// Estimates of the voxels, the memory and the area of a level set, made before it is built.
+//
 // On average, a surface of area A meets A * w / size^3 cubes of edge `size`, where w is the width
 // of the slab that must contain the cube's centre: the band plus the cube's mean extent along the
 // normal, 3/2 of its edge (Cauchy's mean projection of a cube).

@@ -23,6 +23,8 @@
 namespace vug::volume {
 namespace {
 
+// NOLINTBEGIN(readability-identifier-naming): OpenVDB calls these names.
+
 /// The mesh adapter for OpenVDB, in lattice units.
 struct Triangles {
   const mesh::Mesh& mesh;
@@ -45,6 +47,8 @@ struct Interrupter {
   void end() {}
   bool wasInterrupted(int = -1) { return progress.cancelled(); }
 };
+
+// NOLINTEND(readability-identifier-naming)
 
 void require_closed(const mesh::Mesh& mesh) {
   const size_t open = mesh::inspect(mesh::welded(mesh)).boundary_edges;

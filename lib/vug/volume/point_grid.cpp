@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Points with attributes as an OpenVDB grid of points.
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/base/parallel_sort.h>

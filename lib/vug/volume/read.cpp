@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reading of grids and of their headers from .vdb files.
 #include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
 #include <vug/volume/grid_access.h>

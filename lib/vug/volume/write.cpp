@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writing of .vdb files with identifiers that depend only on their content.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/volume/grid_access.h>

@@ -8,7 +8,15 @@ PAGE = "docs/architecture.md"
 HEAD = "## Index of the sources\n"
 
 
+ABBREVIATION = r"(?<!\be\.g\.)(?<!\bi\.e\.)(?<!\beq\.)(?<!\bal\.)(?<!\bvs\.)"
+
+
 def check(tree):
+    for name in tree.select(".cpp", under="lib/vug/"):
+        folder = f"lib/vug/{module_of(name)}/"
+        alone = name[:-3] + "h" not in tree.files and name[len(folder):-4] not in kinds_of(tree, folder)
+        if alone and not first_sentence(tree.text(name)):
+            yield Finding(name, 0, "a source without a header of its name needs a header comment")
     if PAGE in tree.files and tree.text(PAGE) != with_index(tree):
         yield Finding(PAGE, 0, "the index of the sources is out of date: run tools/dev/source_index")
 
@@ -19,7 +27,7 @@ def with_index(tree):
 
 
 def index(tree):
-    """One list for each module: headers, then sources without a header, by the first sentence of their comments."""
+    """One list for each module: its headers, and sources without a header, by the first sentence of their comments."""
     modules = dict.fromkeys(module_of(name) for name in tree.select(".h", under="lib/vug/"))
     lines = ["\nThe first sentence of each file of the library. Folders of kinds contain one file per kind. "
              "`tools/dev/source_index`\nwrites this list.\n"]
@@ -33,9 +41,7 @@ def index(tree):
             if stem not in kinds:
                 files[stem] = name  # the header, which follows its source in alphabetical order
         for stem, name in sorted(files.items()):
-            sentence = first_sentence(tree.text(name))
-            if name.endswith(".h") or sentence:
-                lines.append(f"- `{name[len('lib/vug/'):]}`: {sentence}\n")
+            lines.append(f"- `{name[len('lib/vug/'):]}`: {first_sentence(tree.text(name))}\n")
         for place in dict.fromkeys(kind.partition("/")[0] for kind in sorted(kinds)):
             names = ", ".join(kind.partition("/")[2] for kind in sorted(kinds) if kind.startswith(place + "/"))
             lines.append(f"- `{module}/{place}/`: {names}\n")
@@ -52,4 +58,4 @@ def first_sentence(text):
     comment = re.match(r"// SPDX[^\n]*\n((?:// ?[^\n]*\n)*)", text)
     words = re.sub(r"\s*\n//\s*", " ", "\n" + comment.group(1).rstrip()) if comment else ""
     words = re.sub(r"^ Internal to [\w/]+: ", " ", words).strip()
-    return re.split(r"(?<=[^.]\.)\s|:\s(?=\s)", words)[0]
+    return re.split(rf"(?<=[^.]\.){ABBREVIATION}\s", words)[0]

@@ -100,7 +100,7 @@ Field bent(const Field& field, double rate) {
     const Transform flip = Transform::scaling({1, -1, 1});
     return transformed(bent(transformed(field, flip), -rate), flip);
   }
-  const Box3d box = field.bounds();
+  const Box3d& box = field.bounds();
   const double radius = 1 / rate, inner = radius - box.max.y;
   if (inner <= 1e-3 * radius)
     throw Error(ErrorCode::bad_input, "the bend is so tight that its axis runs through the solid");

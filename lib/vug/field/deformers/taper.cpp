@@ -53,7 +53,7 @@ struct Tapering {
 };
 
 Field tapered(const Field& field, const Taper& taper) {
-  const Box3d box = field.bounds();
+  const Box3d& box = field.bounds();
   const double r = radius_about_y(box), height = std::max(box.size().y, 1e-9);
   const double least = std::min(taper.from, taper.to), most = std::max(taper.from, taper.to);
   const double a = 1 / least, b = r * (most - least) / height / least;

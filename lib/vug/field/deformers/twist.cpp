@@ -50,7 +50,7 @@ struct Twisting {
 };
 
 Field twisted(const Field& field, double rate) {
-  const Box3d box = field.bounds();
+  const Box3d& box = field.bounds();
   const double r = radius_about_y(box), s = std::fabs(rate) * r;
   const Twisting twisting{rate, r, 0.5 * s + std::sqrt(1 + 0.25 * s * s)};
   const Field within(std::make_shared<DeformerNode<Twisting>>("twist", twisting, field.node()));

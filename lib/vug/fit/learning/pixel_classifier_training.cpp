@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Training of pixel classifiers from labelled pictures.
 #include <vug/base/error.h>
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writing of deep EXR files with OpenImageIO.
 #include <vug/image/backend.h>
 #include <vug/image/oiio/exr_spec.h>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Views of OpenColorIO configurations as tables of values.
 #include <vug/base/atomic_file.h>
 #include <vug/base/diagnostics.h>
 #include <vug/base/error.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// PNG encoding with OpenImageIO.
 #include <vug/base/error.h>
 #include <vug/image/backend.h>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Reading of pictures and of their headers with OpenImageIO.
 #include <vug/base/atomic_file.h>
 #include <vug/base/memory.h>
 #include <vug/image/backend.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Lookups in picture textures, with wrapping and filtering by OpenImageIO's texture cache.
 #include <vug/image/backend.h>
 
 #include <OpenImageIO/texture.h>

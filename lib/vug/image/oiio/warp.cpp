@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Resampling of pictures by a homography with OpenImageIO.
 #include <vug/base/error.h>
 #include <vug/image/backend.h>
 

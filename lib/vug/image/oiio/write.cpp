@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Writing of EXR files with OpenImageIO: parts, channels and metadata.
 #include <vug/base/error.h>
 #include <vug/image/backend.h>
 #include <vug/image/oiio/exr_spec.h>

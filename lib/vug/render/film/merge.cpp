@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Merging of partial renders (`vug merge`): checks of their cover, and exact sums.
 #include <vug/base/error.h>
 #include <vug/base/memory.h>
 #include <vug/render/film/partial_render.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Light that scatters once in a medium along a segment of a path.
 #include <vug/base/maths.h>
 #include <vug/render/film/light_path_recorder.h>
 #include <vug/render/paths/direct.h>
