@@ -34,7 +34,8 @@ void Pass::run_distributing(uint32_t block, uint32_t from, uint32_t end,
   const Links& links = network_->links;
   const uint32_t first = blocks_->first(block);
   const auto over = [&](const auto& neighbours) {
-    const Kernel own = kernel;  // local copy, so that the compiler knows that it does not change
+    // A local copy, so that the compiler knows that it does not change.
+    const Kernel own = kernel;  // NOLINT(performance-unnecessary-copy-initialization)
     for (uint32_t i = from; i < end; ++i) own(neighbours, i);
   };
   const uint32_t* to = links.to.data() + links.begin[first];
@@ -60,7 +61,7 @@ void Pass::run_block(uint32_t block, const Kernel& kernel) const {
   const Links& links = network_->links;
   const MixedNeighbourhood neighbours{links.begin.data(), links.to.data(), states_->data()};
   if (all) {
-    const Kernel own = kernel;
+    const Kernel own = kernel;  // NOLINT(performance-unnecessary-copy-initialization)
     for (uint32_t i = first; i < end; ++i) own(neighbours, i);
     return;
   }

@@ -30,7 +30,7 @@ struct Polygon {
 
   explicit Polygon(const Outline& corners, bool revolved) {
     for (size_t i = 0; i < corners.size(); ++i) {
-      const Vec2d a = corners[i], b = corners[(i + 1) % corners.size()];
+      const Vec2d &a = corners[i], &b = corners[(i + 1) % corners.size()];
       if (revolved && a.x <= 0 && b.x <= 0) continue;  // the axis is not a surface
       const double length = (b - a).length();
       if (length < 1e-9) continue;
@@ -93,7 +93,7 @@ field::Field made(const char* name, Shape shape) {
 void require(const Outline& outline, bool revolved) {
   double area = 0;
   for (size_t i = 0; i < outline.size(); ++i) {
-    const Vec2d a = outline[i], b = outline[(i + 1) % outline.size()];
+    const Vec2d &a = outline[i], &b = outline[(i + 1) % outline.size()];
     area += 0.5 * (a.x * b.y - a.y * b.x);
     if (revolved && a.x < 0)
       throw Error(ErrorCode::internal, "the outline of a solid of revolution crosses its axis");

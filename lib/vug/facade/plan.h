@@ -19,7 +19,7 @@ struct PartKey {
   int item = 0;             ///< Index among the items of the rule.
   int part = 0;             ///< Index among the parts of the item's split; else 0.
   int column = 0, row = 0;  ///< As in Cell.
-  auto operator<=>(const PartKey&) const = default;
+  auto operator<=>(const PartKey&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
 struct Plan;

@@ -127,7 +127,7 @@ std::string theta(const Tree& tree) {
       stack.push_back({nodes[i], i + 1 < nodes.size() ? ", " : ""});
   };
   std::vector<int> roots;
-  for (size_t i = 0; i < tree.nodes.size() && tree.nodes.size() > 0; ++i)
+  for (size_t i = 0; i < tree.nodes.size(); ++i)
     if (tree.nodes[i].parent < 0) roots.push_back(static_cast<int>(i));
   push(roots);
   while (!stack.empty()) {

@@ -35,8 +35,9 @@ image::Image leaf_picture(const Paint& color, const Mask& opacity,
       Vec3d sum(0);
       double cover = 0;
       for (int k = 0; k < n * n; ++k) {
-        const double x = (column + (k % n + 0.5) / n) / options.width;
-        const double y = (static_cast<double>(row) + (k / n + 0.5) / n) / options.height;
+        const int across = k % n, down = k / n;
+        const double x = (column + (across + 0.5) / n) / options.width;
+        const double y = (static_cast<double>(row) + (down + 0.5) / n) / options.height;
         const LeafAttributes place({2 * x - 1, 1 - y});
         // Other inputs than leaf coordinates see a flat leaf of unit length on the ground.
         EvalPoint point{Vec3d(2 * x - 1, 1 - y, 0), Vec3d(0, 0, 1)};

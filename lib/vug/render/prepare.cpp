@@ -84,7 +84,7 @@ Region render_region(const Options& options) {
 Ray PreparedRender::camera_ray(const SampleId& id, float time) const {
   SampleCursor numbers(*sampler, id);
   const FourPairs four = numbers.four_pairs();  // hardly slower than two pairs
-  const Vec2f inside = four[0], lens = four[1];
+  const Vec2f &inside = four[0], &lens = four[1];
   const float width = static_cast<float>(options.width);
   const float height = static_cast<float>(options.height);
   const Vec2f film((static_cast<float>(id.x) + inside.x) / width,

@@ -99,7 +99,8 @@ class PlaneFitter {
 
   CandidatePlane sampled(RandomStream stream, int& samples) const {
     const auto count = static_cast<uint32_t>(points_.size());
-    const double voters = static_cast<double>((points_.size() + stride_ - 1) / stride_);
+    const size_t voting = (points_.size() + stride_ - 1) / stride_;
+    const auto voters = static_cast<double>(voting);
     CandidatePlane best;
     size_t most = 0;
     double needed = kMaxSamples;

@@ -137,7 +137,8 @@ RangeImage range_image(const PointCloud& cloud, const PlaneFit& plane,
   constexpr double kPixelBytes = 2 * sizeof(uint32_t) + 2 * sizeof(float) + sizeof(uint16_t);
   require_memory(wide * high * kPixelBytes + static_cast<double>(cloud.size()) * sizeof(float),
                  options.memory, "the range image", "use larger pixels");
-  if (std::max(wide, high) > std::numeric_limits<int>::max() / 2)
+  constexpr int kMostPixels = std::numeric_limits<int>::max() / 2;
+  if (std::max(wide, high) > kMostPixels)
     throw Error(ErrorCode::too_large, "the range image has too many pixels on a side", {},
                 "use larger pixels");
   RangeImage image;

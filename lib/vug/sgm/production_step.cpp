@@ -4,8 +4,8 @@
 namespace vug::sgm {
 
 std::string to_string(Operation operation) {
-  constexpr const char* kNames[] = {"union", "difference", "intersection", "morph"};
-  return kNames[static_cast<size_t>(operation)];
+  constexpr const char* kWords[] = {"union", "difference", "intersection", "morph"};
+  return kWords[static_cast<size_t>(operation)];
 }
 
 std::string sign_of(Operation operation) {

@@ -233,7 +233,8 @@ struct Grid {
       return static_cast<int>(RandomStream(free.key().at("door")).below(across));
     };
     if (!door) return 0;
-    return free.count("door", 0, static_cast<int>(across) - 1, (across - 1) / 2, draw);
+    const uint32_t middle = (across - 1) / 2;
+    return free.count("door", 0, static_cast<int>(across) - 1, middle, draw);
   }
 
   Layout layout(double width, double height, FreeNumbers& free) const {

@@ -150,7 +150,7 @@ class ElementRowSearch {
 
 std::vector<int> strongest_edges(const Evidence& evidence, const TreeState& state, const Area& area,
                                  bool along_x, int most) {
-  constexpr int kReach = 2;
+  constexpr int kHalfStrip = 2;
   const int size = along_x ? area.width : area.height;
   const auto strip = [&](int begin, int end) {
     const int low = std::max(0, begin), high = std::min(size, end);
@@ -158,8 +158,8 @@ std::vector<int> strongest_edges(const Evidence& evidence, const TreeState& stat
                   along_x ? Rect{low, 0, high, area.height} : Rect{0, low, area.width, high});
   };
   std::vector<double> change(static_cast<size_t>(size) + 1, 0);
-  for (int place = kReach; place + kReach <= size; ++place) {
-    const Sums a = strip(place - kReach, place), b = strip(place, place + kReach);
+  for (int place = kHalfStrip; place + kHalfStrip <= size; ++place) {
+    const Sums a = strip(place - kHalfStrip, place), b = strip(place, place + kHalfStrip);
     for (size_t lane = 0; lane < a.lane.size(); ++lane)
       change[static_cast<size_t>(place)] +=
           std::fabs(static_cast<double>(a.lane[lane]) - static_cast<double>(b.lane[lane]));

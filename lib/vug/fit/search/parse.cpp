@@ -122,8 +122,10 @@ class Parser {
 
   /// Expands all children of node i, the last first, so that the indices of the others stay valid.
   TreeState expanded(TreeState state, int i, int depth) const {
-    for (int number = state.tree.child_count(i) - 1; number >= 0; --number)
-      state = best(std::move(state), state.tree.child(i, number), depth);
+    for (int number = state.tree.child_count(i) - 1; number >= 0; --number) {
+      const int child = state.tree.child(i, number);
+      state = best(std::move(state), child, depth);
+    }
     return state;
   }
 

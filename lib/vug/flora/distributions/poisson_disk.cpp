@@ -71,7 +71,7 @@ class DartThrower {
     size_ /= 2;
     for (const Square& square : open_)
       for (int quarter = 0; quarter < 4; ++quarter)
-        keep({square.low + Vec2d(quarter % 2, quarter / 2) * size_, square.base}, size_);
+        keep({square.low + Vec2d(quarter & 1, quarter >> 1) * size_, square.base}, size_);
     open_.swap(next_);
     if (++depth_ > kDeepest) open_.clear();
   }
