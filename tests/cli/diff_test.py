@@ -65,7 +65,7 @@ class OfScreens(VugTest):
     def test_a_file_is_itself(self):
         for name in ("a.png", "a.hdr"):
             result = self.expect(0, "diff", name, name)
-            self.assertTrue(result.out.endswith("\nidentical\n"), result.out)
+            self.assertTrue(result.out.startswith("identical\n\n"), result.out)
             values = re.findall(r"^beauty +(\w+) +(\S+)", result.out, re.M)
             self.assertEqual({name: value for name, value in values if value != "0"},
                              {"psnr": "inf", "ssim": "1"})
@@ -73,7 +73,8 @@ class OfScreens(VugTest):
     def test_verdicts_do_not_depend_on_the_order(self):
         for a, b in [("a.png", "b.png"), ("a.hdr", "dark.hdr")]:
             one, other = (self.expect(1, "diff", *pair).out for pair in [(a, b), (b, a)])
-            self.assertEqual(one, other)
+            self.assertTrue(one.startswith("different: ") and other.startswith("different: "), one)
+            self.assertEqual(one.split("\n")[1:], other.split("\n")[1:])
 
     def test_pictures_without_variance(self):
         said = "the noise is unknown: neither picture contains the variance of its pixels"
@@ -85,7 +86,8 @@ class OfScreens(VugTest):
         self.expect(0, *args, "--max", "relative_rmse=0.2", "--min", "ssim=0.5")
         failed = self.expect(1, *args, "--max", "relative_rmse=0.2", "--max", "beauty.rmse=1e-6")
         self.assertRegex(failed.out, r"rmse +\S+ +at most +1e-06 +FAILED")
-        self.assertIn("\ndifferent: rmse of beauty is ", failed.out)
+        self.assertTrue(failed.out.startswith("different: the picture is 2 % darker everywhere\n"), failed.out)
+        self.assertIn("\nreasons: rmse of beauty is ", failed.out)
         self.write("limits.json", '{"relative_rmse": 0.2, "ssim": 0.5}')
         self.expect(0, *args, "--thresholds", "limits.json")
         self.write("limits.json", '{"psnr": 90}')
@@ -161,10 +163,17 @@ class OfRenders(VugTest):
         self.assertIn("not judged although they differ: ", same.out)
 
     def test_less_light_and_another_material_are_differences(self):
-        for name in ("dark", "ball"):
-            with self.subTest(name=name):
-                for pair in [("a.exr", f"{name}.exr"), (f"{name}.exr", "a.exr")]:
-                    self.assertIn("\ndifferent: ", self.expect(1, "diff", *pair).out)
+        for name, words in [("dark", r"the picture is \d % {} everywhere"),
+                            ("ball", r"the picture is 1\d % {}, most at the bottom")]:
+            for pair, change in [(("a.exr", f"{name}.exr"), "darker"), ((f"{name}.exr", "a.exr"), "brighter")]:
+                with self.subTest(pair=pair):
+                    said = self.expect(1, "diff", *pair, "--html", "page.html", "--json", "diff.json").out
+                    verdict, statistics = said.split("\n", 1)
+                    self.assertRegex(verdict, f"^different: {words.format(change)}$")
+                    self.assertIn("\nreasons: ", statistics)
+                    self.assertIn(json.loads((self.folder / "diff.json").read_text())["words"][0], verdict)
+                    page = Page((self.folder / "page.html").read_text()).words
+                    self.assertLess(page.index(verdict), min(i for i, text in enumerate(page) if "z = " in text))
 
     def test_layers(self):
         limits = ("--max", "Z.mean=0.1", "--max", "albedo.max=1")
@@ -187,7 +196,7 @@ class OfRenders(VugTest):
         self.assertIn("crop from 24, 0", self.expect(2, "diff", "left.exr", "right.exr").err)
         self.expect(0, "render", *common, "-o", "whole.exr")
         self.expect(0, "render", *common, "-o", "parts.exr", "--multi-part")
-        self.assertTrue(self.expect(0, "diff", "whole.exr", "parts.exr").out.endswith("\nidentical\n"))
+        self.assertTrue(self.expect(0, "diff", "whole.exr", "parts.exr").out.startswith("identical\n"))
 
     def test_the_page_shows_the_blocks(self):
         self.expect(1, "diff", "a.exr", "dark.exr", "--html", "page.html", "--quiet")

@@ -147,6 +147,7 @@ void run_case_in(const fs::path& room, const CaseFolder& folder, const CaseOptio
   }
   out.verdict = diff.same ? Verdict::same : Verdict::different;
   out.message = verdict_text(diff);
+  for (const std::string& reason : diff.reasons) out.message += "; " + reason;
   if (!diff.same && options.update) return update(image_case, options, picture, out);
   if (options.reseed > 0) reseed(image_case, options, room, diff.same, out);
   if (out.verdict == Verdict::same) return;

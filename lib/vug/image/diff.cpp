@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
+#include <vug/image/description.h>
 #include <vug/image/diff_view.h>
 
 #include <fmt/format.h>
@@ -237,6 +238,14 @@ void judge(Diff& out, const DiffOptions& options) {
   out.same = out.reasons.empty();
 }
 
+/// True if the layer is a reason for the verdict "different".
+bool fails(const Diff& diff, const std::string& layer) {
+  if (layer == kBeauty && diff.tested && !diff.same)
+    if (diff.significance->different || diff.not_finite > 0) return true;
+  return std::any_of(diff.rows.begin(), diff.rows.end(),
+                     [&](const LayerResult& row) { return row.layer == layer && !row.passed; });
+}
+
 /// Collects layers that differ but are not judged.
 void find_unjudged(Diff& out, const std::vector<SelectedLayer>& chosen,
                    const std::vector<double>& largest) {
@@ -315,12 +324,14 @@ Diff diff_view(const ImageUnderTest& reference, const ImageUnderTest& test,
   };
   out.tested = out.significance &&
                (options.false_alarm_rate || std::none_of(chosen.begin(), chosen.end(), of_beauty));
-  std::vector<double> largest;  // Per layer, the largest difference.
+  std::vector<double> largest;     // Per layer, the largest difference.
+  std::vector<std::string> words;  // Per layer, the difference in words.
   for (const SelectedLayer& each : chosen) {
     const Comparison pair = comparison_of(each.layer, reference, test, options, out.exposure);
     const Differences d = differences(pair);
     out.not_finite += d.not_finite;
     largest.push_back(d.largest);
+    words.push_back(describe_difference(pair, each.layer.name));
     const bool brief = d.largest == 0 && !each.main;  // "identical" suffices.
     if (brief) out.identical.push_back(each.layer.name);
     if (each.layer.name == kBeauty && out.tested && std::isinf(d.largest))
@@ -338,6 +349,8 @@ Diff diff_view(const ImageUnderTest& reference, const ImageUnderTest& test,
     }
   }
   judge(out, options);
+  for (size_t i = 0; i < chosen.size(); ++i)
+    if (fails(out, chosen[i].layer.name) && !words[i].empty()) out.words.push_back(words[i]);
   if (out.same && *std::max_element(largest.begin(), largest.end()) == 0)
     out.basis = Basis::identical;
   find_unjudged(out, chosen, largest);

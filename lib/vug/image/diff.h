@@ -90,7 +90,8 @@ struct Diff {
   bool tested = false;    ///< Whether the verdict takes `significance` into account.
   size_t not_finite = 0;  ///< NaN and infinite values in either image, among the compared pixels.
   std::vector<std::string> unjudged;  ///< Layers that differ but are covered by no limit or test.
-  std::vector<std::string> reasons;   ///< Reasons for the verdict "different", as sentences.
+  std::vector<std::string> words;     ///< What is different, for people: see describe_difference.
+  std::vector<std::string> reasons;   ///< Statistics that led to the verdict "different".
   double exposure = 0;                ///< Exposure in stops used by the perceptual measures.
 
   // Data for reports, from the first main layer.

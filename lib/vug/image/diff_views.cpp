@@ -43,7 +43,8 @@ Diff named(Diff diff, const View& view) {
   for (LayerResult& row : diff.rows) row.layer = name_of(view, row.layer);
   for (auto* names : {&diff.identical, &diff.unjudged})
     for (std::string& layer : *names) layer = name_of(view, layer);
-  for (std::string& reason : diff.reasons) reason = fmt::format("{}: {}", view.name, reason);
+  for (auto* sentences : {&diff.words, &diff.reasons})
+    for (std::string& sentence : *sentences) sentence = fmt::format("{}: {}", view.name, sentence);
   diff.shown_layer = name_of(view, diff.shown_layer);
   return diff;
 }
@@ -63,6 +64,7 @@ void add(Diff& all, const Diff& one, const View& view) {
   all.tested = all.tested || one.tested;
   all.not_finite += one.not_finite;
   append(all.unjudged, one.unjudged);
+  append(all.words, one.words);
   append(all.reasons, one.reasons);
 }
 

@@ -67,7 +67,9 @@ std::string to_text(const Significance& s, const std::string& layer) {
 }  // namespace
 
 std::string verdict_text(const Diff& diff) {
-  if (!diff.same) return fmt::format("different: {}", fmt::join(diff.reasons, "; "));
+  if (!diff.same)
+    return fmt::format("different: {}",
+                       fmt::join(diff.words.empty() ? diff.reasons : diff.words, "; "));
   switch (diff.basis) {
     case Basis::identical:
       return "identical";
@@ -82,36 +84,40 @@ std::string verdict_text(const Diff& diff) {
   return "the same: the differences are within rounding";
 }
 
+std::vector<std::string> remarks(const Diff& diff) {
+  std::vector<std::string> out;
+  if (diff.not_finite > 0) out.push_back(fmt::format("{} values are not finite", diff.not_finite));
+  if (!diff.unjudged.empty())
+    out.push_back(
+        fmt::format("not judged although they differ: {} (set limits, as in --max {}.rmse=0.01)",
+                    fmt::join(diff.unjudged, ", "), diff.unjudged.front()));
+  if (!diff.same && diff.basis == Basis::rounding)
+    out.emplace_back(
+        "the noise is unknown: neither picture contains the variance of its pixels, so every "
+        "difference above rounding counts (render with the layer variance, or set limits, as in "
+        "--max relative_rmse=0.01)");
+  return out;
+}
+
 std::string to_table(const Diff& diff) {
-  std::string out = fmt::format("{:<16} {:<14} {:>12}\n", "layer", "measure", "value");
+  std::string out = verdict_text(diff) + "\n";
+  for (const std::string& remark : remarks(diff)) out += remark + "\n";
+  out += fmt::format("\n{:<16} {:<14} {:>12}\n", "layer", "measure", "value");
   for (const LayerResult& row : diff.rows) out += row_text(row);
   if (!diff.identical.empty())
     out += fmt::format("\nidentical: {}\n", fmt::join(diff.identical, ", "));
   if (diff.significance) out += to_text(*diff.significance, "the beauty");
   for (const auto& [view, significance] : diff.other_views) out += to_text(significance, view);
-  if (diff.not_finite > 0) out += fmt::format("\n{} values are not finite\n", diff.not_finite);
-  if (!diff.unjudged.empty())
-    out += fmt::format(
-        "\nnot judged although they differ: {} (set limits, as in --max {}.rmse=0.01)\n",
-        fmt::join(diff.unjudged, ", "), diff.unjudged.front());
-  if (!diff.same && diff.basis == Basis::rounding)
-    out +=
-        "\nthe noise is unknown: neither picture contains the variance of its pixels, so every "
-        "difference above rounding counts (render with the layer variance, or set limits, as in "
-        "--max relative_rmse=0.01)\n";
-  return out + "\n" + verdict_text(diff) + "\n";
+  if (!diff.reasons.empty()) out += fmt::format("\nreasons: {}\n", fmt::join(diff.reasons, "; "));
+  return out;
 }
 
 std::string to_json(const Diff& diff, const std::string& reference, const std::string& test) {
-  Json out{{"reference", reference},
-           {"test", test},
-           {"same", diff.same},
-           {"basis", basis_text(diff)},
-           {"reasons", diff.reasons},
-           {"exposure", diff.exposure},
-           {"not_finite", diff.not_finite},
-           {"unjudged", diff.unjudged},
-           {"identical", diff.identical}};
+  Json out{{"reference", reference},    {"test", test},
+           {"same", diff.same},         {"basis", basis_text(diff)},
+           {"words", diff.words},       {"reasons", diff.reasons},
+           {"exposure", diff.exposure}, {"not_finite", diff.not_finite},
+           {"unjudged", diff.unjudged}, {"identical", diff.identical}};
   out["layers"] = Json::object();
   for (const LayerResult& row : diff.rows) {
     Json& entry = out["layers"][row.layer][row.measure];

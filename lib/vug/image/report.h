@@ -6,14 +6,20 @@
 #include <vug/image/diff.h>
 
 #include <string>
+#include <vector>
 
 namespace vug::image {
 
-/// "identical", "the same: ...", "different: ...", in one line.
+/// "identical", "the same: ...", "different: red is 8 % brighter, most at the lower right", in one
+/// line without statistics.
 std::string verdict_text(const Diff& diff);
 
-/// Table of the measures with one line per layer and measure, then the significance test, then the
-/// reasons.
+/// Sentences that qualify the verdict: unknown noise, layers without a criterion, values that are
+/// not finite.
+std::vector<std::string> remarks(const Diff& diff);
+
+/// The verdict and the remarks in words; then a table of the measures with one line per layer and
+/// measure, the significance test, and the reasons.
 std::string to_table(const Diff& diff);
 
 /// The verdict as JSON; infinite numbers are null.

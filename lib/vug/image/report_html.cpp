@@ -114,10 +114,12 @@ void add_measures(const Diff& diff, std::string& out) {
   if (!diff.identical.empty())
     out += fmt::format("<p>Identical: {}.</p>",
                        xml_text(fmt::format("{}", fmt::join(diff.identical, ", "))));
-  if (!diff.unjudged.empty())
-    out += fmt::format("<p>Not judged although they differ: {}.</p>",
-                       xml_text(fmt::format("{}", fmt::join(diff.unjudged, ", "))));
-  if (diff.not_finite > 0) out += fmt::format("<p>{} values are not finite.</p>", diff.not_finite);
+  if (!diff.reasons.empty()) {
+    out += "<h2>Reasons</h2><ul>";
+    for (const std::string& reason : diff.reasons)
+      out += fmt::format("<li>{}</li>", xml_text(reason));
+    out += "</ul>";
+  }
   out += "</section>\n";
 }
 
@@ -145,6 +147,8 @@ std::string to_html(const Diff& diff, const std::string& title, const std::strin
                      diff.same ? "same" : "different", diff.same ? "same" : "different",
                      xml_text(title));
   out += fmt::format("<p class=\"why\">{}</p>\n", xml_text(verdict_text(diff)));
+  for (const std::string& remark : remarks(diff))
+    out += fmt::format("<p class=\"files\">{}</p>\n", xml_text(remark));
   out += fmt::format(
       "<p class=\"files\">reference <code>{}</code> · test <code>{}</code> · layer "
       "<code>{}</code> · exposure {:+.2f}</p>\n",
