@@ -50,8 +50,7 @@ class Arguments(VugTest):
         for option, said in ((["--layers", "beauty,nope"], "--layers: unknown layer 'nope'"),
                              (["--view", "nope"], "--view: unknown view 'nope'"),
                              (["--display", "nope"], "--display: unknown display 'nope'"),
-                             (["--eye", "left"], "--eye: the camera is not a stereo camera"),
-                             (["--denoise", "--layers", "beauty"], "--denoise: a picture without the layer 'variance'")):
+                             (["--eye", "left"], "--eye: the camera is not a stereo camera")):
             error = self.refused("error: " + said, *render, *option)
             self.assertNotIn("s.vug", error)
         self.assertEqual(self.refused("", *render, "--view", "nope").count("filmic"), 1)

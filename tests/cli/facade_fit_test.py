@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """`vug facade fit`: recovers a known facade from a picture that is rendered with depth."""
 import json
+import random
 import unittest
 
+from pictures import write_png
 from vug import VugTest
 
 FRONT = """
@@ -42,8 +44,8 @@ class FacadeFit(VugTest):
     def test_recovers_the_rendered_facade(self):
         self.photo()
         said = self.expect(0, "facade", "fit", "photo.exr", "-o", "out", "--width", "6m", "--steps", 20000)
-        self.assertTrue(said.out.startswith("Facade(0, 0, 6, 5, "), said.out)
         tree = json.loads((self.folder / "out/photo.json").read_text())
+        self.assertTrue(tree["theta"].startswith("Facade(0, 0, 6, 5, "), tree["theta"])
         windows = [one["rect"] for one in tree["elements"] if one["kind"] == "window"]
         true = [(0.6 + column * 1.9333, 0.7 + row * 2.3, 0.9333, 1.5) for column in range(3) for row in range(2)]
         self.assertGreater(shared(windows, true), 0.9 * area(true), said.out)
@@ -58,6 +60,62 @@ class FacadeFit(VugTest):
         self.assertIn("<svg", (self.folder / "out/photo.report.svg").read_text())
         again = self.expect(0, "tree", "out/photo.vug", "--elements").out
         self.assertEqual(again.count("window,"), len(windows))
+
+    def test_the_output_is_for_people(self):
+        self.photo()
+        said = self.expect(0, "facade", "fit", "photo.exr", "-o", "out", "--width", "6m", "--iterations", 20000,
+                           "--no-carving")
+        lines = dict(line.split(maxsplit=1) for line in said.out.splitlines())
+        self.assertEqual(lines["facade"], "6 x 5 m")
+        self.assertEqual(lines["elements"], "6 windows")
+        self.assertEqual(lines["scene"], "out/photo_scene.vug")
+        self.assertNotIn("carving", lines)
+        self.assertLess(max(map(len, said.out.splitlines())), 120)
+        self.assertIn("(assumed size)", self.expect(0, "facade", "fit", "photo.exr", "-o", "out", "--steps", 2000,
+                                                    "--no-carving").out)
+
+    def test_the_scene_can_be_denoised(self):
+        self.photo()
+        self.expect(0, "facade", "fit", "photo.exr", "-o", "out", "--width", "6m", "--steps", 2000, "--no-carving")
+        self.expect(0, "render", "out/photo_scene.vug", "-o", "a.exr", "-D", "voxel=20cm", "--size", "60x50", "--spp", 4,
+                    "--denoise")
+        self.assertIn("denoised", self.expect(0, "info", "a.exr").out)
+
+    def test_a_crop(self):
+        self.photo()
+        fit = ("facade", "fit", "photo.exr", "-o", "out", "--no-carving", "--steps", 20000)
+        said = self.expect(0, *fit, "--crop", "0,0,50,125", "--width", "2m").out
+        self.assertIn("elements  2 windows\n", said)
+        tree = json.loads((self.folder / "out/photo.json").read_text())
+        self.assertEqual((tree["width"], tree["height"]), (2, 5))
+        self.assertIn('width="3000" height="2500"', (self.folder / "out/photo.svg").read_text())
+        self.assertIn("photo.exr' has 150 x 125 pixels, and the crop ends at 151,125",
+                      self.expect(2, *fit, "--crop", "0,0,151,125").err)
+        self.assertIn("it contains no pixels", self.expect(2, *fit, "--crop", "9,0,9,125").err)
+        self.assertIn("the crop has 9 x 125 pixels", self.expect(2, *fit, "--crop", "0,0,9,125").err)
+        self.write("scan.txt", "\n".join(f"{0.1 * i} 0 {0.1 * j}" for i in range(60) for j in range(40)))
+        self.assertIn("--crop applies to a photo", self.expect(2, "facade", "fit", "--cloud", "scan.txt", "-o", "out",
+                                                               "--crop", "0,0,9,9").err)
+
+    def test_chains_that_disagree_cause_a_warning(self):
+        """Windows of any size at any place, and fewer iterations than their grammar needs."""
+        draw = random.Random(3)
+        rows = [[(200, 190, 170)] * 120 for _ in range(120)]
+        for _ in range(40):
+            x, y, width, height = draw.randrange(100), draw.randrange(100), draw.randint(5, 20), draw.randint(5, 20)
+            for v in range(y, y + height):
+                rows[v][x:x + width] = [(40, 50, 70)] * width
+        write_png(self.folder / "noise.png", rows)
+        said = self.expect(0, "facade", "fit", "noise.png", "-o", "out", "--looks", "none", "--steps", 2000, "--trust", 1,
+                           "--no-carving")
+        self.assertRegex(said.err, "warning: the chains disagree \\(R-hat [0-9.inf]+, more than 1.1\\)")
+        self.assertRegex(said.err, "hint: .*--iterations.*--looks")
+        report = json.loads((self.folder / "out/noise.report.json").read_text())
+        self.assertIn("the chains disagree", report["warnings"][0]["message"])
+        self.assertIn("the chains disagree", (self.folder / "out/noise.report.svg").read_text())
+        said = self.expect(0, "facade", "fit", "noise.png", "-o", "out", "--looks", "none", "--steps", 200,
+                           "--no-carving")
+        self.assertIn("too short to be compared", said.err)
 
     def test_a_scan(self):
         points = []

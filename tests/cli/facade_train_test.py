@@ -30,25 +30,26 @@ def label(x, y, width, height, pitch):
 
 
 def values(path):
-    """The first channel of an 8-bit PNG."""
+    """The pixels of an 8-bit grey PNG."""
     data = path.read_bytes()
     width, height, _, kind = struct.unpack(">IIBB", data[16:26])
-    size, packed, at = {0: 1, 2: 3}[kind], b"", 8
+    assert kind == 0, f"colour type {kind} instead of grey"
+    packed, at = b"", 8
     while at < len(data):
         length = struct.unpack(">I", data[at:at + 4])[0]
         packed += data[at + 8:at + 8 + length] if data[at + 4:at + 8] == b"IDAT" else b""
         at += length + 12
-    raw, above, out = zlib.decompress(packed), [0] * (width * size), []
+    raw, above, out = zlib.decompress(packed), [0] * width, []
     for y in range(height):
-        start = y * (width * size + 1)
+        start = y * (width + 1)
         row = []
-        for x, byte in enumerate(raw[start + 1:start + 1 + width * size]):
-            left, corner = (row[x - size], above[x - size]) if x >= size else (0, 0)
+        for x, byte in enumerate(raw[start + 1:start + 1 + width]):
+            left, corner = (row[x - 1], above[x - 1]) if x >= 1 else (0, 0)
             guess = left + above[x] - corner
             nearest = min((left, above[x], corner), key=lambda near: abs(guess - near))
             row.append((byte + (0, left, above[x], (left + above[x]) // 2, nearest)[raw[start]]) % 256)
         above = row
-        out += row[::size]
+        out += row
     return out
 
 

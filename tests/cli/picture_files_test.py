@@ -152,8 +152,14 @@ class PictureFiles(VugTest):
         for channel, values in plain.items():
             self.assertEqual(smooth[channel], values)
         self.assertNotEqual(smooth["denoised.G"], plain["G"])
-        self.assertIn("variance", self.expect(2, "render", "s.vug", "-o", "no.exr", "--denoise",
-                                              "--layers", "beauty,Z").err)
+
+    def test_denoising_adds_the_layers_that_it_needs(self):
+        self.expect(0, "render", "s.vug", "-o", "few.exr", "--denoise", "--layers", "beauty,Z")
+        few, smooth = self.channels("few"), self.channels("smooth")
+        self.assertEqual({name.split(".")[0] for name in few},
+                         {"R", "G", "B", "Z", "N", "albedo", "variance", "denoised"})
+        for channel, values in few.items():
+            self.assertEqual(smooth[channel], values)
 
     def test_deep_pictures_composite_to_the_beauty(self):
         for name, tolerance in (("deep", 1e-5), ("half", 2e-3)):

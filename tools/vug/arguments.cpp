@@ -75,6 +75,14 @@ void require_no_scene(const std::string& file) {
               {}, "'vug check' describes a scene, and 'vug list' the kinds that it can use");
 }
 
+std::vector<int> parse_crop(const std::string& text) {
+  const auto crop = parse_numbers(text, "N,N,N,N", "crop", "write --crop left,top,right,bottom");
+  if (crop[0] >= crop[2] || crop[1] >= crop[3])
+    throw Error(ErrorCode::bad_input, fmt::format("invalid crop '{}': it contains no pixels", text),
+                {}, "write --crop left,top,right,bottom; right and bottom are exclusive");
+  return crop;
+}
+
 Error unknown_verb_error(const std::string& word, const std::vector<std::string>& verbs,
                          const std::string& before) {
   const std::string after = before.empty() ? "" : before + " ";

@@ -25,6 +25,9 @@ CLI::Validator seed_number();
 std::vector<int> parse_numbers(const std::string& text, const std::string& pattern,
                                const std::string& what, const std::string& hint);
 
+/// Left, top, right and bottom of a crop window that contains pixels. Error(bad_input).
+std::vector<int> parse_crop(const std::string& text);
+
 /// The error for a command line with a missing verb (`word` is empty) or an unknown one. `before`
 /// is the parent command, "facade", or empty.
 Error unknown_verb_error(const std::string& word, const std::vector<std::string>& verbs,

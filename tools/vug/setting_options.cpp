@@ -82,14 +82,7 @@ NamedValues SettingOptions::values() const {
                   "write --size 1920x1080");
     values.emplace_back("size", to_list(size));
   }
-  if (!crop_.empty()) {
-    const auto crop = parse_numbers(crop_, "N,N,N,N", "crop", "write --crop left,top,right,bottom");
-    if (crop[0] >= crop[2] || crop[1] >= crop[3])
-      throw Error(ErrorCode::bad_input,
-                  fmt::format("invalid crop '{}': it contains no pixels", crop_), {},
-                  "write --crop left,top,right,bottom; right and bottom are exclusive");
-    values.emplace_back("crop", to_list(crop));
-  }
+  if (!crop_.empty()) values.emplace_back("crop", to_list(parse_crop(crop_)));
   return values;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/facade/cell_columns.h>
 #include <vug/facade/grammar_output.h>
+#include <vug/facade/wrap_rule.h>
 
 #include <fmt/format.h>
 
@@ -53,7 +55,7 @@ class Writer {
     if (options_.thickness > 0) out += fmt::format("  thickness {}\n", length(options_.thickness));
     out += fmt::format("  axiom{}\n", axiom);
     // Written from the leaves to the root, printed from the axiom down.
-    for (size_t i = rules_.size(); i-- > 0;) out += fmt::format("\n  {}\n", rules_[i]);
+    for (size_t i = rules_.size(); i-- > 0;) out += fmt::format("\n{}\n", wrap_rule(rules_[i]));
     return out + "}\n";
   }
 
@@ -68,6 +70,11 @@ class Writer {
     const std::string items = body(i);
     std::string base = it.symbol;
     base[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(base[0])));
+    return symbol(base, items);
+  }
+
+  /// A symbol with that rule: the known one, or a new one named `base`.
+  std::string symbol(const std::string& base, const std::string& items) {
     std::string& name = names_[{base, items}];
     if (!name.empty()) return name;
     const int number = ++counts_[base];
@@ -89,8 +96,13 @@ class Writer {
       std::string text = (this->*form)(i);
       if (!text.empty()) return text;
     }
+    if (std::string text = in_columns(i); !text.empty()) return text;
+    return free_items(i, node(i).children);
+  }
+
+  std::string free_items(int i, const std::vector<int>& children) {
     std::string items;
-    for (const int child : node(i).children)
+    for (const int child : children)
       items += fmt::format("{}{}", items.empty() ? "" : " ", free(i, child));
     return items;
   }
@@ -196,6 +208,88 @@ class Writer {
     for (const Rect& r : rects)
       items += fmt::format("{}inset({}, {})", items.empty() ? "" : " ", margins(i, r), text);
     return items;
+  }
+
+  /// columns(...) of symbols named Column, if a grid has unequal cells; the last children, such as
+  /// a door over several columns, may be margins instead.
+  std::string in_columns(int i) {
+    constexpr size_t kMinCells = 3;
+    const std::vector<int>& children = node(i).children;
+    for (size_t count = children.size(); count > 0; --count) {
+      std::vector<RuleCell> cells;
+      for (size_t k = 0; k < count; ++k) {
+        const int child = children[k];
+        const std::string text = part_in_plane(i, child);
+        cells.push_back({node(child).rect, text});
+        for (const Placement& copy : node(child).copies)
+          cells.push_back({copy(node(child).rect), text});
+      }
+      if (cells.size() < kMinCells || (count == 1 && is_grid(children[0]))) return "";
+      const auto columns = cell_columns(std::move(cells));
+      if (!columns) continue;
+      std::string text = columns_text(node(i).rect, *columns);
+      if (count == children.size()) return text;
+      return text + " " +
+             free_items(i, {children.begin() + static_cast<std::ptrdiff_t>(count), children.end()});
+    }
+    return "";
+  }
+
+  std::string columns_text(const Rect& all, const std::vector<CellColumn>& columns) {
+    std::vector<Strip> strips;
+    for (const CellColumn& column : columns) {
+      std::vector<Strip> rows;
+      for (const RuleCell& cell : column.cells) {
+        const Rect& r = cell.rect;
+        const bool full = same(r.x, column.left) && same(r.right(), column.right);
+        rows.push_back({r.y, r.top(),
+                        full ? cell.part
+                             : fmt::format("inset({}, {}, 0m, 0m, {})", length(r.x - column.left),
+                                           length(column.right - r.right()), cell.part)});
+      }
+      strips.push_back({column.left, column.right,
+                        symbol("Column", strips_text("rows", all.y, all.top(), rows))});
+    }
+    return strips_text("columns", all.x, all.right(), strips);
+  }
+
+  /// A part between two positions along an axis.
+  struct Strip {
+    double begin = 0, end = 0;
+    std::string part;
+  };
+
+  /// The split into the strips, with wall between them. Positions are rounded, not sizes, so that
+  /// errors do not add up; the last part takes the rest.
+  static std::string strips_text(const char* split, double begin, double end,
+                                 const std::vector<Strip>& strips) {
+    const auto rounded = [](double metres) { return std::round(metres * 1e4) / 1e4; };
+    std::vector<std::pair<double, std::string>> parts;
+    double at = rounded(begin);
+    const auto put = [&](double to, const std::string& part) {
+      if (rounded(to) > at) parts.emplace_back(rounded(to) - at, part);
+      at = std::max(at, rounded(to));
+    };
+    for (const Strip& strip : strips) put(strip.begin, "wall"), put(strip.end, strip.part);
+    put(end, "wall");
+    if (parts.size() == 1) return parts[0].second;
+    std::string text;
+    for (size_t i = 0; i < parts.size(); ++i)
+      text += fmt::format("{}{}, {}", i == 0 ? "" : ", ",
+                          i + 1 < parts.size() ? length(parts[i].first) : "1", parts[i].second);
+    return fmt::format("{}({})", split, text);
+  }
+
+  /// Whether the placements of a child form a grid of even spacing.
+  bool is_grid(int child) const {
+    std::vector<double> x = {node(child).rect.x}, y = {node(child).rect.y};
+    for (const Placement& copy : node(child).copies) {
+      const Rect r = copy(node(child).rect);
+      x.push_back(r.x), y.push_back(r.y);
+    }
+    const size_t count = x.size();
+    const auto columns = series(std::move(x)), rows = series(std::move(y));
+    return columns && rows && columns->count * rows->count == count;
   }
 
   static bool whole(const Rect& all, const Rect& r) {

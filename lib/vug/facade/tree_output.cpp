@@ -166,10 +166,16 @@ std::string elevation_svg(const Tree& tree, const SvgOptions& options) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
       "{1}\">\n",
       number(tree.width), number(tree.height));
+  const Rect& part = options.part;
+  const double wide = tree.width / part.width, high = tree.height / part.height;
+  const std::string offset =
+      part.x == 0 && part.y == 0
+          ? ""
+          : fmt::format(" x=\"{}\" y=\"{}\"", number(-part.x * wide), number(-part.y * high));
   if (!options.picture.empty())
     out += fmt::format(
-        "<image href=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\"/>\n",
-        xml_text(options.picture), number(tree.width), number(tree.height));
+        "<image href=\"{}\"{} width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\"/>\n",
+        xml_text(options.picture), offset, number(wide), number(high));
   const auto rect = [&](const Rect& r, const std::string& style, const Node& node) {
     out += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {}><title>{}</title></rect>\n",

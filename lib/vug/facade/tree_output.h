@@ -24,7 +24,10 @@ std::string theta(const Tree& tree);
 std::string elements_csv(const Tree& tree);
 
 struct SvgOptions {
-  std::string picture;   ///< Background picture, stretched to the drawing; empty: none.
+  std::string picture;  ///< Background picture, stretched to the drawing; empty: none.
+  /// The part of the picture that is stretched, as shares of its width and height from its upper
+  /// left corner.
+  Rect part = {0, 0, 1, 1};
   double pixels = 1000;  ///< Width of the drawing, pixels.
 };
 

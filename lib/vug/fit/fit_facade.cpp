@@ -13,6 +13,8 @@ namespace {
 
 /// Seeds may be worse than the best one by this share of what it saves.
 constexpr double kMaxSeedLoss = 0.05;
+/// Number of seeds that are refined and given to the chains.
+constexpr int kMaxStarts = 4;
 
 /// Keeps the first `count` distinct seeds that cost at most `worst`.
 void keep_distinct_seeds(const Model& model, std::vector<TreeState>& seeds, size_t count,
@@ -45,7 +47,7 @@ FitResult fit_facade(const Evidence& evidence, const Rules& rules, const FitOpti
       seeds(context, evidence, likelihood->is_supervised(), options.seeds);
   if (starts.empty()) starts.push_back(wall);
   const double seed_bits = model.energy(starts.front());
-  keep_distinct_seeds(model, starts, static_cast<size_t>(options.runs),
+  keep_distinct_seeds(model, starts, static_cast<size_t>(std::max(options.runs, kMaxStarts)),
                       seed_bits + kMaxSeedLoss * std::max(0.0, wall_bits - seed_bits));
   std::vector<double> bits(starts.size());
   parallel_for(starts.size(), [&](size_t start) {
@@ -60,9 +62,12 @@ FitResult fit_facade(const Evidence& evidence, const Rules& rules, const FitOpti
   TreeState best = starts[order.front()];
   double chain_bits = seed_bits;
   for (int run = 0; run < options.runs && !(run > 0 && progress.cancelled()); ++run) {
-    const TreeState& start = starts[order[static_cast<size_t>(run) % order.size()]];
+    // The coldest chain of each run begins with a seed of its own, the others with all seeds.
+    std::vector<TreeState> own;
+    for (size_t k = 0; k < order.size(); ++k)
+      own.push_back(starts[order[(static_cast<size_t>(run) + k) % order.size()]]);
     runs.push_back(sample(context, options.sampler, key.at("run").at(static_cast<uint64_t>(run)),
-                          progress, &start));
+                          progress, own));
     TreeState found = runs.back().best;
     chain_bits = std::min(chain_bits, runs.back().bits);
     polish(context, evidence, found, progress);
@@ -76,6 +81,7 @@ FitResult fit_facade(const Evidence& evidence, const Rules& rules, const FitOpti
     out.elements.push_back({type, node, rect});
   });
   out.report = make_report(runs);
+  out.report.supervised = likelihood->is_supervised();
   out.report.bits = model.energy(best);
   out.report.wall_bits = wall_bits;
   out.report.seed_bits = seed_bits;

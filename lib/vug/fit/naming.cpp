@@ -89,7 +89,8 @@ void name_elements(const Model& model, const Evidence& evidence, TreeState& stat
     const bool alike = any_windows && main_of(of[static_cast<size_t>(i)]) == main_of(windows);
     const bool grounded = node.y + node.height >= state.area(i).height - 1;
     const RegionType other = node.width > node.height ? RegionType::shop : RegionType::door;
-    rename(rules, state, i, alike || !grounded ? RegionType::window : other);
+    const bool admitted = grounded && model.admits(other, state.area(i), rect_of(node));
+    rename(rules, state, i, alike || !admitted ? RegionType::window : other);
   }
 }
 

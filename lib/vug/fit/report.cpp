@@ -2,11 +2,20 @@
 #include <vug/fit/report.h>
 #include <vug/inference/bits.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace vug::fit {
 namespace {
+
+/// 0 without values.
+double mean(const inference::Trace& trace) {
+  double sum = 0;
+  for (const double value : trace) sum += value;
+  return sum / std::max(1.0, static_cast<double>(trace.size()));
+}
 
 /// The rounds of a run with that structure, as a trace of 0 and 1.
 inference::Trace indicator(const SamplerResult& run, const std::string& structure) {
@@ -118,10 +127,35 @@ double max_complexity(const Model& model, int depth) {
   return MaxComplexitySearch(model).bits(model.axiom_state().tree[0], depth);
 }
 
+std::optional<ReportWarning> disagreement(const Report& report) {
+  const double worst = std::max(report.scale_reduction, report.elements_scale_reduction);
+  if (report.stopped || report.traces.size() < 2 || worst <= kMaxScaleReduction)
+    return std::nullopt;
+  constexpr size_t kMinRounds = 4;  // of scale_reduction
+  if (report.traces[0].size() < kMinRounds)
+    return ReportWarning{"the chains are too short to be compared", "increase --iterations"};
+  std::string each;
+  for (size_t run = 0; run < report.traces.size(); ++run)
+    each += fmt::format("{}{:.1f} bits with {:.1f} elements", run == 0 ? "" : " and ",
+                        mean(report.traces[run]), report.mean_elements[run]);
+  const char* evidence = report.supervised
+                             ? "train the classifier of --looks on more similar facades"
+                             : "use a classifier that is trained on similar facades (--looks)";
+  return ReportWarning{
+      fmt::format(
+          "the chains disagree (R-hat {:.2f}, more than {}): their means are {}, and another "
+          "--seed may give another tree",
+          worst, kMaxScaleReduction, each),
+      fmt::format("increase --iterations, or {}", evidence)};
+}
+
 Report make_report(const std::vector<SamplerResult>& runs) {
   Report out;
+  std::vector<inference::Trace> elements;
   for (const SamplerResult& run : runs) {
     out.traces.push_back(run.trace);
+    elements.push_back(run.elements);
+    out.mean_elements.push_back(mean(run.elements));
     out.stopped = out.stopped || run.stopped;
     if (!run.trace.empty()) out.effective_size += inference::effective_size(run.trace);
     const double z = inference::geweke(run.trace);
@@ -135,6 +169,7 @@ Report make_report(const std::vector<SamplerResult>& runs) {
     }
   }
   out.scale_reduction = inference::scale_reduction(out.traces);
+  out.elements_scale_reduction = inference::scale_reduction(elements);
   if (!runs.empty()) out.temperatures = runs.front().temperatures;
   for (size_t pair = 0; !runs.empty() && pair < runs.front().swaps.size(); ++pair) {
     inference::TemperatureLadder::Swaps sum;

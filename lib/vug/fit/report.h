@@ -6,6 +6,8 @@
 #include <vug/fit/search/sampler.h>
 #include <vug/inference/convergence.h>
 
+#include <optional>
+
 namespace vug::fit {
 
 /// Posterior probability of one structure.
@@ -35,14 +37,29 @@ struct Report {
   std::vector<StructureProbability> posterior;  ///< Most frequent structures first.
   /// Sum of the effective sample sizes of the energy traces.
   double effective_size = 0;
-  double scale_reduction = 1;        ///< Split R-hat of the energies between and within the runs.
+  /// Split R-hat between and within the runs of the energies, and of the numbers of elements.
+  double scale_reduction = 1;
+  double elements_scale_reduction = 1;
   double geweke = 0;                 ///< The z-score of the runs that is furthest from 0.
   std::vector<double> temperatures;  ///< Temperatures of the first run.
   std::vector<double> swap_rates;    ///< Exchange rates between neighbours, over all runs.
   std::vector<MoveRate> moves;
   std::vector<inference::Trace> traces;  ///< Energies of the coldest chain, per run.
+  std::vector<double> mean_elements;     ///< Mean number of its elements, per run.
+  bool supervised = false;               ///< Whether a trained classifier gave the evidence.
   bool stopped = false;                  ///< Whether the fit was cancelled.
 };
+
+/// Largest R-hat of runs that agree (cite gelman2013).
+constexpr double kMaxScaleReduction = 1.1;
+
+struct ReportWarning {
+  std::string message, hint;
+};
+
+/// A warning if the runs disagree, so that another seed would probably give another tree; nothing
+/// if they agree, if there is a single run, or if the fit was cancelled.
+std::optional<ReportWarning> disagreement(const Report& report);
 
 /// Summarises independent runs; the scores stay 0.
 Report make_report(const std::vector<SamplerResult>& runs);

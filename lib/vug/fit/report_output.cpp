@@ -160,8 +160,12 @@ std::string report_json(const Report& report) {
                                 {"error", number(one.standard_error)}});
   out["convergence"] = {{"effective_size", number(report.effective_size)},
                         {"scale_reduction", number(report.scale_reduction)},
+                        {"elements_scale_reduction", number(report.elements_scale_reduction)},
                         {"geweke", number(report.geweke)},
                         {"stopped", report.stopped}};
+  out["warnings"] = Json::array();
+  if (const auto warning = disagreement(report))
+    out["warnings"].push_back({{"message", warning->message}, {"hint", warning->hint}});
   out["temperatures"] = report.temperatures;
   out["swap_rates"] = report.swap_rates;
   out["moves"] = Json::array();
@@ -176,6 +180,12 @@ std::string report_json(const Report& report) {
 }
 
 std::string report_svg(const Report& report) {
+  std::string warning;
+  if (const auto found = disagreement(report))
+    warning = fmt::format(
+        "<text x=\"70\" y=\"286\" style=\"fill:#b00020\">{}</text>\n"
+        "<text x=\"70\" y=\"300\" style=\"fill:#b00020\">{}</text>\n",
+        found->message, found->hint);
   const int height = 600 + 18 * static_cast<int>(report.moves.size());
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"920\" height=\"{0}\" viewBox=\"0 0 "
@@ -185,7 +195,7 @@ std::string report_svg(const Report& report) {
              "{2:.1f} bits, of these {3:.1f} for the tree{4}</text>\n",
              height, report.score, report.bits, report.complexity,
              report.stopped ? "; stopped early" : "") +
-         traces_panel(report) + swaps_panel(report) + posterior_panel(report) +
+         warning + traces_panel(report) + swaps_panel(report) + posterior_panel(report) +
          moves_panel(report) + "</svg>\n";
 }
 

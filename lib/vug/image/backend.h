@@ -51,8 +51,8 @@ void write_exr(const std::filesystem::path& path, const std::filesystem::path& t
 void write_deep_exr(const std::filesystem::path& path, const std::filesystem::path& temporary,
                     const std::vector<DeepView>& views);
 
-/// A PNG of R, G, B, one byte each, row by row.
-std::string encode_png(const std::vector<uint8_t>& rgb, int width, int height, bool srgb,
+/// A PNG of R, G, B, or of grey, one byte each, row by row.
+std::string encode_png(const std::vector<uint8_t>& bytes, int width, int height, bool srgb,
                        const Metadata& metadata);
 /// Resamples into all of `out`, which has the channels of `picture`; see warped.
 void warp(const Image& picture, const Homography& to_target, Image& out);

@@ -233,6 +233,11 @@ void Strip::store(Image& out) const {
 
 }  // namespace
 
+const std::vector<std::string>& denoising_layers() {
+  static const std::vector<std::string> layers = {"albedo", "N", "Z", "variance"};
+  return layers;
+}
+
 Image denoise(const Image& picture, const DenoiseOptions& options, Progress& progress) {
   const Planes in = planes_of(picture);
   Image out(picture.width, picture.height, {"denoised.R", "denoised.G", "denoised.B"});

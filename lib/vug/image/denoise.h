@@ -5,6 +5,9 @@
 #include <vug/base/progress.h>
 #include <vug/image/image.h>
 
+#include <string>
+#include <vector>
+
 namespace vug::image {
 
 struct DenoiseOptions {
@@ -12,6 +15,9 @@ struct DenoiseOptions {
   int patch = 2;          ///< Radius of the compared patches, pixels.
   double strength = 0.6;  ///< Differences below this number of standard errors count as noise.
 };
+
+/// The layers that denoise uses in addition to the beauty: albedo, N, Z and variance.
+const std::vector<std::string>& denoising_layers();
 
 /// Non-local means of R, G, B: pixels are weighted by the colour distance in units of its
 /// variance and, jointly, by albedo, normal and depth (Rousselle, Manzi and Zwicker 2013, "Robust

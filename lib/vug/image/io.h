@@ -66,6 +66,11 @@ void write_exr(const std::filesystem::path& path, const std::vector<ExrView>& vi
 void write_png(const std::filesystem::path& path, const Image& image, const ViewOptions& view = {},
                const Metadata& metadata = {});
 
+/// Writes numbers, such as class labels, as an 8-bit grey PNG without a colour space; row 0 is the
+/// top row. Throws the same errors as write_exr.
+void write_grey_png(const std::filesystem::path& path, const std::vector<uint8_t>& values,
+                    int width, int height);
+
 /// The bytes that write_png writes.
 std::string png_bytes(const Image& image, const ViewOptions& view = {},
                       const Metadata& metadata = {});

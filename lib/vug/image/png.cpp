@@ -36,12 +36,16 @@ std::vector<uint8_t> codes(const Image& shown, bool dithered) {
   return bytes;
 }
 
+[[noreturn]] void refuse_empty() {
+  throw Error(ErrorCode::bad_input, "an image without pixels cannot be written");
+}
+
 }  // namespace
 
 std::string png_bytes(const Image& image, const ViewOptions& view, const Metadata& metadata) {
   if (image.width < 1 || image.height < 1 ||
       image.pixels.size() != image.pixel_count() * image.channels.size())
-    throw Error(ErrorCode::bad_input, "an image without pixels cannot be written");
+    refuse_empty();
   const Image shown = display(image, view);
   const bool srgb = !view.ocio || view.ocio->srgb();
   return backend().encode_png(codes(shown, view.dither), shown.width, shown.height, srgb, metadata);
@@ -50,6 +54,14 @@ std::string png_bytes(const Image& image, const ViewOptions& view, const Metadat
 void write_png(const std::filesystem::path& path, const Image& image, const ViewOptions& view,
                const Metadata& metadata) {
   write_text(path, png_bytes(image, view, metadata));
+}
+
+void write_grey_png(const std::filesystem::path& path, const std::vector<uint8_t>& values,
+                    int width, int height) {
+  if (width < 1 || height < 1 ||
+      values.size() != static_cast<size_t>(width) * static_cast<size_t>(height))
+    refuse_empty();
+  write_text(path, backend().encode_png(values, width, height, false, {}));
 }
 
 }  // namespace vug::image

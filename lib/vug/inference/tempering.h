@@ -28,17 +28,23 @@ class Tempering {
  public:
   using Options = TemperingOptions;
 
-  /// `energy_for()` makes the energy function of one chain, which is not called concurrently.
+  /// `energy_for()` makes the energy function of one chain, which is not called concurrently. The
+  /// coldest chain begins with the first of the starts, the next chain with the second, and so on
+  /// in turn: a better mode that a hotter chain starts in moves down the ladder.
   Tempering(const Moves<S>& moves, const std::function<typename Chain<S>::Energy()>& energy_for,
-            const S& start, RandomKey key, Options options = {})
+            const std::vector<S>& starts, RandomKey key, Options options = {})
       : options_(options),
         ladder_(options.chains, options.coldest, options.hottest),
         swaps_(key.at("swap")) {
     for (int i = 0; i < options.chains; ++i)
-      chains_.emplace_back(moves, energy_for(), start, key.at("chain").at(static_cast<uint64_t>(i)),
+      chains_.emplace_back(moves, energy_for(), starts.at(static_cast<size_t>(i) % starts.size()),
+                           key.at("chain").at(static_cast<uint64_t>(i)),
                            typename Chain<S>::Options{ladder_.temperature(i), true});
-    best_ = chains_[0].state();
-    best_energy_ = chains_[0].energy();
+    const auto best = std::min_element(
+        chains_.begin(), chains_.end(),
+        [](const Chain<S>& a, const Chain<S>& b) { return a.energy() < b.energy(); });
+    best_ = best->state();
+    best_energy_ = best->energy();
   }
 
   /// Multiplies all temperatures by a factor, as in annealing; swaps use the scaled temperatures.

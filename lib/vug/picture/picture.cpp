@@ -138,14 +138,6 @@ render::AovPlan early_aovs(const shot::Shot& shot, const PicturePlan& plan) {
   }
 }
 
-void require_denoisable(const PicturePlan& plan, const render::AovPlan& aovs) {
-  if (plan.render.settings.denoise && !aovs.has("variance"))
-    throw with_cause(
-        Error(ErrorCode::bad_input, "a picture without the layer 'variance' cannot be denoised", {},
-              "add \"variance\", \"albedo\", \"N\" and \"Z\" to its layers"),
-        plan, "denoise");
-}
-
 /// The settings of the renderer, apart from the AOVs and the motion.
 render::Options renderer_options(const shot::Shot& shot, const PicturePlan& plan) {
   const shot::RenderSettings& settings = plan.render.settings;
@@ -233,7 +225,6 @@ PictureJob prepare_picture(building::Builder& builder, const PicturePlan& plan, 
   render::Options& render = job.options;
   render = renderer_options(shot, plan);
   render.aovs = early_aovs(shot, plan);
-  require_denoisable(plan, render.aovs);
   require_view(plan);
   require_memory(render::memory_estimate({}, render, whole_film), builder.memory_budget(),
                  fmt::format("a picture of {}x{}", render.width, render.height), kFewerPixels);

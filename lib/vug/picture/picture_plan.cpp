@@ -2,6 +2,7 @@
 #include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
 #include <vug/base/hash.h>
+#include <vug/image/denoise.h>
 #include <vug/picture/picture_plan.h>
 
 #include <fmt/format.h>
@@ -38,6 +39,18 @@ render::CameraPtr find_camera(const shot::Shot& shot, const shot::RenderPlan& pl
       std::find_if(shot.cameras.begin(), shot.cameras.end(),
                    [&](const shot::CameraPlan& each) { return each.name == plan.name; });
   return (same == shot.cameras.end() ? shot.cameras.front() : *same).camera;
+}
+
+/// Adds the layers that denoising needs to those that the settings list. A picture that lists none
+/// has them anyway.
+void add_denoising_layers(shot::RenderSettings& settings) {
+  std::vector<std::string>& layers = settings.layers;
+  const auto has = [&](const char* name) {
+    return std::find(layers.begin(), layers.end(), name) != layers.end();
+  };
+  if (!settings.denoise || layers.empty() || has("all")) return;
+  for (const std::string& needed : image::denoising_layers())
+    if (!has(needed.c_str())) layers.push_back(needed);
 }
 
 bool is_true(const NamedValues& values, const std::string& name) {
@@ -85,6 +98,7 @@ std::string PicturePlan::option_for(const std::string& setting) const {
 PicturePlan plan_picture(const shot::Shot& shot, const PictureOptions& options) {
   PicturePlan plan{render_block(shot, options.render), options};
   plan.render.settings = shot::with_overrides(plan.render.settings, options.settings);
+  add_denoising_layers(plan.render.settings);
   plan.render.settings.camera = find_camera(shot, plan.render, options.camera);
   return plan;
 }

@@ -36,7 +36,7 @@ Opening opening_of(const PixelBox& box, const RangeImage& range, const SurfaceMa
       const size_t pixel = range.index(x, y);
       if (std::isnan(range.depth[pixel])) ++empty;
       if (map.surface[pixel] == Surface::behind)
-        behind.push_back(map.wall.at(range.pixel_center(x, y)) - range.depth[pixel]);
+        behind.push_back(map.wall(pixel).at(range.pixel_center(x, y)) - range.depth[pixel]);
     }
   out.empty = empty / static_cast<double>(box.area());
   out.set_back = std::nan("");

@@ -2,6 +2,7 @@
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
 #include <vug/base/parallel.h>
+#include <vug/scan/parallel_walls.h>
 #include <vug/scan/plane.h>
 
 #include <Eigen/Eigenvalues>
@@ -204,6 +205,7 @@ PlaneFit fit_plane(const PointCloud& cloud, const PlaneOptions& options, RandomK
   if (x.length() < 1e-6) x = Vec3d(0, 1, 0) - frame.z * frame.z.y;
   frame.x = x.normalized();
   frame.y = frame.z.cross(frame.x);
+  out.walls = parallel_walls(cloud, out);
   return out;
 }
 

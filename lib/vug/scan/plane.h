@@ -45,6 +45,9 @@ struct PlaneFit {
   double tolerance = 0.1;
   double lean = 0;  ///< Inclination from the vertical, radians.
   int samples = 0;  ///< Number of samples tried.
+  /// Distances of the facade's walls in front of the plane, metres, from back to front: 0 for the
+  /// plane itself, and those of parallel walls such as gables. See parallel_walls.
+  std::vector<double> walls = {0};
 };
 
 /// RANSAC [@fischler1981]: the plane with the most points within the tolerance among random

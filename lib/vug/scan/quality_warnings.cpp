@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vug::scan {
@@ -14,14 +15,16 @@ constexpr double kLowest = 1;  ///< Metres.
 constexpr double kNear = 10;
 constexpr double kMinShare = 0.3;
 
-/// Share of the points near the plane, within the range image, that lie on it.
+/// Share of the points near the walls, within the range image, that lie on one of them.
 double share_on(const PointCloud& cloud, const PlaneFit& plane, const RangeImage& range) {
   size_t on = 0, near = 0;
   for (const Vec3d& position : cloud.positions) {
     const Vec3d p = range.frame.local(position);
     if (p.x < 0 || p.y < 0 || p.x > range.metres_wide() || p.y > range.metres_high()) continue;
-    near += std::abs(p.z) <= kNear * plane.tolerance;
-    on += std::abs(p.z) <= plane.tolerance;
+    double apart = kInfinity;
+    for (const double wall : plane.walls) apart = std::min(apart, std::abs(p.z - wall));
+    near += apart <= kNear * plane.tolerance;
+    on += apart <= plane.tolerance;
   }
   return near > 0 ? static_cast<double>(on) / static_cast<double>(near) : 0;
 }

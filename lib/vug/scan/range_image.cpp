@@ -2,51 +2,34 @@
 #include <vug/base/error.h>
 #include <vug/base/median.h>
 #include <vug/base/parallel.h>
-#include <vug/mesh/disjoint_sets.h>
 #include <vug/scan/bins.h>
+#include <vug/scan/footprint.h>
 #include <vug/scan/inpaint.h>
 #include <vug/scan/range_image.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace vug::scan {
 namespace {
 
-constexpr double kGap = 1.0;  ///< Side length of bins in metres; bins that touch are connected.
-
-/// Points within this many tolerances of the plane determine the extent of the facade: walls bow.
+/// Points within this many tolerances of a wall determine the extent of the facade: walls bow.
 constexpr double kBend = 3;
 
-/// Projections of the points within the two distances of the plane.
-std::vector<Vec2d> on_plane(const PointCloud& cloud, const PlaneFrame& frame, double before,
-                            double behind) {
-  std::vector<Vec2d> out;
-  for (const Vec3d& position : cloud.positions) {
-    const Vec3d p = frame.local(position);
-    if (p.z <= before && p.z >= -behind) out.emplace_back(p.x, p.y);
-  }
-  return out;
+/// Projections of the points between the two distances from the plane.
+std::vector<Vec2d> within_limits(const PointCloud& cloud, const PlaneFrame& frame,
+                                 const RangeOptions& options) {
+  return on_plane(cloud, frame,
+                  [&](double z) { return z <= options.before && z >= -options.behind; });
 }
 
-/// Bounding box of the largest connected group of points.
-Imath::Box2d extent(const std::vector<Vec2d>& points) {
-  const Bins bins = bin_points(points, kGap);
-  mesh::DisjointSets groups(bins.keys.size());
-  for (size_t i = 0; i < bins.keys.size(); ++i)
-    for (const BinKey& step : {BinKey{0, 1}, {1, -1}, {1, 0}, {1, 1}}) {
-      const int64_t other =
-          bins.find({bins.keys[i].first + step.first, bins.keys[i].second + step.second});
-      if (other >= 0) groups.join(static_cast<uint32_t>(i), static_cast<uint32_t>(other));
-    }
-  std::vector<size_t> sizes(bins.keys.size(), 0);
-  for (size_t i = 0; i < sizes.size(); ++i)
-    sizes[groups.root(static_cast<uint32_t>(i))] += bins.counts[i];
-  const auto largest =
-      static_cast<uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-  Imath::Box2d box;
-  for (size_t i = 0; i < points.size(); ++i)
-    if (groups.root(bins.bin_of_point[i]) == largest) box.extendBy(points[i]);
-  return box;
+/// Projections of the points near the plane or one of the walls parallel to it.
+std::vector<Vec2d> near_walls(const PointCloud& cloud, const PlaneFit& plane) {
+  return on_plane(cloud, plane.frame, [&](double z) {
+    return std::any_of(plane.walls.begin(), plane.walls.end(),
+                       [&](double wall) { return std::fabs(z - wall) <= kBend * plane.tolerance; });
+  });
 }
 
 void require_range_options(const RangeOptions& options) {
@@ -113,7 +96,7 @@ void take_depths(RangeImage& image, PixelDepths per_pixel, DepthStatistic which)
 }  // namespace
 
 double spacing(const PointCloud& cloud, const PlaneFrame& frame, const RangeOptions& options) {
-  const std::vector<Vec2d> points = on_plane(cloud, frame, options.before, options.behind);
+  const std::vector<Vec2d> points = within_limits(cloud, frame, options);
   if (points.empty()) throw Error(ErrorCode::bad_input, "the cloud has no points near the plane");
   constexpr uint32_t kEnough = 8;  // Points per bin for a reliable density estimate.
   for (double side = 0.05;; side *= 2) {
@@ -125,10 +108,12 @@ double spacing(const PointCloud& cloud, const PlaneFrame& frame, const RangeOpti
 }
 
 RangeImage range_image(const PointCloud& cloud, const PlaneFit& plane,
-                       const RangeOptions& options) {
-  require_range_options(options);
-  const double reach = kBend * plane.tolerance;
-  const std::vector<Vec2d> near = on_plane(cloud, plane.frame, reach, reach);
+                       const RangeOptions& range_options) {
+  require_range_options(range_options);
+  RangeOptions options = range_options;
+  options.before += std::max(0.0, plane.walls.back());
+  options.behind -= std::min(0.0, plane.walls.front());
+  const std::vector<Vec2d> near = near_walls(cloud, plane);
   if (near.empty()) throw Error(ErrorCode::bad_input, "the cloud has no points near the plane");
   const Imath::Box2d box = extent(near);
   // The last pixel contains the last point.

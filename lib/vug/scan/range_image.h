@@ -42,18 +42,18 @@ enum class DepthStatistic {
 struct RangeOptions {
   double pixel = 0.01;  ///< Metres.
   DepthStatistic depth = DepthStatistic::median;
-  double before = 0.5;  ///< Points further in front of the plane are ignored, metres.
-  double behind = 1.0;  ///< Points further behind the plane are ignored, metres.
+  double before = 0.5;  ///< Points further in front of the foremost wall are ignored, metres.
+  double behind = 1.0;  ///< Points further behind the rearmost wall are ignored, metres.
   /// Pixels without points take the depth of the nearest pixel with points within this distance in
   /// metres; below 0: derived from the point spacing of the facade; 0: no inpainting.
   double inpaint_radius = -1;
   uint64_t memory = available_memory();  ///< Memory limit in bytes while the image is created.
 };
 
-/// The raster covers the largest connected group of points within three tolerances of the plane, so
-/// that objects two metres next to them are excluded. Error(bad_input) for options out of range,
-/// Error(too_large) before memory is allocated. The result does not depend on the number of
-/// threads.
+/// The raster covers the largest connected group of points within three tolerances of the plane or
+/// of a wall parallel to it, so that objects two metres next to them are excluded. Error(bad_input)
+/// for options out of range, Error(too_large) before memory is allocated. The result does not
+/// depend on the number of threads.
 RangeImage range_image(const PointCloud& cloud, const PlaneFit& plane,
                        const RangeOptions& options = {});
 

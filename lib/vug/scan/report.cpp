@@ -24,6 +24,25 @@ Json vector(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 const char* color_of(OpeningKind kind) { return kind == OpeningKind::door ? "#d9822b" : "#2b6cb0"; }
 
+/// Of each wall: its mean distance in front of the plane, the area of its pixels, and its
+/// roughness.
+Json walls_json(const RangeImage& range, const SurfaceMap& map) {
+  Json out = Json::array();
+  for (const Wall& wall : map.walls) {
+    double pixels = 0, depth = 0;
+    for (int y = 0; y < range.height; ++y)
+      for (int x = 0; x < range.width; ++x) {
+        const size_t p = range.index(x, y);
+        if (&map.wall(p) != &wall || map.surface[p] == Surface::outside) continue;
+        ++pixels, depth += wall.at(range.pixel_center(x, y));
+      }
+    out.push_back({{"depth", metres(depth / pixels)},
+                   {"area", metres(pixels * range.pixel * range.pixel)},
+                   {"rms", metres(wall.rms)}});
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string report_json(const PointCloud& cloud, const PlaneFit& plane, const RangeImage& range,
@@ -64,7 +83,8 @@ std::string report_json(const PointCloud& cloud, const PlaneFit& plane, const Ra
                                                                (static_cast<double>(seen) * area)))
                                            : Json(nullptr)},
       {"holes", full > 0 ? share(full - std::min(seen, full), full) : Json(nullptr)}};
-  out["wall"] = {{"rms", metres(map.wall.rms)}, {"set_back", metres(map.set_back)}};
+  out["wall"] = {{"rms", metres(map.walls[0].rms)}, {"set_back", metres(map.set_back)}};
+  out["walls"] = walls_json(range, map);
   out["openings"] = Json::array();
   for (const Opening& o : openings)
     out["openings"].push_back({{"kind", to_string(o.kind)},
@@ -104,7 +124,7 @@ image::Image picture_of(const RangeImage& range, const SurfaceMap& map) {
   for (int y = 0; y < range.height; ++y)
     for (int x = 0; x < range.width; ++x) {
       const size_t p = range.index(x, y);
-      const double before = range.depth[p] - map.wall.at(range.pixel_center(x, y));
+      const double before = range.depth[p] - map.wall(p).at(range.pixel_center(x, y));
       const double near = std::clamp(before / kDeep, -1.0, 0.2);
       std::array<double, 3> color{0, 0, 0};
       if (map.surface[p] == Surface::wall) color = {0.55 + near, 0.55 + near, 0.52 + near};

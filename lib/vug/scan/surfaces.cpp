@@ -32,8 +32,11 @@ SurfaceMap surface_map(const RangeImage& range, const SurfaceOptions& options) {
     throw Error(ErrorCode::bad_input,
                 "the set-back and the hull must be finite, the hull not negative");
   SurfaceMap out;
-  out.wall = options.bent ? fit_wall(range, options.wall) : flat_wall();
-  const double automatic = options.bent ? std::max(0.03, 3 * out.wall.rms) : 0.05;
+  if (options.bent) out.sections = wall_sections(range, options.sections);
+  for (int section = 0; section < out.sections.count; ++section)
+    out.walls.push_back(options.bent ? fit_wall(range, options.wall, out.sections.mask(section))
+                                     : flat_wall());
+  const double automatic = options.bent ? std::max(0.03, 3 * out.walls[0].rms) : 0.05;
   out.set_back = options.set_back >= 0 ? options.set_back : automatic;
   Mask solid(range.width, range.height);
   for (size_t p = 0; p < range.pixel_count(); ++p) solid.on[p] = !std::isnan(range.depth[p]);
@@ -47,7 +50,7 @@ SurfaceMap surface_map(const RangeImage& range, const SurfaceOptions& options) {
       if (!solid.on[p]) {
         out.surface[p] = outside.on[p] ? Surface::outside : Surface::nothing;
       } else {
-        const double before = range.depth[p] - out.wall.at(range.pixel_center(x, y));
+        const double before = range.depth[p] - out.wall(p).at(range.pixel_center(x, y));
         out.surface[p] = before < -out.set_back ? Surface::behind : Surface::wall;
       }
     }

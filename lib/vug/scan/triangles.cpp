@@ -29,7 +29,7 @@ std::vector<Kernel::Point_2> wall_points(const PointCloud& cloud, const RangeIma
     if (!(x >= 0 && y >= 0 && x < range.width && y < range.height)) continue;
     const size_t pixel = range.index(static_cast<int>(x), range.height - 1 - static_cast<int>(y));
     // Points ignored by the range image are not part of the facade.
-    const double before = p.z - map.wall.at({p.x, p.y});
+    const double before = p.z - map.wall(pixel).at({p.x, p.y});
     if (taken.on[pixel] || range.count[pixel] == 0 || before < -map.set_back || before > 0.5)
       continue;
     taken.on[pixel] = 1;

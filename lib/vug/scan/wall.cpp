@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
-#include <vug/base/median.h>
-#include <vug/base/parallel.h>
+#include <vug/scan/cell_depths.h>
 #include <vug/scan/wall.h>
 
 #include <Eigen/SparseCholesky>
@@ -19,26 +18,15 @@ struct BinDepth {
 };
 
 /// The median depth of each cell with points.
-std::vector<BinDepth> samples_of(const RangeImage& range, double cell) {
-  const int side = std::max(
-      1, static_cast<int>(
-             std::lround(std::min(cell / range.pixel, std::max(range.width, range.height) * 1.0))));
-  const int across = (range.width + side - 1) / side, down = (range.height + side - 1) / side;
-  std::vector<BinDepth> all(static_cast<size_t>(across) * static_cast<size_t>(down));
-  parallel_for(all.size(), [&](size_t i) {
-    const int x0 = static_cast<int>(i % static_cast<size_t>(across)) * side;
-    const int y0 = static_cast<int>(i / static_cast<size_t>(across)) * side;
-    std::vector<float> depths;
-    for (int y = y0; y < std::min(y0 + side, range.height); ++y)
-      for (int x = x0; x < std::min(x0 + side, range.width); ++x)
-        if (const float d = range.depth[range.index(x, y)]; !std::isnan(d)) depths.push_back(d);
-    all[i].depth = std::nan("");
-    if (depths.empty()) return;
-    all[i] = {{(x0 + 0.5 * side) * range.pixel, (range.height - y0 - 0.5 * side) * range.pixel},
-              median(std::move(depths))};
-  });
-  std::erase_if(all, [](const BinDepth& s) { return std::isnan(s.depth); });
-  return all;
+std::vector<BinDepth> samples_of(const RangeImage& range, const CellDepths& cells) {
+  std::vector<BinDepth> out;
+  for (int y = 0; y < cells.down; ++y)
+    for (int x = 0; x < cells.across; ++x)
+      if (const double depth = cells.depths[cells.index(x, y)]; !std::isnan(depth))
+        out.push_back({{(x + 0.5) * cells.side * range.pixel,
+                        (range.height - (y + 0.5) * cells.side) * range.pixel},
+                       depth});
+  return out;
 }
 
 /// The four nodes around a position and their bilinear weights.
@@ -63,8 +51,8 @@ BilinearWeights bilinear_weights(const Wall& wall, const Vec2d& place) {
 
 class WallFitter {
  public:
-  WallFitter(const RangeImage& range, const WallOptions& options)
-      : options_(options), samples_(samples_of(range, options.cell)) {
+  WallFitter(const RangeImage& range, const WallOptions& options, const CellDepths& cells)
+      : options_(options), samples_(samples_of(range, cells)) {
     if (samples_.empty()) throw Error(ErrorCode::bad_input, "the range image has no depths");
     const auto nodes = [&](double metres) {
       return static_cast<int>(std::ceil(std::min(metres / options.step, 1e4))) + 1;
@@ -160,11 +148,12 @@ double Wall::at(const Vec2d& place) const {
   return out;
 }
 
-Wall fit_wall(const RangeImage& range, const WallOptions& options) {
+Wall fit_wall(const RangeImage& range, const WallOptions& options,
+              const std::vector<uint8_t>& only) {
   for (const double number : {options.step, options.cell, options.noise, options.stiffness})
     if (!(number > 0 && std::isfinite(number)))
       throw Error(ErrorCode::bad_input, "the options of the wall surface must be above 0");
-  return WallFitter(range, options).fit();
+  return WallFitter(range, options, cell_depths(range, options.cell, only)).fit();
 }
 
 }  // namespace vug::scan

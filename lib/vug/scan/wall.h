@@ -31,7 +31,9 @@ inline Wall flat_wall() { return {}; }
 /// Iteratively reweighted least squares. At first all cells count equally; then cells in front of
 /// the surface get more weight than cells behind it [@newey1987], since openings are set back, and
 /// the weight falls with the distance [@geman1985robust]. A bending penalty between nodes continues
-/// the surface under openings and holes.
-Wall fit_wall(const RangeImage& range, const WallOptions& options = {});
+/// the surface under openings and holes. `only`, if it is not empty, has one entry per pixel;
+/// pixels with 0 are ignored.
+Wall fit_wall(const RangeImage& range, const WallOptions& options = {},
+              const std::vector<uint8_t>& only = {});
 
 }  // namespace vug::scan

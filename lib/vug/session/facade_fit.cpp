@@ -5,6 +5,7 @@
 #include <vug/fit/learning/labelling.h>
 #include <vug/fit/model/compile.h>
 #include <vug/fit/to_facade.h>
+#include <vug/loading/data_folders.h>
 #include <vug/session/facade_fit.h>
 #include <vug/session/facade_model.h>
 
@@ -34,6 +35,19 @@ fit::Evidence evidence_of(const FacadePicture& picture, const fit::Planes& maps,
   for (size_t i = 0; i < picture.outside.size(); ++i)
     if (picture.outside[i]) clusters.labels[i] = fit::kNoEvidence;
   return clusters.evidence();
+}
+
+/// Limits of doors and shops on a facade of that height: a sill above a few steps, or a door above
+/// those of carriages, is a misread part of the wall.
+fit::Limits limits_of(const FacadePicture& picture, double height) {
+  constexpr double kMaxSill = 1, kMaxDoorHeight = 4.5;  // metres
+  const auto pixels = [&](double metres) {
+    return static_cast<int>(std::lround(metres * picture.height / height));
+  };
+  fit::Limits out;
+  out.max_sill = pixels(kMaxSill);
+  out.max_door_height = std::max(out.min_size, pixels(kMaxDoorHeight));
+  return out;
 }
 
 /// Median depth of the windows' pixels behind the wall; 0 without depth.
@@ -71,6 +85,15 @@ void set_reveal(FacadeFit& fit) {
 
 }  // namespace
 
+std::filesystem::path default_looks() {
+  std::error_code ignored;
+  for (const std::filesystem::path& folder : loading::data_folders())
+    if (const auto file = folder / "facades/looks.json";
+        std::filesystem::is_regular_file(file, ignored))
+      return file;
+  return {};
+}
+
 Vec2d facade_size(const FacadePicture& picture, const FacadeFitOptions& options) {
   if (options.width > 0 && options.height > 0) return {options.width, options.height};
   if (options.width > 0) return {options.width, options.width / picture.shape};
@@ -101,6 +124,7 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   if (picture.depth && !options.classifier) how.pixel_weight = 0.03;
   if (options.trust > 0) how.pixel_weight = options.trust;
   how.sampler = options.sampler;
+  how.limits = limits_of(picture, size.y);
   out.reading = fit::fit_facade(evidence, rules, how, key.at("chains"), progress);
   const fit::Model model(rules, how.limits, picture.width, picture.height);
   fit::TreeState state = model.make_state(out.reading.tree);

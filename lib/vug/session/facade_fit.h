@@ -30,6 +30,10 @@ struct FacadeFitOptions {
   uint64_t seed = 0;
 };
 
+/// The classifier for photos of streets that is distributed with the data, trained by
+/// tools/train_looks on painted facades; empty if the data is not installed.
+std::filesystem::path default_looks();
+
 struct FacadeFit {
   facade::Tree tree;       ///< In metres; windows have the observed reveal.
   fit::FitResult reading;  ///< In pixels, with the statistics of the chains.

@@ -132,9 +132,35 @@ bool of_one_colour(const image::Image& picture) {
                     picture.pixels.end(), picture.pixels.begin());
 }
 
-/// The width in metres from the file's header; 0 if unknown.
-double width_from_header(const image::FileInfo& info) {
-  return scan::pixel_from_metadata(info.metadata) * info.width;
+/// The part of a picture in the box.
+image::Image cropped(const image::Image& picture, const scan::PixelBox& box) {
+  image::Image out(box.x1 - box.x0, box.y1 - box.y0, picture.channels);
+  const size_t row = static_cast<size_t>(out.width) * out.channels.size();
+  for (int y = 0; y < out.height; ++y)
+    std::copy_n(&picture.pixels[picture.index(box.x0, box.y0 + y)], row,
+                &out.pixels[out.index(0, y)]);
+  return out;
+}
+
+/// The box of the crop in pixels of a picture of the same view with another resolution.
+scan::PixelBox scaled(const scan::PixelBox& box, double across, double down) {
+  const auto place = [](int at, double scale) { return static_cast<int>(std::lround(at * scale)); };
+  return {place(box.x0, across), place(box.y0, down), place(box.x1, across), place(box.y1, down)};
+}
+
+/// The box that is used of the photo.
+scan::PixelBox used_box(const std::filesystem::path& photo, const image::FileInfo& info,
+                        const FacadePictureOptions& options) {
+  const scan::PixelBox all{0, 0, info.width, info.height};
+  const scan::PixelBox box = options.crop.value_or(all);
+  if (box.x0 < 0 || box.y0 < 0 || box.x1 > all.x1 || box.y1 > all.y1)
+    refuse(photo,
+           fmt::format("has {} x {} pixels, and the crop ends at {},{}", all.x1, all.y1, box.x1,
+                       box.y1),
+           "crop to a part of the picture");
+  require_pixels(box.x1 - box.x0, box.y1 - box.y0,
+                 options.crop ? "the crop" : fmt::format("'{}'", photo.string()));
+  return box;
 }
 
 }  // namespace
@@ -142,8 +168,8 @@ double width_from_header(const image::FileInfo& info) {
 FacadePicture read_facade_picture(const std::filesystem::path& photo,
                                   const FacadePictureOptions& options) {
   const image::FileInfo info = image::read_info(photo);
-  require_pixels(info.width, info.height, fmt::format("'{}'", photo.string()));
-  const image::Image whole = fit::read_with_limit(photo, info, options.max_memory);
+  const scan::PixelBox box = used_box(photo, info, options);
+  const image::Image whole = cropped(fit::read_with_limit(photo, info, options.max_memory), box);
   const fit::WorkingSize size = fit::working_size(whole.width, whole.height, options.limits);
   FacadePicture out;
   out.width = size.width, out.height = size.height;
@@ -158,15 +184,18 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
              "its channels are R, G, B, and depth or Z in metres");
   } else {
     const image::FileInfo beside = image::read_info(options.depth);
-    const image::Image other = fit::read_with_limit(options.depth, beside, options.max_memory);
-    out.metres_wide = width_from_header(beside);
-    const double shape =
-        static_cast<double>(other.width) / other.height * whole.height / whole.width;
-    if (std::abs(shape - 1) > 0.02 || other.width < out.width || other.height < out.height)
+    const double across = static_cast<double>(beside.width) / info.width;
+    const double down = static_cast<double>(beside.height) / info.height;
+    const scan::PixelBox there = scaled(box, across, down);
+    if (std::abs(across / down - 1) > 0.02 || there.x1 - there.x0 < out.width ||
+        there.y1 - there.y0 < out.height)
       refuse(options.depth,
-             fmt::format("is {} x {} pixels and the picture {} x {}", other.width, other.height,
-                         whole.width, whole.height),
+             fmt::format("is {} x {} pixels and the picture {} x {}", beside.width, beside.height,
+                         info.width, info.height),
              "both must show the same rectangle of the wall");
+    const image::Image other =
+        cropped(fit::read_with_limit(options.depth, beside, options.max_memory), there);
+    out.metres_wide = scan::pixel_from_metadata(beside.metadata) * other.width;
     depth = depth_of(options.depth, other);
     if (!depth)
       refuse(options.depth, "has no depth channel", "the channel is depth or Z, in metres");
@@ -175,7 +204,8 @@ FacadePicture read_facade_picture(const std::filesystem::path& photo,
     set_depth(out, *depth);
   else if (of_one_colour(*out.colours))
     refuse(photo, "has only one colour", "windows cannot be distinguished from walls");
-  if (out.metres_wide == 0) out.metres_wide = width_from_header(info);
+  if (out.metres_wide == 0)
+    out.metres_wide = scan::pixel_from_metadata(info.metadata) * whole.width;
   return out;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vug/fit/evidence/working_size.h>
+#include <vug/scan/mask.h>
 #include <vug/scan/range_image.h>
 
 #include <optional>
@@ -28,14 +29,17 @@ constexpr int kMinPixels = 16;
 struct FacadePictureOptions {
   fit::WorkingLimits limits;
   std::filesystem::path depth;  ///< Depth file; empty: channels of the picture itself.
-  uint64_t max_memory = 0;      ///< Bytes; 0: the machine's free memory.
+  /// The part of the picture that shows the facade, in its pixels; nothing: all of it.
+  std::optional<scan::PixelBox> crop = std::nullopt;
+  uint64_t max_memory = 0;  ///< Bytes; 0: the machine's free memory.
 };
 
 /// Reads the colours and the depth of a facade. The depth is a channel `depth` (metres in front of
 /// the plane), or `Z` (metres from an orthographic camera), whose most frequent value is the wall.
-/// The size follows from the pixel size in the header of the depth file, else of the photograph.
-/// Error(bad_input) for files that are not pictures, that differ in aspect ratio, that have fewer
-/// than kMinPixels per side, no valid pixel, or a single colour; Error(too_large) before they are
+/// The size follows from the pixel size in the header of the depth file, else of the photograph. A
+/// crop applies to both files, which show the same view. Error(bad_input) for files that are not
+/// pictures, that differ in aspect ratio, that have fewer than kMinPixels per side, no valid pixel,
+/// or a single colour, and for a crop that exceeds the picture; Error(too_large) before they are
 /// read.
 FacadePicture read_facade_picture(const std::filesystem::path& photo,
                                   const FacadePictureOptions& options = {});

@@ -2,7 +2,11 @@
 #include "derived.h"
 
 #include <vug/facade/grammar_output.h>
+#include <vug/scene/format.h>
 
+#include <fmt/format.h>
+
+#include <sstream>
 #include <tuple>
 
 namespace vug::facade {
@@ -55,6 +59,44 @@ TEST(GrammarText, KeepsRandomChoices) {
         "P -> mirror(S, M)\nP -> repeat(x, S)\nS -> G\nM -> H\nE -> window\nE -> door\n"
         "G -> grid(window, door, regular: false, identical: false)\nH -> grid(window)",
         seed);
+}
+
+/// Unequal cells become columns with names, and no line is long.
+TEST(GrammarText, UnequalCellsAreInNamedColumns) {
+  const Sample sample = facade_of(
+      "axiom A\nA -> inset(1m, 9m, 1m, 6m, window) inset(1m, 9m, 4m, 3m, window) "
+      "inset(5m, 5m, 1m, 6m, window) inset(5m, 5.5m, 5m, 2m, window)");
+  EXPECT_EQ(
+      grammar_text(sample.tree, {.name = "front"}),
+      "grammar front: facade {\n  width 12m\n  height 9m\n  axiom A\n\n"
+      "  A -> columns(1m, wall, 2m, Column, 2m, wall, 2m, Column2, 1, wall)\n\n"
+      "  Column2 -> rows(1m, wall, 2m, window, 2m, wall, 2m, inset(0m, 0.5m, 0m, 0m, window), "
+      "1, wall)\n\n"
+      "  Column -> rows(1m, wall, 2m, window, 1m, wall, 2m, window, 1, wall)\n}\n");
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const Sample grid = facade_of(
+        "axiom A\nA -> grid(E, columns: 7, rows: 6, gap: 30cm, identical: false)\nE -> window\n"
+        "E -> inset(10cm, 0cm, door)\nE -> inset(0cm, 20cm, shop)",
+        seed);
+    std::istringstream lines(grammar_text(grid.tree));
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+    expect_same_again(
+        "axiom A\nA -> grid(E, columns: 7, rows: 6, gap: 30cm, identical: false)\nE -> window\n"
+        "E -> inset(10cm, 0cm, door)\nE -> inset(0cm, 20cm, shop)",
+        seed);
+  }
+}
+
+TEST(GrammarText, LongRulesAreWrappedAsTheFormatterDoes) {
+  std::string insets;
+  for (int i = 0; i < 8; ++i)
+    insets += fmt::format(" inset({}m, {}m, {}m, {}m, window)", 0.5 + 1.4 * i, 10.5 - 1.4 * i,
+                          0.5 + 0.5 * i, 6.5 - 0.5 * i);
+  const Sample sample = facade_of("axiom A\nA ->" + insets);
+  ASSERT_EQ(sample.said, "");
+  const std::string text = grammar_text(sample.tree, {.name = "front"});
+  EXPECT_NE(text.find(",\n    0.4m, wall, 1m, Column"), std::string::npos) << text;
+  EXPECT_EQ(scene::format(text), text);
 }
 
 TEST(GrammarText, IsShortForSimpleFacades) {

@@ -113,6 +113,72 @@ TEST(FitFacade, UnsuitableEvidenceIsRejected) {
   EXPECT_THROW(fit_facade(two, rules(), quick("supervised"), RandomKey(1)), Error);
 }
 
+/// The wall with a region of the type of doors, which is 12 x 40 pixels large, at the top.
+Evidence pixels_with_door_in_the_sky() {
+  std::vector<uint32_t> values;
+  for (int y = 0; y < kWallHeight; ++y)
+    for (int x = 0; x < kWallWidth; ++x) {
+      const bool door = x >= 42 && x < 54 && y >= 4 && y < 44;
+      const uint32_t seen = static_cast<uint32_t>(door              ? RegionType::door
+                                                  : is_window(x, y) ? RegionType::window
+                                                                    : RegionType::wall);
+      for (uint32_t lane = 0; lane < kRegionTypes; ++lane)
+        values.push_back(lane == seen ? 10 : 300);
+    }
+  return Evidence(kWallWidth, kWallHeight, kRegionTypes, values);
+}
+
+TEST(FitFacade, DoorsAreOnTheGroundAndNotTooHigh) {
+  const auto doors = [](const Limits& limits) {
+    FitOptions options = quick("supervised");
+    options.sampler.steps = 5'000;
+    options.limits = limits;
+    std::vector<Rect> out;
+    for (const DetectedElement& one :
+         fit_facade(pixels_with_door_in_the_sky(), rules(), options, RandomKey(1)).elements)
+      if (one.type == RegionType::door || one.type == RegionType::shop) out.push_back(one.rect);
+    return out;
+  };
+  EXPECT_FALSE(doors({}).empty()) << "the evidence suggests one";
+  Limits grounded;
+  grounded.max_sill = 8;
+  for (const Rect& door : doors(grounded)) EXPECT_GE(door.y1, kWallHeight - 8);
+  grounded.max_door_height = 30;
+  for (const Rect& door : doors(grounded)) EXPECT_LE(door.y1 - door.y0, 30);
+}
+
+/// A run whose energies and numbers of elements vary about these values.
+SamplerResult run_about(double bits, double elements, uint64_t seed) {
+  RandomStream stream{RandomKey(seed)};
+  SamplerResult out;
+  for (int round = 0; round < 400; ++round) {
+    out.trace.push_back(bits + stream.normal());
+    out.elements.push_back(elements + static_cast<double>(stream.below(2)));
+  }
+  return out;
+}
+
+TEST(Report, RunsThatDisagreeCauseAWarning) {
+  const auto warning = [](const SamplerResult& a, const SamplerResult& b) {
+    const Report report = make_report({a, b});
+    const auto found = disagreement(report);
+    EXPECT_EQ(nlohmann::json::parse(report_json(report))["warnings"].empty(), !found);
+    EXPECT_EQ(report_svg(report).find("disagree") == std::string::npos, !found);
+    return found ? found->message + "; " + found->hint : "";
+  };
+  EXPECT_EQ(warning(run_about(100, 20, 1), run_about(100, 20, 2)), "");
+  const std::string bits = warning(run_about(100, 20, 1), run_about(106, 20, 2));
+  EXPECT_NE(bits.find("R-hat 3."), std::string::npos) << bits;
+  EXPECT_NE(bits.find("99.9 bits with 20.5 elements and 106.0 bits with 20.5 elements"),
+            std::string::npos)
+      << bits;
+  EXPECT_NE(bits.find("--iterations"), std::string::npos) << bits;
+  EXPECT_NE(bits.find("--looks"), std::string::npos) << bits;
+  // Trees of equal length with different elements.
+  EXPECT_NE(warning(run_about(100, 20, 1), run_about(100, 24, 2)), "");
+  EXPECT_FALSE(disagreement(make_report({run_about(100, 20, 1)})));
+}
+
 TEST(FitFacade, ReportsDiagnostics) {
   FitOptions options = quick("kt");
   options.runs = 3;

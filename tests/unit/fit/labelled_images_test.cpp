@@ -37,8 +37,19 @@ void write_pair(const fs::path& folder, const std::string& name, const PaintedFa
   fs::create_directories(folder / "images");
   fs::create_directories(folder / "labels");
   image::write_png(folder / "images" / (name + ".png"), facade.photo, kData);
-  write_labels(folder / "labels" / (name + ".png"), facade.classes, facade.width(),
-               facade.height());
+  image::write_grey_png(folder / "labels" / (name + ".png"), facade.classes, facade.width(),
+                        facade.height());
+}
+
+TEST(Classes, LabelsAreGreyPictures) {
+  const ScratchFolder folder("labels");
+  const fs::path file = folder.path() / "l.png";
+  image::write_grey_png(file, {0, 1, 2, 128, 254, kUnlabelled}, 3, 2);
+  EXPECT_EQ(image::read_info(file).channels.size(), 1U);
+  const image::Image read = image::read(file);
+  for (const auto& [i, value] : {std::pair<size_t, float>{1, 1}, {3, 128}, {4, 254}, {5, 255}})
+    EXPECT_NEAR(255 * read.pixels[i], value, 1e-4);
+  EXPECT_THROW(image::write_grey_png(file, {0, 1}, 3, 2), Error);
 }
 
 TEST(Classes, AreReadByNumberAndHaveRegionTypes) {
@@ -111,7 +122,7 @@ TEST(LabelledImage, MismatchesAreReported) {
   EXPECT_FAULT(read_labelled_image(photo, labels, Classes{{"window", "wall"}}),
                "has the unnamed class 4");
   EXPECT_FAULT(read_labelled_image(photo, labels, kClasses, {}, 1000), "more than the limit");
-  write_labels(labels, std::vector<uint8_t>(39 * 60, kUnlabelled), 39, 60);
+  image::write_grey_png(labels, std::vector<uint8_t>(39 * 60, kUnlabelled), 39, 60);
   EXPECT_FAULT(read_labelled_image(photo, labels, kClasses),
                "40 x 60 pixels, but its labels have 39 x 60");
   fs::remove(labels);
@@ -127,7 +138,7 @@ TEST(LabelledImage, MismatchesAreReported) {
 TEST(LabelledImage, OnePixel) {
   const ScratchFolder folder("vug_labels");
   image::write_png(folder.path() / "p.png", image::Image(1, 1, {"R", "G", "B"}), kData);
-  write_labels(folder.path() / "l.png", {2}, 1, 1);
+  image::write_grey_png(folder.path() / "l.png", {2}, 1, 1);
   const LabelledImage found =
       read_labelled_image(folder.path() / "p.png", folder.path() / "l.png", kClasses);
   EXPECT_EQ(found.labels, std::vector<uint8_t>{2});

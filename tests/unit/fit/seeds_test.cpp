@@ -137,7 +137,7 @@ TEST(Sampler, RecoversFromAPerturbedSeed) {
   SamplerOptions options;
   options.steps = 30'000;
   options.annealing = 3;
-  const SamplerResult found = sample(site.context, options, RandomKey(1), Progress::none(), &seed);
+  const SamplerResult found = sample(site.context, options, RandomKey(1), Progress::none(), {seed});
   EXPECT_LE(found.bits, site.model.energy(best) + 1e-6);
   EXPECT_GT(overlap(site.model, found.best), 0.95);
   EXPECT_EQ(found.swaps.size(), static_cast<size_t>(options.chains) - 1);
@@ -168,7 +168,7 @@ TEST(Sampler, CancelledRunReturnsTheBestSoFar) {
   Progress progress;
   progress.cancel();
   const TreeState seed = seeds(site.context, site.evidence, false).front();
-  const SamplerResult found = sample(site.context, {}, RandomKey(1), progress, &seed);
+  const SamplerResult found = sample(site.context, {}, RandomKey(1), progress, {seed});
   EXPECT_TRUE(found.stopped);
   EXPECT_TRUE(found.best.tree == seed.tree);
 }

@@ -141,7 +141,7 @@ TEST(Tempering, TheColdestChainSamplesTheStationaryDistribution) {
   options.hottest = 8;
   options.per_round = 5;
   Tempering<Digits> chains(
-      moves(), [] { return energy; }, {}, RandomKey(2), options);
+      moves(), [] { return energy; }, {Digits{}}, RandomKey(2), options);
   std::map<Digits, double> counts;
   chains.run(100'000, false, Progress::none(), [&](const Digits& state, double bits) {
     ++counts[state];
@@ -151,12 +151,27 @@ TEST(Tempering, TheColdestChainSamplesTheStationaryDistribution) {
   EXPECT_EQ(chains.best_energy(), 0);
 }
 
+/// No move leads from one state to another, so only a hotter chain can bring the better one.
+TEST(Tempering, ABetterStartOfAHotterChainMovesDownTheLadder) {
+  const Moves<Digits> none = {{"none", 1, [](Digits&, Choices&, Choices&) { return false; }}};
+  TemperingOptions options;
+  options.chains = 4;
+  const Digits worse(1, 9), better(1, 0);
+  Tempering<Digits> chains(
+      none, [] { return [](const Digits& at) { return 5.0 * at[0]; }; }, {worse, worse, better},
+      RandomKey(5), options);
+  EXPECT_EQ(chains.best_energy(), 0);
+  EXPECT_EQ(chains.chains()[0].energy(), 45);
+  chains.run(20, false);
+  EXPECT_EQ(chains.chains()[0].energy(), 0);
+}
+
 TEST(Tempering, IsDeterministicForAnyNumberOfThreads) {
   std::vector<Digits> seen[3];
   int run = 0;
   for (const int threads : {1, 2, 5, 8}) {
     with_threads(threads, [&] {
-      Tempering<Digits> chains(moves(), [] { return energy; }, {}, RandomKey(2), {});
+      Tempering<Digits> chains(moves(), [] { return energy; }, {Digits{}}, RandomKey(2), {});
       chains.run(20, true, Progress::none(),
                  [&](const Digits& state, double) { seen[run].push_back(state); });
       ++run;
@@ -188,7 +203,7 @@ TEST(Tempering, TemperaturesAdaptToEqualAcceptance) {
   options.hottest = 1000;
   options.per_round = 50;
   Tempering<Digits> chains(
-      walk, [&] { return bowl; }, Digits(8, 0), RandomKey(4), options);
+      walk, [&] { return bowl; }, {Digits(8, 0)}, RandomKey(4), options);
   chains.run(2000, true);
   chains.forget_swaps();
   chains.run(1000, false);

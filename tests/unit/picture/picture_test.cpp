@@ -48,6 +48,21 @@ TEST(RenderPlan, WithoutARenderTheCameraMainGoesFirst) {
   EXPECT_EQ(camera_of(loaded.shot, ""), "main");
 }
 
+TEST(PicturePlan, DenoisingAddsTheLayersThatItNeeds) {
+  using Layers = std::vector<std::string>;
+  const auto layers = [](const std::string& settings) {
+    const loading::Loaded loaded =
+        loading::load_text("render main { " + settings + " }\n", "t.vug");
+    EXPECT_EQ(loaded.report(), "");
+    return plan_picture(loaded.shot, {}).render.settings.layers;
+  };
+  EXPECT_EQ(layers("denoise true  layers [\"beauty\", \"Z\"]"),
+            (Layers{"beauty", "Z", "albedo", "N", "variance"}));
+  EXPECT_EQ(layers("layers [\"beauty\", \"Z\"]"), (Layers{"beauty", "Z"}));
+  EXPECT_EQ(layers("denoise true  layers [\"all\"]"), Layers{"all"});
+  EXPECT_EQ(layers("denoise true"), Layers{});  // The usual layers, which contain them.
+}
+
 TEST(PicturePlan, OptionsReplaceSettingsOfTheBlock) {
   const loading::Loaded loaded = loading::load_text(
       "render main { size 20x10  spp 3  tiled true  noise 5%  layers [\"beauty\", \"Z\"] }\n",

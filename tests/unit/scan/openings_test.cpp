@@ -57,13 +57,13 @@ SyntheticFacade made_facade() {
 TEST(Wall, FollowsABowUnderOpenings) {
   const SyntheticFacade made = made_facade();
   const Seen seen = see(made.cloud());
-  EXPECT_NEAR(seen.map.wall.rms, made.noise, 0.005);
+  EXPECT_NEAR(seen.map.walls[0].rms, made.noise, 0.005);
   const PlaneFrame frame = made.frame();
   for (double x = 0.5; x < made.width; x += 0.5)
     for (double y = 0.5; y < made.height; y += 0.5) {
       const double u = 2 * x / made.width - 1;
       const Vec3d p = seen.range.frame.local(frame.world({x, y, made.bow * (1 - u * u)}));
-      EXPECT_NEAR(seen.map.wall.at({p.x, p.y}), p.z, 0.02) << x << ' ' << y;
+      EXPECT_NEAR(seen.map.walls[0].at({p.x, p.y}), p.z, 0.02) << x << ' ' << y;
     }
 }
 
@@ -71,7 +71,7 @@ TEST(Wall, FlatOnesArePlanes) {
   EXPECT_EQ(flat_wall().at({-3, 700}), 0);
   Seen seen = see(SyntheticFacade{.step = 0.2}.cloud(), {.bent = false});
   EXPECT_EQ(seen.map.set_back, 0.05);
-  EXPECT_EQ(seen.map.wall.depths.size(), 1U);
+  EXPECT_EQ(seen.map.walls[0].depths.size(), 1U);
   EXPECT_THROW(fit_wall(seen.range, {.step = 0}), Error);
   EXPECT_THROW(fit_wall(seen.range, {.noise = std::nan("")}), Error);
   EXPECT_THROW(surface_map(seen.range, {.hull = -1}), Error);
@@ -100,6 +100,46 @@ TEST(Openings, AreFoundWithTheirKinds) {
         EXPECT_GT(opening.empty, 0.8);
     }
   }
+}
+
+/// Three storeys of three windows; those at the sides are in gables that stand forward.
+SyntheticFacade facade_with_gables(double forward) {
+  SyntheticFacade made;
+  made.holes = {{0, 0, 3.5, 8, -forward}, {8.5, 0, 3.5, 8, -forward}};
+  for (int row = 0; row < 3; ++row)
+    for (const double x : {1.2, 5.2, 9.7})
+      made.holes.push_back({x, 1 + 2.3 * row, 1.2, 1.5, row == 1 ? 0 : 0.15});
+  return made;
+}
+
+TEST(Openings, AreHolesOfTheWallAroundThem) {
+  for (const double forward : {0.25, 0.5, 1.2, -0.4}) {
+    SCOPED_TRACE(forward);
+    const SyntheticFacade made = facade_with_gables(forward);
+    const Seen seen = see(made.cloud());
+    EXPECT_NEAR(seen.range.metres_wide(), made.width, 0.1);
+    ASSERT_EQ(seen.map.walls.size(), 2U);  // Both gables have one.
+    for (const Wall& wall : seen.map.walls) EXPECT_NEAR(wall.rms, made.noise, 0.005);
+    const std::vector<Hole> windows(made.holes.begin() + 2, made.holes.end());
+    for (const bool triangles : {false, true}) {
+      const std::vector<Opening> found =
+          triangles ? openings_by_triangles(seen.cloud, seen.range, seen.map)
+                    : openings_by_raster(seen.range, seen.map);
+      const Scores scores = score(boxes_of(found), boxes_of(windows));
+      EXPECT_EQ(scores.matched, 9U) << triangles;
+      EXPECT_EQ(scores.found, 9U) << triangles;
+      for (size_t t = 0; t < windows.size(); ++t)
+        if (windows[t].behind > 0) {
+          ASSERT_TRUE(scores.truth[t].found);
+          EXPECT_NEAR(found[*scores.truth[t].found].set_back, windows[t].behind, 0.02);
+        }
+    }
+  }
+}
+
+TEST(Openings, APaneIsNotAWall) {
+  const Seen seen = see(made_facade().cloud());
+  EXPECT_EQ(seen.map.walls.size(), 1U);
 }
 
 TEST(Openings, PlainMethodsFindHolesInFlatWalls) {
@@ -181,7 +221,7 @@ TEST_F(RealScan, EveryDoorAndGroupOfWindowsIsFound) {
     EXPECT_LE(plane.rms, 0.06) << name;
     const RangeImage range = range_image(real.cloud, plane);
     const SurfaceMap map = surface_map(range);
-    EXPECT_LE(map.wall.rms, 0.015) << name;
+    EXPECT_LE(map.walls[0].rms, 0.015) << name;
     const std::vector<Box> truth = true_boxes(real, range.frame);
     const Scores raster = score(boxes_of(openings_by_raster(range, map)), truth);
     for (size_t t = 0; t < truth.size(); ++t)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arguments.h"
 #include "file_transaction.h"
+#include "fit_summary.h"
 #include "output_files.h"
 #include "progress_bar.h"
 #include "scene_options.h"
@@ -17,6 +18,7 @@
 #include <vug/session/facade_fit.h>
 #include <vug/session/facade_model.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace vug::cli {
@@ -25,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  std::string photo, folder, name, grammar, classifier;
+  std::string photo, folder, name, grammar, classifier, likelihood, crop;
   std::vector<std::string> clouds;
   session::FacadePictureOptions picture;
   session::FacadeFitOptions fit;
@@ -71,12 +73,33 @@ fs::path grammar_file(const Options& options) {
   return session::find_grammar_file({}, options.grammar.empty() ? "ripperda.vug" : options.grammar);
 }
 
+/// Whether the photo is the only evidence, without depth.
+bool is_photo_alone(const Options& options) {
+  if (!options.clouds.empty() || !options.picture.depth.empty()) return false;
+  const std::vector<std::string> channels = image::read_info(options.photo).channels;
+  return std::none_of(channels.begin(), channels.end(), [](const std::string& channel) {
+    return channel == "depth" || channel == "Z";
+  });
+}
+
+/// The file of the pixel classifier: that of --looks, else the default one for a photo alone. Empty
+/// for none, and for a likelihood of colour clusters.
+fs::path looks_file(const Options& options) {
+  if (options.classifier == "none") return {};
+  if (!options.classifier.empty()) return options.classifier;
+  if (!options.likelihood.empty() || !is_photo_alone(options)) return {};
+  return session::default_looks();
+}
+
+/// Whether neither the options nor the input determine the size of the facade.
+bool has_assumed_size(const Options& options, const session::FacadePicture& picture) {
+  return options.fit.width == 0 && options.fit.height == 0 && picture.metres_wide == 0;
+}
+
 /// Prints the assumed size of the facade if no size is given.
 void print_assumed_size(const Options& options, const session::FacadePicture& picture) {
   const Vec2d size = session::facade_size(picture, options.fit);
-  if (options.work.quiet || options.fit.width > 0 || options.fit.height > 0 ||
-      picture.metres_wide > 0)
-    return;
+  if (options.work.quiet || !has_assumed_size(options, picture)) return;
   clear_progress_bar();
   fmt::print(stderr, "assumed size {:.4g} x {:.4g} m; --width or --height set another size\n",
              size.x, size.y);
@@ -93,7 +116,36 @@ struct Outputs {
     seen = file(".depth.png"), range = file(".depth.exr"), labels = file(".labels.png");
     report = file(".report.json"), charts = file(".report.svg");
   }
+
+  /// The files for the summary.
+  std::vector<NamedFile> named(bool carves) const {
+    std::vector<NamedFile> out = {{"grammar", grammar}, {"scene", scene},   {"tree", tree},
+                                  {"drawing", drawing}, {"labels", labels}, {"depth", range},
+                                  {"report", report},   {"charts", charts}};
+    if (carves) out.push_back({"carving", carved});
+    return out;
+  }
 };
+
+/// The part of the photo that is used, in its pixels.
+scan::PixelBox photo_box(const Options& options) {
+  if (options.picture.crop) return *options.picture.crop;
+  const image::FileInfo photo = image::read_info(options.photo);
+  return {0, 0, photo.width, photo.height};
+}
+
+/// The background of the drawing: the photo, or the picture of the scan.
+facade::SvgOptions background(const Options& options, const Outputs& to, const fs::path& folder) {
+  if (options.photo.empty()) return {.picture = to.seen.filename().string()};
+  facade::SvgOptions out{.picture = relative_path_from(folder, options.photo)};
+  if (!options.picture.crop) return out;
+  const image::FileInfo photo = image::read_info(options.photo);
+  const scan::PixelBox& box = *options.picture.crop;
+  out.part = {static_cast<double>(box.x0) / photo.width, static_cast<double>(box.y0) / photo.height,
+              static_cast<double>(box.x1 - box.x0) / photo.width,
+              static_cast<double>(box.y1 - box.y0) / photo.height};
+  return out;
+}
 
 /// Writes all files but the carved volume. Paths of pictures are relative to `folder`.
 void write_results(const Options& options, const Input& in, const session::FacadeFit& fit,
@@ -104,20 +156,19 @@ void write_results(const Options& options, const Input& in, const session::Facad
                      image::plain_view());
   }
   if (!fit.labels.empty()) {
-    const image::FileInfo photo = image::read_info(options.photo);
-    fit::write_labels(to.labels,
-                      fit::resampled(fit.labels, {in.picture.width, in.picture.height},
-                                     {photo.width, photo.height}),
-                      photo.width, photo.height);
+    const scan::PixelBox box = photo_box(options);
+    const int width = box.x1 - box.x0, height = box.y1 - box.y0;
+    image::write_grey_png(
+        to.labels,
+        fit::resampled(fit.labels, {in.picture.width, in.picture.height}, {width, height}), width,
+        height);
   }
   write_text(to.grammar,
              fmt::format("# Read from {}.\n{}", fs::path(options.first_input()).filename().string(),
                          session::facade_grammar(fit, options.name)));
   write_text(to.scene, session::facade_scene(fit, options.name, to.grammar.filename().string()));
   write_text(to.tree, facade::tree_json(fit.tree));
-  const std::string picture = options.photo.empty() ? to.seen.filename().string()
-                                                    : relative_path_from(folder, options.photo);
-  write_text(to.drawing, facade::elevation_svg(fit.tree, {.picture = picture}));
+  write_text(to.drawing, facade::elevation_svg(fit.tree, background(options, to, folder)));
   write_text(to.report, fit::report_json(fit.reading.report));
   write_text(to.charts, fit::report_svg(fit.reading.report));
 }
@@ -163,6 +214,13 @@ int run(Options options) {
     throw Error(ErrorCode::bad_input,
                 "--width and --height do not apply to a scan, which has a size", {},
                 "remove --width and --height");
+  if (!options.crop.empty()) {
+    if (options.photo.empty())
+      throw Error(ErrorCode::bad_input, "--crop applies to a photo, and none is given", {},
+                  "remove --crop");
+    const std::vector<int> crop = parse_crop(options.crop);
+    options.picture.crop = scan::PixelBox{crop[0], crop[1], crop[2], crop[3]};
+  }
   Progress& progress = terminal_progress(options.work.bar_mode());
   const fs::path folder = options.folder;
   options.fit.grammar = grammar_file(options);
@@ -177,10 +235,11 @@ int run(Options options) {
                                    files.drawing, files.report, files.charts};
   if (!options.no_carving) outputs.push_back(files.carved);
   if (!options.clouds.empty()) outputs.insert(outputs.end(), {files.range, files.seen});
-  if (!options.classifier.empty()) outputs.push_back(files.labels);
+  const fs::path looks = looks_file(options);
+  if (!looks.empty()) outputs.push_back(files.labels);
   std::vector<fs::path> inputs(options.clouds.begin(), options.clouds.end());
-  for (const fs::path& one : {fs::path(options.photo), options.picture.depth,
-                              fs::path(options.classifier), options.fit.grammar})
+  for (const fs::path& one :
+       {fs::path(options.photo), options.picture.depth, looks, options.fit.grammar})
     if (!one.empty()) inputs.push_back(one);
   require_outputs(outputs, inputs);
   if (options.clouds.size() > 1 && options.photo.empty() && !named && !options.work.quiet)
@@ -190,9 +249,10 @@ int run(Options options) {
         options.clouds.size(), options.name);
 
   options.picture.max_memory = options.work.memory_limit();
-  if (!options.classifier.empty()) {
-    options.fit.classifier = std::make_shared<const fit::PixelClassifier>(
-        fit::PixelClassifier::read(options.classifier));
+  if (!options.likelihood.empty()) options.fit.likelihood = options.likelihood;
+  if (!looks.empty()) {
+    options.fit.classifier =
+        std::make_shared<const fit::PixelClassifier>(fit::PixelClassifier::read(looks));
     options.picture.limits = options.fit.classifier->limits();
   }
   const Input in = read_input(options);
@@ -203,9 +263,12 @@ int run(Options options) {
   clear_progress_bar();
   if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it was not carved\n");
   if (stopped || options.no_carving) warn_of_stale_carving(files.carved);
+  if (const auto warning = fit::disagreement(fit.reading.report))
+    fmt::print(stderr, "warning: {}\nhint: {}\n", warning->message, warning->hint);
   if (fit.reading.elements.empty())
     fmt::print(stderr, "no elements were found: the facade is a bare wall\n");
-  fmt::print("{}\n", facade::theta(fit.tree));
+  fmt::print("{}", fit_summary(fit, has_assumed_size(options, in.picture),
+                               files.named(!stopped && !options.no_carving)));
   return stopped ? kFailed : kDone;
 }
 
@@ -226,6 +289,9 @@ Verb facade_fit_verb() {
                        "Name of the output files and the grammar; default: that of the photo");
         app.add_option("--depth", options->picture.depth,
                        "EXR with the depth of the wall's parts in a layer depth or Z");
+        app.add_option("--crop", options->crop,
+                       "Part of the photo with the facade, LEFT,TOP,RIGHT,BOTTOM in pixels; right "
+                       "and bottom are exclusive");
         app.add_option("--width", options->fit.width,
                        "Width of the facade; default from the picture's header, else 12m")
             ->transform(number_in(Dimension::length, 0.1, 1e4));
@@ -237,17 +303,20 @@ Verb facade_fit_verb() {
             ->transform(integer_in(session::kMinPixels, 4096));
         app.add_option("--grammar", options->grammar,
                        "Grammar file with free sizes; default ripperda.vug");
-        app.add_option("--likelihood", options->fit.likelihood, "Likelihood model: kt or paper")
+        app.add_option("--likelihood", options->likelihood,
+                       "Likelihood model of clusters of colours or depths: kt or paper; default kt")
             ->check(one_of({"kt", "paper"}));
         app.add_option("--looks", options->classifier,
-                       "Pixel classifier trained by 'vug facade train'");
+                       "Pixel classifier trained by 'vug facade train', or 'none' for clusters of "
+                       "colours; default for photos without depth: the one of data/facades");
         app.add_option(
                "--trust", options->fit.trust,
                "Weight of a pixel; below 1, because neighbouring pixels are not independent")
             ->transform(number_in(Dimension::none, 1e-4, 10));
         app.add_option("--depths", options->fit.clusters.depth_clusters, "Number of depth clusters")
             ->transform(integer_in(2, 7));
-        app.add_option("--steps", options->fit.sampler.steps, "Number of steps per chain")
+        app.add_option("--iterations,--steps", options->fit.sampler.steps,
+                       "Number of iterations per chain; default 1000000")
             ->transform(integer_in(1, 1000000000));
         app.add_option("--chains", options->fit.sampler.chains,
                        "Number of chains at different temperatures")

@@ -2,7 +2,6 @@
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
 #include <vug/fit/learning/labelling.h>
-#include <vug/image/io.h>
 
 #include <algorithm>
 
@@ -45,14 +44,6 @@ std::vector<uint8_t> label_pixels(const Planes& maps, const Classes& classes,
     }
   }
   return most_likely_classes(weighed);
-}
-
-void write_labels(const std::filesystem::path& path, const std::vector<uint8_t>& labels, int width,
-                  int height) {
-  image::Image out(width, height, {"Y"});
-  for (size_t i = 0; i < labels.size(); ++i)
-    out.pixels[i] = static_cast<float>(image::srgb_decode(labels[i] / 255.0));
-  image::write_png(path, out, image::plain_view());
 }
 
 }  // namespace vug::fit

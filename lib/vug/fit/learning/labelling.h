@@ -27,9 +27,4 @@ std::vector<uint8_t> label_pixels(const Planes& maps, const Classes& classes,
 /// The RegionType of each pixel as drawn by the elements; later elements overwrite earlier ones.
 std::vector<uint8_t> region_map(const std::vector<DetectedElement>& seen, int width, int height);
 
-/// Writes the classes as an 8-bit grey PNG that read_labelled_image can read. Error(io),
-/// Error(bad_input) as image::write_png.
-void write_labels(const std::filesystem::path& path, const std::vector<uint8_t>& labels, int width,
-                  int height);
-
 }  // namespace vug::fit

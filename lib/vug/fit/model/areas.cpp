@@ -132,6 +132,12 @@ bool Model::compute_child_areas(TreeState& state, int i) const {
   return false;
 }
 
+bool Model::admits(RegionType type, const Area& area, const Rect& rect) const {
+  if (type != RegionType::door && type != RegionType::shop) return true;
+  return height_ - (area.y + rect.y1) <= limits_.max_sill &&
+         (type == RegionType::shop || rect.y1 - rect.y0 <= limits_.max_door_height);
+}
+
 bool Model::fits(const TreeState& state, int i) const {
   const Node& node = state.tree[i];
   const Area& area = state.area(i);
@@ -141,7 +147,7 @@ bool Model::fits(const TreeState& state, int i) const {
     // Windows of a grid are positioned by its lines; a kind may have no instance.
     if (in_grid(node)) return node.width <= area.width && node.height <= area.height;
     return node.x >= 0 && node.y >= 0 && node.x + node.width <= area.width &&
-           node.y + node.height <= area.height;
+           node.y + node.height <= area.height && admits(symbol.type, area, rect_of(node));
   }
   if (!symbol.grid) return true;
   if (node.columns < 1 || node.rows < 1 || node.columns > limits_.max_lines ||

@@ -59,6 +59,10 @@ class Model {
   /// Whether the parameters of node i and its terminal children fit into its area.
   bool fits(const TreeState& state, int i) const;
 
+  /// Whether an element of that type may have the rectangle, which is relative to the area: doors
+  /// and shops are on the ground, and doors have a limited height.
+  bool admits(RegionType type, const Area& area, const Rect& rect) const;
+
   /// Bits of the tree and its pixels; recomputes invalidated values. Infinite for an invalid tree.
   double energy(TreeState& state) const;
   /// c(T): bits of the nodes' symbols and parameters alone. An empty element costs as much as one

@@ -2,6 +2,7 @@
 // A facade grammar as the sampler sees it: productions whose sizes and counts are free.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,10 @@ struct Limits {
   int max_repeats = 16;
   int max_kinds = 15;  ///< Window kinds of a grid, at most kMaxKinds.
   int max_nodes = 64;  ///< Nodes of a tree.
+  /// Largest distance of the lower edge of doors and shops from the lower border of the picture,
+  /// and largest height of doors, pixels. By default any distance and height.
+  int max_sill = std::numeric_limits<int>::max();
+  int max_door_height = std::numeric_limits<int>::max();
 };
 
 }  // namespace vug::fit

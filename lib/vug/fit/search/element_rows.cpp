@@ -92,6 +92,7 @@ class ElementRowSearch {
         for (const int id : rules_.productions_of(element_)) {
           if (rules_.production(id).op != Op::terminal) continue;
           const RegionType type = rules_.symbol(rules_.production(id).parts[0]).type;
+          if (!model_.admits(type, area_, rect)) continue;
           const double bits = model_.pixel_weight() * (likelihood.bits(type, sums) - saved);
           if (bits < best.bits) best = {bits, id, rect};
         }
@@ -204,6 +205,7 @@ std::vector<Rect> ground_elements_between(const MoveContext& context, const Evid
       for (size_t b = a + 1; b < xs.size() && !inside(xs[a], xs[b]); ++b) {
         if (xs[b] - xs[a] < min_size || area.height - top < min_size) continue;
         const Rect rect{xs[a], top, xs[b], area.height};
+        if (!model.admits(RegionType::door, area, rect)) continue;
         const Sums sums = sum_of(evidence, state, area, rect);
         Sums left = rest;
         left -= sums;

@@ -27,7 +27,7 @@ std::string structure_of(const Rules& rules, const Tree& tree) {
 }
 
 SamplerResult sample(const MoveContext& context, const SamplerOptions& options, RandomKey key,
-                     Progress& progress, const TreeState* start) {
+                     Progress& progress, const std::vector<TreeState>& starts) {
   const Model& model = context.model;
   const inference::Moves<TreeState> all = moves(context);
   inference::TemperingOptions tempering;
@@ -37,7 +37,7 @@ SamplerResult sample(const MoveContext& context, const SamplerOptions& options, 
   tempering.per_round = options.per_round;
   inference::Tempering<TreeState> chains(
       all, [&model] { return [&model](TreeState& state) { return model.energy(state); }; },
-      start ? *start : model.axiom_state(), key, tempering);
+      starts.empty() ? std::vector<TreeState>{model.axiom_state()} : starts, key, tempering);
   const int64_t rounds = std::max<int64_t>(1, options.steps / options.per_round);
   const auto warm = static_cast<int64_t>(options.warm_up * static_cast<double>(rounds));
   if (!progress.cancelled()) progress.begin("sampling", static_cast<uint64_t>(rounds));
@@ -55,6 +55,9 @@ SamplerResult sample(const MoveContext& context, const SamplerOptions& options, 
   // best basin is found, chains would rarely leave it again.
   chains.run(rounds - warm, true, progress, [&](const TreeState& state, double energy) {
     out.trace.push_back(energy);
+    double elements = 0;
+    model.each_terminal(state, [&](RegionType, int, const Rect&) { ++elements; });
+    out.elements.push_back(elements);
     seen[structure_of(model.rules(), state.tree)].push_back(out.trace.size() - 1);
   });
   out.stopped = progress.cancelled();

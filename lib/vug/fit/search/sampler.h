@@ -32,8 +32,9 @@ struct SamplerResult {
   double bits = 0;  ///< Energy of `best`.
   /// Structures of the coldest chain, most frequent first.
   std::vector<StructureCount> structures;
-  std::vector<double> trace;  ///< Energy of the coldest chain after each round.
-  std::vector<int> visited;   ///< Index into `structures` for each round.
+  std::vector<double> trace;     ///< Energy of the coldest chain after each round.
+  std::vector<double> elements;  ///< Number of its visible elements after each round.
+  std::vector<int> visited;      ///< Index into `structures` for each round.
   std::vector<inference::TemperatureLadder::Swaps> swaps;
   std::vector<double> temperatures;
   /// Counts of the coldest chain, in the order of move_kinds.
@@ -41,10 +42,12 @@ struct SamplerResult {
   bool stopped = false;  ///< Cancelled; the result is the best so far.
 };
 
-/// Samples trees by parallel tempering, starting with the axiom or with `start`. The result does
-/// not depend on the number of threads. If cancelled it returns the results so far.
+/// Samples trees by parallel tempering. The chains, from the coldest on, begin with the starts in
+/// turn, or with the axiom. The result does not depend on the number of threads. If cancelled it
+/// returns the results so far.
 SamplerResult sample(const MoveContext& context, const SamplerOptions& options, RandomKey key,
-                     Progress& progress = Progress::none(), const TreeState* start = nullptr);
+                     Progress& progress = Progress::none(),
+                     const std::vector<TreeState>& starts = {});
 
 /// The symbols of a tree without its numbers.
 std::string structure_of(const Rules& rules, const Tree& tree);
