@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`vug check` reports, without building, all errors of the text that `vug render` would report later."""
 import json
+import re
 import unittest
 
 from vug import VugTest
@@ -41,6 +42,42 @@ class Check(VugTest):
         self.assertRegex(self.expect(0, "check", "s.vug").err,
                          r"s.vug:2:8: warning: the volume 'rock' needs about \S+ \w+ of memory")
         self.assertEqual(self.expect(0, "check", "s.vug", "-D", "v=100m").err, "")
+
+    def test_a_voxel_that_fits(self):
+        """The hint names a voxel with which the volume needs little less than the available memory."""
+        text = "param v = 0.1mm\nvolume rock = level_set(sphere(1km), voxel: v)\n"
+        self.write("s.vug", text)
+        error = self.expect(0, "check", "s.vug").err
+        voxel = re.search(r"hint: use voxels of at least (\S+) m or a smaller region", error).group(1)
+        self.assertEqual(self.expect(0, "check", "s.vug", "-D", f"v={voxel}m").err, "")
+        self.assertIn("warning", self.expect(0, "check", "s.vug", "-D", f"v={0.8 * float(voxel)}m").err)
+
+    def test_unused_names(self):
+        unused = "param X = 1\nlet pebble = sphere(1cm)\nvolume rock = level_set(sphere(1m), voxel: 20cm)\n"
+        self.write("s.vug", unused)
+        both = ("s.vug:1:7: {0}: param 'X' is never used\nparam X = 1\n      ^\n"
+                "hint: use it in an expression or remove it\n"
+                "s.vug:2:5: {0}: let 'pebble' is never used\nlet pebble = sphere(1cm)\n    ^~~~~~\n"
+                "hint: use it in an expression or remove it\n")
+        for verb in (("check", "s.vug"), ("build", "s.vug", "-o", "out")):
+            self.assertEqual(self.expect(0, *verb).err, both.format("warning"), verb)
+            self.assertEqual(self.expect(2, *verb, "--strict").err, both.format("error"), verb)
+        report = json.loads(self.expect(2, "check", "s.vug", "--strict", "--json").out)
+        self.assertEqual([d["severity"] for d in report["diagnostics"]], ["error", "error"])
+        self.write("s.vug", "let red = (1, 0, 0)\nmaterial stone = lambert()\n")  # a text for inclusion
+        self.assertNotIn("never used", self.expect(0, "check", "s.vug").err)
+        self.write("main.vug", 'include "s.vug"\nvolume rock = level_set(sphere(1m), voxel: 20cm)\n')
+        self.assertEqual(self.expect(0, "check", "main.vug", "--strict").err, "")
+        self.write("s.vug", unused + "mesh skin on rok {}\n")  # the error may be the reason
+        self.assertNotIn("never used", self.expect(2, "check", "s.vug").err)
+
+    def test_an_include_in_a_subfolder(self):
+        self.write("s.vug", 'include "limestone.vug"\n')
+        self.assertIn("s.vug:1:9: error: cannot find the file 'limestone.vug'\n"
+                      'include "limestone.vug"\n        ^~~~~~~~~~~~~~~\n'
+                      "hint: did you mean 'materials/limestone.vug'?\n", self.expect(2, "check", "s.vug").err)
+        self.write("s.vug", 'include "no/limeston.vug"\n')
+        self.assertIn("hint: looked in ", self.expect(2, "check", "s.vug").err)
 
     def test_a_light_linked_to_nothing(self):
         for link in ("only: [\"bal\"]", "except: [\"bal\"]"):

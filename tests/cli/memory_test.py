@@ -38,8 +38,17 @@ class Memory(VugTest):
         self.assertGreater(told(error), 1e20)
         self.assertLess(told(error), 1e22)
         self.assertIn("while making the volume 'rock'", error)
-        self.assertIn("hint: use a larger voxel", error)
+        self.assertRegex(error, r"hint: use voxels of at least \S+ m, a smaller region, or raise --max-memory")
         self.assertEqual(self.files(), ["ball.vug"])
+
+    def test_the_voxel_of_the_hint_fits(self):
+        self.write("rock.vug", "param v = 1cm\nvolume rock = level_set(sphere(10m), voxel: v)\n")
+        limited = ("build", "rock.vug", "-o", "out", "--max-memory", "300M")
+        error = self.expect(2, *limited).err
+        voxel = float(re.search(r"hint: use voxels of at least (\S+) m, a smaller region, or raise --max-memory",
+                                error).group(1))
+        self.expect(0, *limited, "-D", f"v={voxel}m")
+        self.expect(2, *limited, "-D", f"v={0.8 * voxel}m")
 
     def test_a_picture_that_is_too_large(self):
         self.write("ball.vug", BALL)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/schema.h>
+#include <vug/base/srgb.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -122,13 +123,33 @@ bool check_number(const ParamInfo& info, const std::string& what, double value, 
   return true;
 }
 
+/// The linear colour of 8-bit sRGB codes, which another program may have displayed; empty for
+/// vectors that cannot be such codes.
+std::string code_hint(const Vec3d& codes) {
+  for (int channel = 0; channel < 3; ++channel)
+    if (!(codes[channel] >= 0 && codes[channel] <= 255 &&
+          codes[channel] == std::floor(codes[channel])))
+      return "";
+  const auto linear = [&](int channel) { return srgb_decode(codes[channel] / 255); };
+  return fmt::format(
+      "colours are linear, from 0 to 1: write ({:.3f}, {:.3f}, {:.3f}) for ({}, {}, {}) of 255",
+      linear(0), linear(1), linear(2), codes.x, codes.y, codes.z);
+}
+
 bool check_value(const ParamInfo& info, const std::string& what, const Value& value,
                  const SourceLocation& where, Diagnostics& diagnostics) {
   if (const Number* n = value.get<Number>())
     return check_number(info, what, n->value, n->dimension, where, diagnostics);
-  if (const auto* v = value.get<Value::Vector>())
-    for (int axis = 0; axis < 3; ++axis)
-      if (!check_number(info, what, v->value[axis], v->dimension, where, diagnostics)) return false;
+  if (const auto* v = value.get<Value::Vector>()) {
+    Diagnostics found;
+    for (int axis = 0; axis < 3 && found.all().empty(); ++axis)
+      check_number(info, what, v->value[axis], v->dimension, where, found);
+    if (found.all().empty()) return true;
+    const Diagnostic& fault = found.all().front();
+    diagnostics.error(fault.where, fault.message,
+                      info.max == 1 && fault.hint.empty() ? code_hint(v->value) : fault.hint);
+    return false;
+  }
   if (const List* list = value.get<List>())
     for (size_t i = 0; i < list->size(); ++i)
       if (!check_value(info, fmt::format("the {} of {}", ordinal(i), what), (*list)[i], where,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of one value per pixel in colours of evenly increasing lightness.
+#include <vug/base/srgb.h>
 #include <vug/image/diff.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reading of pictures: checks of the file, then conversion to the library's channels and colours.
 #include <vug/base/atomic_file.h>
+#include <vug/base/srgb.h>
 #include <vug/image/backend.h>
 #include <vug/image/exr_check.h>
 #include <vug/image/png_check.h>

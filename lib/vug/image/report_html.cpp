@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The report of a comparison of pictures as an HTML page.
+#include <vug/base/srgb.h>
 #include <vug/base/xml.h>
 #include <vug/image/page.h>
 #include <vug/image/report.h>

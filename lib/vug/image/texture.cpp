@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
+#include <vug/base/srgb.h>
 #include <vug/image/backend.h>
 #include <vug/image/texture.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
+#include <vug/base/srgb.h>
 #include <vug/image/brightness.h>
 #include <vug/image/ocio_view.h>
 #include <vug/image/view.h>
@@ -84,16 +85,6 @@ ViewOptions plain_view() {
   plain.transform = ViewTransform::srgb;
   plain.dither = false;
   return plain;
-}
-
-double srgb_encode(double linear) {
-  const double v = std::clamp(linear, 0.0, 1.0);
-  return v <= 0.0031308 ? 12.92 * v : 1.055 * maths::pow(v, 1 / 2.4) - 0.055;
-}
-
-double srgb_decode(double encoded) {
-  const double v = std::clamp(encoded, 0.0, 1.0);
-  return v <= 0.04045 ? v / 12.92 : maths::pow((v + 0.055) / 1.055, 2.4);
 }
 
 Image in_rec709(Image picture, WorkingSpace space) {

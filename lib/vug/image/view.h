@@ -42,8 +42,4 @@ Image in_rec709(Image picture, WorkingSpace space);
 /// grey, 0.18 (reinhard2002). None for an image without R, G, B or without light.
 std::optional<double> grey_exposure(const Image& linear, WorkingSpace space = WorkingSpace::rec709);
 
-/// sRGB transfer function (IEC 61966-2-1) and its inverse, for values in [0, 1].
-double srgb_encode(double linear);
-double srgb_decode(double encoded);
-
 }  // namespace vug::image

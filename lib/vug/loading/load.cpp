@@ -157,7 +157,10 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
     resolver.declared(declaration.kind, declaration.name, declaration.where, loaded.diagnostics);
   for (const scene::Grammar& grammar : document.grammars)
     resolver.declared("grammar", grammar.name, grammar.where, loaded.diagnostics);
-  scene::check_unused_names(document, loaded.diagnostics);
+  // A fault may be the reason why a name is not used, and texts for inclusion declare names for
+  // others.
+  if (!loaded.diagnostics.has_errors() && !is_empty_scene(loaded.shot))
+    scene::check_unused_names(document, loaded.diagnostics);
   validate(loaded.shot, document, loaded.diagnostics);
   if (!loaded.diagnostics.has_errors()) check_attributes(document, loaded.shot, loaded.diagnostics);
   loaded.shot.animated = resolver.frame_uses() > 0;

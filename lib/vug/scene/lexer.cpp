@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/base/maths.h>
+#include <vug/base/srgb.h>
 #include <vug/scene/lexer.h>
 #include <vug/scene/units.h>
 #include <vug/scene/utf8.h>
@@ -64,7 +64,7 @@ class Lexer {
     begin();
     if (c == '\n' || c == ';') return push(TokenKind::newline, 1);
     if (c == '#') return is_colour() ? colour() : comment();
-    if (c == '/' && look(1) == '/' && braces_ == 0) return foreign_comment();
+    if (c == '/' && (look(1) == '/' || look(1) == '*') && braces_ == 0) return foreign_comment();
     if (is_digit(c) || (c == '.' && is_digit(look(1)))) return number();
     if (is_letter(c)) return push(TokenKind::name, word(0));
     if (c == '"') return quoted();
@@ -142,11 +142,13 @@ class Lexer {
     return length;
   }
 
-  /// Whether a colour in the notation of web pages stands where a value is expected.
+  /// Whether a colour in the notation of web pages is written where a value is expected: 3 or 6
+  /// hexadecimal digits. A word of letters only, such as "#bad", may begin a comment.
   bool is_colour() const {
-    const std::string_view digits = text_.substr(at_ + 1, 6);
+    const std::string_view digits = text_.substr(at_ + 1, word(1));
     const auto is_hex = [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; };
-    if (digits.size() < 6 || !std::all_of(digits.begin(), digits.end(), is_hex) || word(1) != 6 ||
+    if ((digits.size() != 3 && digits.size() != 6) ||
+        !std::all_of(digits.begin(), digits.end(), is_hex) ||
         std::none_of(digits.begin(), digits.end(), is_digit) || tokens_.empty())
       return false;
     const Token& before = tokens_.back();
@@ -155,22 +157,27 @@ class Lexer {
                          before.is("(") || before.is("[") || before.is("="));
   }
 
-  /// Reports such a colour with the linear values that it stands for (IEC 61966-2-1).
+  /// Reports such a colour with its linear values.
   void colour() {
-    const auto linear = [&](size_t from) {
-      const std::string digits(text_.substr(at_ + from, 2));
-      const double code = static_cast<double>(std::stoi(digits, nullptr, 16)) / 255;
-      return code <= 0.04045 ? code / 12.92 : maths::pow((code + 0.055) / 1.055, 2.4);
+    const size_t digits = word(1), each = digits / 3;
+    const auto linear = [&](size_t channel) {
+      const std::string code(text_.substr(at_ + 1 + channel * each, each));
+      return srgb_decode(std::stoi(code, nullptr, 16) / (each == 1 ? 15.0 : 255.0));
     };
     error("'#' starts a comment, not a colour",
-          fmt::format("colours are linear: write ({:.3f}, {:.3f}, {:.3f}) for {}", linear(1),
-                      linear(3), linear(5), text_.substr(at_, 7)));
-    push(TokenKind::junk, 7);
+          fmt::format("colours are linear: write ({:.3f}, {:.3f}, {:.3f}) for {}", linear(0),
+                      linear(1), linear(2), text_.substr(at_, 1 + digits)));
+    push(TokenKind::junk, 1 + digits);
   }
 
+  /// Reports a comment in the notation of C and skips it.
   void foreign_comment() {
-    error("'//' does not start a comment", "comments start with '#'");
-    push(TokenKind::junk, rest_of_line());
+    const std::string sign(text_.substr(at_, 2));
+    error(fmt::format("'{}' does not start a comment", sign), "comments start with '#'");
+    const size_t end = sign == "/*" ? text_.find("*/", at_ + 2) : text_.npos;
+    push(TokenKind::junk, end == text_.npos ? rest_of_line() : end + 2 - at_);
+    tokens_.pop_back();  // so that the rest of the text is parsed
+    touches_ = false;
   }
 
   /// Length of the word that starts `from` bytes ahead.

@@ -128,7 +128,7 @@ class CaveBuild:
         self.name, self.changed = collection.name, importer.changed
         self.mark_built(collection)
         self.message = f"{self.name}: {self.changed} meshes updated" + "".join(
-            f"; {each}" for each in job.done["left_out"])
+            f"; {each}" for each in job.done["warnings"])
 
     def mark_built(self, collection):
         """Records the built settings; changes made during the build are not included."""

@@ -62,7 +62,9 @@ def progress_printer():
 
 def work(order):
     import vug
-    scene = scene_of(vug, order)
+    with warnings.catch_warnings(record=True) as doubts:
+        warnings.simplefilter("always")
+        scene = scene_of(vug, order)
     key = key_of(vug, scene)
     say(scene={"name": scene.name, "key": key,
                "params": [param._asdict() for param in scene.params.values()]})
@@ -71,8 +73,8 @@ def work(order):
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         files = scene.export(order["folder"], "blender", progress=progress_printer())
-    left_out = [str(each.message) for each in told]
-    say(done={"files": [os.path.basename(file) for file in files], "left_out": left_out})
+    lines = [str(each.message).partition("\n")[0] for each in doubts + told]
+    say(done={"files": [os.path.basename(file) for file in files], "warnings": lines})
 
 
 def main():

@@ -2,6 +2,7 @@
 // Working spaces and views. OpenColorIO's own transforms and published numbers serve as reference.
 #include <vug/base/error.h>
 #include <vug/base/scratch_folder.h>
+#include <vug/base/srgb.h>
 #include <vug/image/io.h>
 #include <vug/image/ocio_view.h>
 #include <vug/image/texture.h>

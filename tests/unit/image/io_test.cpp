@@ -4,6 +4,7 @@
 #include <vug/base/hash.h>
 #include <vug/base/rng.h>
 #include <vug/base/scratch_folder.h>
+#include <vug/base/srgb.h>
 #include <vug/image/io.h>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/base/rng.h>
+#include <vug/base/srgb.h>
 #include <vug/image/measure.h>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/srgb.h>
 #include <vug/image/view.h>
 
 #include <gtest/gtest.h>

@@ -43,10 +43,10 @@ std::string diagnose(const fs::path& path) {
   };
   Diagnostics diagnostics;
   const Document document = parse_file(path.filename(), diagnostics, parsing);
-  check_unused_names(document, diagnostics);
   FakeResolver resolver;
   Evaluator evaluator(document, resolver, diagnostics, options);
   evaluate_all(evaluator, document);
+  if (!diagnostics.has_errors()) check_unused_names(document, diagnostics);
   EXPECT_FALSE(diagnostics.all().empty()) << path;
   return report(diagnostics, evaluator.sources());
 }

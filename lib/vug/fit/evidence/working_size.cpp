@@ -2,6 +2,7 @@
 #include <vug/base/error.h>
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
+#include <vug/base/srgb.h>
 #include <vug/fit/evidence/working_size.h>
 #include <vug/image/io.h>
 
@@ -117,7 +118,7 @@ image::Image to_rgb(const image::Image& picture, const image::FileInfo& file) {
   image::Image out(picture.width, picture.height, {"R", "G", "B"});
   for (size_t i = 0; i < out.pixels.size(); ++i) {
     const float value = picture.pixels[i / 3 * picture.channels.size()];
-    out.pixels[i] = encoded ? static_cast<float>(image::srgb_decode(value)) : value;
+    out.pixels[i] = encoded ? static_cast<float>(srgb_decode(value)) : value;
   }
   return out;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // LDR-FLIP of the displayed images: after the view transform at the exposure of the comparison.
+#include <vug/base/srgb.h>
 #include <vug/image/flip.h>
 #include <vug/image/measure_kind.h>
 

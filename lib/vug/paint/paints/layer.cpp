@@ -11,9 +11,11 @@ struct Layer {
 
   static void describe(Schema<Layer>& s) {
     s.doc("One paint over another, blended by a mask.")
-        .param("under", &Layer::under,
-               {.doc = "the lower paint: a paint or a colour", .required = true})
-        .param("over", &Layer::over, {.doc = "the upper paint", .required = true})
+        .param(
+            "under", &Layer::under,
+            {.doc = "the lower paint: a paint or a colour", .min = 0, .max = 1, .required = true})
+        .param("over", &Layer::over,
+               {.doc = "the upper paint", .min = 0, .max = 1, .required = true})
         .param("mask", &Layer::mask, {.doc = "0 shows under, 1 shows over", .required = true});
   }
 };
