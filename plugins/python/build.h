@@ -79,6 +79,7 @@ int checked_threads(int given);
 struct RenderArguments {
   picture::PictureOptions picture;
   picture::RenderOptions render;
+  bool anyway = false;  ///< Render in spite of mistakes of placement.
 };
 /// From the name of the render block and the keyword arguments. The scene must outlive the result.
 RenderArguments render_arguments(const Scene& scene, const std::string& name,

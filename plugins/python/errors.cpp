@@ -84,10 +84,10 @@ void translate(std::exception_ptr thrown) {
 
 }  // namespace
 
-void raise(const loading::Loaded& faulty) {
+void raise(const loading::Loaded& loaded, const Diagnostics& faults) {
   py::list all;
   const Diagnostic* first = nullptr;
-  for (const Diagnostic& each : faulty.diagnostics.all()) {
+  for (const Diagnostic& each : faults.all()) {
     all.append(as_diagnostic(each));
     if (!first && each.severity == Severity::error) first = &each;
   }
@@ -95,7 +95,7 @@ void raise(const loading::Loaded& faulty) {
                     "line"_a = number_or_none(first->where.line),
                     "column"_a = number_or_none(first->where.column),
                     "hint"_a = text_or_none(first->hint), "diagnostics"_a = all,
-                    "report"_a = text(faulty.report())));
+                    "report"_a = text(loaded.report(faults))));
   throw py::error_already_set();
 }
 

@@ -13,8 +13,8 @@
 namespace vug::python {
 
 /// Throws the errors of a text as one vug.Error, which lists all of them and has the location of
-/// the first.
-[[noreturn]] void raise(const loading::Loaded& faulty);
+/// the first. `faults`: its own, or others found later.
+[[noreturn]] void raise(const loading::Loaded& loaded, const Diagnostics& faults);
 
 /// Issues warnings through Python's `warnings`, attributed to the calling line. Throws if the
 /// warning filters turn them into errors.

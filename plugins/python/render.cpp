@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rendering, with options from Python.
 #include "build.h"
+#include "errors.h"
 
 #include <fmt/format.h>
 #include <vug/base/diagnostics.h>
+#include <vug/loading/placement/check.h>
 
 #include <algorithm>
 
@@ -99,6 +101,8 @@ bool apply_other(RenderArguments& arguments, const std::string& name, const py::
     picture.eye = eye(read<std::string>(name, given, "'left' or 'right'"));
   else if (name == "ocio")
     picture.config = read<std::filesystem::path>(name, given, "a file");
+  else if (name == "anyway")
+    arguments.anyway = *truth(name, given).get<bool>();
   else if (name == "full_float")
     picture.settings.emplace_back("half", !*truth(name, given).get<bool>());
   else if (name == "checkpoint") {
@@ -111,7 +115,8 @@ bool apply_other(RenderArguments& arguments, const std::string& name, const py::
 }
 
 [[noreturn]] void refuse_unknown(const std::string& name) {
-  std::vector<std::string> names = {"camera", "seed", "eye", "ocio", "full_float", "checkpoint"};
+  std::vector<std::string> names = {"camera", "seed",       "eye",       "ocio",
+                                    "anyway", "full_float", "checkpoint"};
   for (const ParamInfo& info : shot::render_schema().info().params) names.push_back(info.name);
   throw py::type_error(
       fmt::format("render: unknown option '{}'; {}", name, suggestion(name, names)));
@@ -152,17 +157,27 @@ std::string render_doc() {
          "seed: seed of the samples\n"
          "eye: view of a stereo camera, 'left' or 'right'\n"
          "ocio: OpenColorIO configuration, a file\n"
+         "anyway: render even if the camera or a light is in rock, a prop floats or a void is\n"
+         "filled, which otherwise is an error\n"
          "checkpoint: file of the unfinished picture; if it exists, rendering continues from it,\n"
          "and Image.save to an EXR removes it";
 }
 
 Image render(Build& build, const RenderArguments& arguments) {
   auto rendered = std::make_shared<std::vector<picture::RenderResult>>();
+  const loading::Loaded& scene = build.scene()->loaded();
+  Diagnostics mistakes;
   build.work([&](building::Builder& builder) {
     const picture::PicturePlan plan = picture::plan_picture(builder.shot(), arguments.picture);
+    if (!arguments.anyway && &builder.shot() == &scene.shot)
+      loading::check_placement(
+          scene, {picture::camera_name(scene.shot, plan.render), loading::Accuracy::exact},
+          mistakes);
+    if (mistakes.has_errors()) return;
     *rendered = picture::render_views(builder, plan, arguments.render);
     picture::warn_about_exposure(builder, rendered->front());
   });
+  if (mistakes.has_errors()) raise(scene, mistakes);
   return {rendered, {}, arguments.render.checkpoint};
 }
 

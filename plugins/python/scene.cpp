@@ -193,7 +193,7 @@ Scene::Scene(std::string text, std::string file, LoadSettings settings)
     reload();
     if (!loaded_.usable() && add_angle_units(settings_, loaded_)) reload();
   }
-  if (!loaded_.usable()) raise(loaded_);
+  if (!loaded_.usable()) raise(loaded_, loaded_.diagnostics);
   warn(warnings_of(loaded_, loaded_.diagnostics));
 }
 

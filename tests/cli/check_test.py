@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """`vug check` reports, without building, all errors of the text that `vug render` would report later."""
 import json
+import os
 import re
 import unittest
 
-from vug import VugTest
+from vug import SLOW, VugTest
 
 SCENE = """volume rock = level_set(sphere(1m), voxel: 20cm)
 mesh skin on rock {}
@@ -50,7 +51,7 @@ class Check(VugTest):
         error = self.expect(0, "check", "s.vug").err
         voxel = re.search(r"hint: use voxels of at least (\S+) m or a smaller region", error).group(1)
         self.assertEqual(self.expect(0, "check", "s.vug", "-D", f"v={voxel}m").err, "")
-        self.assertIn("warning", self.expect(0, "check", "s.vug", "-D", f"v={0.8 * float(voxel)}m").err)
+        self.assertIn("warning", self.expect(0, "check", "s.vug", "-D", f"v={0.5 * float(voxel)}m").err)
 
     def test_unused_names(self):
         unused = "param X = 1\nlet pebble = sphere(1cm)\nvolume rock = level_set(sphere(1m), voxel: 20cm)\n"
@@ -62,7 +63,7 @@ class Check(VugTest):
         for verb in (("check", "s.vug"), ("build", "s.vug", "-o", "out")):
             self.assertEqual(self.expect(0, *verb).err, both.format("warning"), verb)
             self.assertEqual(self.expect(2, *verb, "--strict").err, both.format("error"), verb)
-        report = json.loads(self.expect(2, "check", "s.vug", "--strict", "--json").out)
+        report = json.loads(self.vug("check", "s.vug", "--strict", "--json").out)
         self.assertEqual([d["severity"] for d in report["diagnostics"]], ["error", "error"])
         self.write("s.vug", "let red = (1, 0, 0)\nmaterial stone = lambert()\n")  # a text for inclusion
         self.assertNotIn("never used", self.expect(0, "check", "s.vug").err)
@@ -78,6 +79,71 @@ class Check(VugTest):
                       "hint: did you mean 'materials/limestone.vug'?\n", self.expect(2, "check", "s.vug").err)
         self.write("s.vug", 'include "no/limeston.vug"\n')
         self.assertIn("hint: looked in ", self.expect(2, "check", "s.vug").err)
+
+    ROOM = ("volume rock = level_set(box(size: (8, 8, 8)) - box(size: (4, 4, 4)), voxel: 20cm)\nmesh wall on rock {}\n"
+            "object walls on wall {}\nrender main { size 4x3  spp 1 }\n")
+
+    def test_a_camera_and_a_light_in_rock(self):
+        camera = ("s.vug:5:8: error: the camera 'main' at (0, 2.5, 0) is in rock, 0.50 m inside 'walls'\n"
+                  "camera main { eye (0, 2.5, 0)  target (5, 0, 0) }\n       ^~~~\nhint: the nearest air is 0.50 m below: eye (0, 1.9, 0)\n")
+        light = ("s.vug:6:1: error: the light 'lamp' at (2.5, 0, 0) is in rock, 0.50 m inside 'walls'\n"
+                 "light lamp = sphere(center: (2.5, 0, 0), radius: 10cm)\n" + "^" + "~" * 53 + "\n"
+                 "hint: the nearest air is 0.50 m towards -x: position (1.9, 0, 0)\n")
+        self.write("s.vug", self.ROOM + "camera main { eye (0, 2.5, 0)  target (5, 0, 0) }\n"
+                   "light lamp = sphere(center: (2.5, 0, 0), radius: 10cm)\n")
+        checked = self.expect(2, "check", "s.vug").err
+        self.assertIn(camera, checked)
+        self.assertIn(light, checked)
+        refused = self.expect(2, "render", "s.vug", "-o", "s.exr").err
+        self.assertEqual(refused, checked + "the render was not started; --anyway renders the scene as it is\n")
+        self.assertEqual(self.files(), ["s.vug"])
+        self.assertNotIn("error", self.expect(0, "render", "s.vug", "-o", "s.exr", "--anyway").err)
+        self.assertIn("s.exr", self.files())
+        report = json.loads(self.vug("check", "s.vug", "--json").out)
+        self.assertEqual([(d["severity"], d["line"]) for d in report["diagnostics"]], [("error", 5), ("error", 6)])
+
+    def test_the_camera_of_the_picture_is_checked(self):
+        self.write("s.vug", self.ROOM + "camera main { eye (0, 0, 0)  target (5, 0, 0) }\ncamera other { eye (0, 3, 0)  target (5, 0, 0) }\n")
+        self.expect(2, "check", "s.vug")
+        self.expect(0, "render", "s.vug", "-o", "s.exr")
+        self.assertIn("'other'", self.expect(2, "render", "s.vug", "-o", "s.exr", "--camera", "other").err)
+
+    def test_a_flight_into_rock_is_refused_before_its_first_frame(self):
+        self.write("s.vug", self.ROOM + "camera main { eye keys(1: (0, 0, 0), 3: (0, 3, 0))  target (5, 0, 0) }\n")
+        self.expect(0, "render", "s.vug", "-o", "s.####.exr", "--frames", "1..2")
+        self.assertIn("the camera 'main' at (0, 3, 0)",
+                      self.expect(2, "render", "s.vug", "-o", "t.####.exr", "--frames", "1..3").err)
+        self.assertEqual([name for name in self.files() if name.startswith("t.")], [])
+
+    def test_a_floating_prop_and_a_filled_void(self):
+        prop = ("volume c = level_set(box(size: (0.4, 0.4, 0.4)), voxel: 5cm)\nmesh cube on c {}\nobject chest on cube {}\n"
+                "place chests { of chest  at (0, 0, 0) }\n")
+        self.write("s.vug", self.ROOM + prop)
+        self.assertIn("s.vug:8:7: error: 'chests' floats 1.80 m above 'walls': its foot is at (0, -0.2, 0)\n",
+                      self.expect(2, "check", "s.vug").err)
+        self.expect(2, "render", "s.vug", "-o", "s.exr")
+        self.write("s.vug", self.ROOM + prop.replace("(0, 0, 0)", "(0, -1.8, 0)"))
+        self.expect(0, "check", "s.vug")
+        self.write("s.vug", "let hall = sphere(1m)\nvolume rock = level_set(box(size: (4, 4, 4)) - hall + sphere(1.5m), voxel: 10cm)\n"
+                   "render main { size 4x3  spp 1 }\n")
+        error = self.expect(2, "check", "s.vug").err
+        self.assertIn("s.vug:1:12: error: this void is filled: 'rock' has rock in all of it\n"
+                      "let hall = sphere(1m)\n           ^~~~~~~~~~\n", error)
+        self.expect(2, "render", "s.vug", "-o", "s.exr")
+        self.expect(0, "render", "s.vug", "-o", "s.exr", "--anyway")
+
+    def test_nothing_is_computed(self):
+        """Two nested dripstones would take half a minute; a typo is reported as quickly."""
+        text = ("field hall = box(size: (30m, 12m, 30m)) - displace(ellipsoid(radii: (12, 4, 12)), amount: 50cm)\n"
+                "field one = dripstone(hall, from: (-12, -5, -12), to: (12, 5, 12), spacing: 30cm)\n"
+                "field two = dripstone(one, from: (-12, -5, -12), to: (12, 5, 12), spacing: 30cm, seed: 2)\n"
+                "volume cave = level_set(two, voxel: 5cm)\nmesh skin on cave {}\nobject walls on skin {}\n"
+                "camera main { eye (0, 1, 0)  target (5, 0, 0) }\nlight lamp = sphere(center: (1, 1, 0), radius: 10cm)\n")
+        for more, code in (("", 0), ("mesh more on cavee {}\n", 2), ("light low = sphere(center: (0, 5.5, 0))\n", 2)):
+            self.write("s.vug", text + more)
+            before = os.times().children_user
+            self.expect(code, "check", "s.vug")
+            self.assertLess(os.times().children_user - before, 1 if not SLOW else 60, more)
 
     def test_a_light_linked_to_nothing(self):
         for link in ("only: [\"bal\"]", "except: [\"bal\"]"):

@@ -105,6 +105,20 @@ class Faults(Case):
             vug.loads("let a = 1\n").build().save("out")
 
 
+class Placement(Case):
+    def test_a_camera_in_rock(self):
+        scene = vug.loads(BALL.replace("(0, 0, 4)", "(0, 0, 0.5)"))
+        with self.assertRaises(vug.Error) as caught:
+            scene.render(spp=1)
+        error = caught.exception
+        self.assertEqual(error.message, "the camera 'main' at (0, 0, 0.5) is in rock, 0.50 m inside 'wall'")
+        self.assertEqual((error.line, error.code), (5, "bad_input"))
+        self.assertEqual(error.hint, "the nearest air is 0.50 m towards +z: eye (0, 0, 1.1)")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            self.assertEqual(scene.render(spp=1, anyway=True)["beauty"].shape[:2], (18, 32))
+
+
 class Warnings(Case):
     def test_they_name_the_calling_line(self):
         text = BALL.replace("sphere(R)", "sphere(R).translate((9, 0, 0))").replace(
@@ -116,6 +130,12 @@ class Warnings(Case):
         self.assertIn("the volume 'rock' is empty", str(seen[0].message))
         self.assertIn("scene.vug:2:8: warning:", str(seen[0].message))
         self.assertEqual(seen[0].filename, __file__)
+
+    def test_unused_names(self):
+        with self.assertWarnsRegex(vug.SceneWarning, r"scene.vug:1:7: warning: param 'X' is never used"):
+            vug.loads("param X = 1\n" + BALL)
+        with self.assertRaisesRegex(vug.SceneWarning, "let 'x' is never used"):  # as with --strict
+            vug.loads("let x = 1\n" + BALL)
 
     def test_as_errors_they_stop_the_work(self):
         dark = BALL.replace("radiance: (1, 1, 1)", "radiance: (0, 0, 0)")

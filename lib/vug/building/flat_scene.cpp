@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/memory.h>
 #include <vug/building/flat_scene.h>
-#include <vug/building/instance_source.h>
 #include <vug/building/make_mesh.h>
 #include <vug/building/merge_copies.h>
 #include <vug/render/geometry/require_static.h>
@@ -110,25 +109,6 @@ void add_instance(const FlatScene& model, const Instance& instance, const Transf
   }
 }
 
-int choose_model(const Instance& instance, const shot::PointInstancer& plan) {
-  const auto count = static_cast<int>(plan.of.size());
-  if (instance.model >= count)
-    throw Error(
-        ErrorCode::bad_input,
-        fmt::format("an instance uses model number {}, but the last model of '{}' is number {}",
-                    instance.model, plan.name, count - 1));
-  if (instance.model >= 0 || count == 1) return std::max(instance.model, 0);
-  double total = 0;
-  for (int i = 0; i < count; ++i)
-    total += plan.shares.empty() ? 1 : plan.shares[static_cast<size_t>(i)];
-  double at = RandomStream(instance.key.at("model")).uniform() * total;
-  for (int i = 0; i < count - 1; ++i) {
-    at -= plan.shares.empty() ? 1 : plan.shares[static_cast<size_t>(i)];
-    if (at < 0) return i;
-  }
-  return count - 1;
-}
-
 std::vector<Instance> instances_of(Builder& builder, const shot::PointInstancer& plan) {
   std::vector<Instance> instances;
   for (size_t i = 0; i < plan.at.size(); ++i) try {
@@ -207,6 +187,25 @@ void add_instances(Builder& builder, const shot::PointInstancer& plan,
 }
 
 }  // namespace
+
+int choose_model(const Instance& instance, const shot::PointInstancer& plan) {
+  const auto count = static_cast<int>(plan.of.size());
+  if (instance.model >= count)
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("an instance uses model number {}, but the last model of '{}' is number {}",
+                    instance.model, plan.name, count - 1));
+  if (instance.model >= 0 || count == 1) return std::max(instance.model, 0);
+  double total = 0;
+  for (int i = 0; i < count; ++i)
+    total += plan.shares.empty() ? 1 : plan.shares[static_cast<size_t>(i)];
+  double at = RandomStream(instance.key.at("model")).uniform() * total;
+  for (int i = 0; i < count - 1; ++i) {
+    at -= plan.shares.empty() ? 1 : plan.shares[static_cast<size_t>(i)];
+    if (at < 0) return i;
+  }
+  return count - 1;
+}
 
 void add_default_light(FlatScene& scene, const render::Medium* medium) {
   const auto shines = [](const render::Object& object) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <vug/building/builder.h>
+#include <vug/building/instance_source.h>
 
 #include <vector>
 
@@ -23,6 +24,10 @@ using TimeSamples = std::vector<std::shared_ptr<const shot::Shot>>;
 /// them, instances use the pose at the frame. Lights are never blurred. Builds all meshes.
 /// Error(bad_input), located at the name of the `place`, for instances that cannot be rendered.
 FlatScene flatten_scene(Builder& builder, const TimeSamples& time_samples = {});
+
+/// The index of the model of an instance: its own, or a random one. Error(bad_input) if the
+/// instance has a model that the plan lacks.
+int choose_model(const Instance& instance, const shot::PointInstancer& plan);
 
 /// Adds a uniform sky if the scene has no light, no emissive object and no emissive `medium`, which
 /// may be null.

@@ -18,10 +18,12 @@ std::optional<shot::InstanceSource> ValueTraits<shot::InstanceSource>::read(cons
   const auto* vector = v.get<Value::Vector>();
   if (!vector) return ObjectTraits::read(v);
   const Vec3d position = vector->value;
+  const auto make = [position](building::Builder&,
+                               RandomKey key) -> std::vector<building::Instance> {
+    return {{Transform::translation(position), key, -1}};
+  };
   return std::make_shared<const building::InstanceFunction>(
-      [position](building::Builder&, RandomKey key) -> std::vector<building::Instance> {
-        return {{Transform::translation(position), key, -1}};
-      });
+      building::IndexedInstanceSource{.make = make, .is_given = true});
 }
 
 std::optional<shot::Model> ValueTraits<shot::Model>::read(const Value& v) {

@@ -32,6 +32,7 @@ struct IndexedInstanceSource {
   int last_model = -1;  ///< The largest Instance::model.
   /// Explains why `make` yields no instances; may return an empty string.
   std::function<std::string(Builder& builder, RandomKey key)> empty_reason = nullptr;
+  bool is_given = false;  ///< The transforms are given by the scene: `make` builds nothing.
 
   std::vector<Instance> operator()(Builder& builder, RandomKey key) const {
     return make(builder, key);

@@ -3,6 +3,7 @@
 // Children fold from left to right, so an n-ary blend has a defined order.
 #include <vug/field/boolean.h>
 #include <vug/field/constant.h>
+#include <vug/field/operands.h>
 
 #include <algorithm>
 #include <utility>
@@ -91,6 +92,12 @@ class FoldNode final : public EvaluationModes<FoldNode> {
     const bool plain = std::all_of(operands_.begin(), operands_.end(),
                                    [&](const Operand& o) { return o.sign == sign_; });
     return !plain ? "difference" : sign_ > 0 ? "union" : "intersection";
+  }
+  Operands operands() const {
+    Operands out;
+    for (const Operand& operand : operands_)
+      (operand.sign == sign_ ? out.kept : out.removed).push_back(operand.node);
+    return out;
   }
   std::vector<NodePtr> children() const override {
     std::vector<NodePtr> out;
@@ -276,6 +283,11 @@ Field subtract(Field base, std::vector<Field> cuts, const Blend& blend) {
 
 Field symmetric_difference(const Field& a, const Field& b, const Blend& blend) {
   return subtract(unite({a, b}, blend), {intersect({a, b}, blend)}, blend);
+}
+
+Operands operands_of(const Node& node) {
+  const auto* fold = dynamic_cast<const FoldNode*>(&node);
+  return fold ? fold->operands() : Operands();
 }
 
 Field complement(const Field& a) { return fold({Operand(a.node(), 1)}, -1, {}); }

@@ -3,6 +3,9 @@
 
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <mutex>
 #include <utility>
 
@@ -16,7 +19,19 @@ class DeferredNode final : public Node {
 
   double eval(const Point<double>& p) const override { return made().eval(p); }
   Dual<double> eval(const Point<Dual<double>>& p) const override { return made().eval(p); }
-  Interval eval(const Point<Interval>& p) const override { return made().eval(p); }
+  Interval eval(const Point<Interval>& p) const override {
+    constexpr double kWidest = 1e6;  // As the value of the empty field.
+    const Box3d& box = traits().bounds;
+    if (box.isEmpty()) return kWidest;
+    double squared = 0;
+    const Interval* axes[] = {&p.x, &p.y, &p.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      const double away =
+          std::max({box.min[axis] - axes[axis]->hi, axes[axis]->lo - box.max[axis], 0.0});
+      squared += away * away;
+    }
+    return {squared > 0 ? traits().growth_rate() * std::sqrt(squared) : -kWidest, kWidest};
+  }
   void eval(const Point<Pack>* points, int count, Pack* out, Scratch& scratch) const override {
     made().eval(points, count, out, scratch);
   }
@@ -25,8 +40,10 @@ class DeferredNode final : public Node {
     made().eval(points, count, out, scratch);
   }
   Restriction restrict_to(const Ball& ball) const override { return made().restrict_to(ball); }
-  std::string name() const override { return made().name(); }
-  std::vector<NodePtr> children() const override { return made().children(); }
+  std::string name() const override { return ready_ ? made().name() : "deferred"; }
+  std::vector<NodePtr> children() const override {
+    return ready_ ? made().children() : std::vector<NodePtr>();
+  }
 
  private:
   const Node& made() const {
@@ -34,12 +51,14 @@ class DeferredNode final : public Node {
       // Isolated: a thread that waits for its own loop must not start a task of an outer loop that
       // evaluates this field, because it would wait for itself.
       tbb::this_task_arena::isolate([&] { field_ = make_(); });
+      ready_ = true;
     });
     return *field_.node();
   }
 
   std::function<Field()> make_;
   mutable std::once_flag once_;
+  mutable std::atomic<bool> ready_ = false;
   mutable Field field_;
 };
 

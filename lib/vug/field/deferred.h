@@ -10,7 +10,8 @@ namespace vug::field {
 
 /// The field that `make` returns. It is called once, when a value is first needed: a scene whose
 /// text is only checked computes nothing. `traits` must hold for the result; its bounds may be
-/// larger. Thread-safe, even if `make` runs a parallel loop.
+/// larger. Interval evaluation gives bounds from the traits alone, and the expression is a leaf
+/// until it has been computed. Thread-safe, even if `make` runs a parallel loop.
 Field deferred(Traits traits, std::function<Field()> make);
 
 }  // namespace vug::field

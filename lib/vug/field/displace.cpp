@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/displace.h>
+#include <vug/field/operands.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,6 +81,7 @@ class DisplaceNode final : public EvaluationModes<DisplaceNode> {
     return out;
   }
   std::string name() const override { return "displace"; }
+  const NodePtr& child() const { return child_; }
   std::vector<NodePtr> children() const override {
     std::vector<NodePtr> out = {child_, noise_.field.node()};
     if (options_.by) out.push_back(options_.by->field.node());
@@ -125,6 +127,11 @@ Traits DisplaceNode::traits_of(const Traits& child, const Noise& noise,
 }
 
 }  // namespace
+
+NodePtr undisplaced(const Node& node) {
+  const auto* displacement = dynamic_cast<const DisplaceNode*>(&node);
+  return displacement ? displacement->child() : nullptr;
+}
 
 Field displaced(const Field& field, const Noise& noise, const Displacement& options) {
   if (options.amount == 0) return field;

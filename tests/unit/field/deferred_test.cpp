@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A deferred field is its result: computed once, on demand, from any number of threads.
 #include <vug/base/parallel.h>
+#include <vug/field/boolean.h>
 #include <vug/field/deferred.h>
+#include <vug/field/operands.h>
 #include <vug/field/registry.h>
 
 #include <gtest/gtest.h>
@@ -35,6 +37,28 @@ TEST(Deferred, IsComputedOnceWhenAValueIsNeeded) {
     EXPECT_EQ(field.restricted(region).range.lo, ball.restricted(region).range.lo);
     EXPECT_EQ(field.restricted(region).range.hi, ball.restricted(region).range.hi);
   });
+}
+
+TEST(Deferred, BoundsAndInspectionComputeNothing) {
+  const Field ball = make("sphere", {{"radius", 2.0}});
+  int calls = 0;
+  const Field drips = deferred(ball.node()->traits(), [&] {
+    ++calls;
+    return ball;
+  });
+  const Field rock = unite({make("box"), drips});
+  EXPECT_EQ(to_string(rock), "union\n  box\n  deferred\n");
+  EXPECT_EQ(node_count(rock), 3u);
+  const Interval inside = bounds_at(rock, Vec3d(0.1));  // in the box, in which nothing is removed
+  EXPECT_LT(inside.hi, 0);
+  const Interval unknown = bounds_at(rock, Vec3d(1.5, 0, 0));
+  EXPECT_LT(unknown.lo, 0);
+  EXPECT_GT(unknown.hi, 0);
+  EXPECT_NEAR(bounds_at(rock, Vec3d(5, 0, 0)).lo, 3, 1e-9);  // the distance to the ball's box
+  EXPECT_EQ(calls, 0);
+  EXPECT_LT(rock.value(Vec3d(1.5, 0, 0)), 0);
+  EXPECT_EQ(calls, 1);
+  EXPECT_TRUE(bounds_at(rock, Vec3d(1.5, 0, 0)).contains(rock.value(Vec3d(1.5, 0, 0))));
 }
 
 TEST(Deferred, AnErrorIsRepeated) {

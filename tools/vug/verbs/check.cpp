@@ -6,6 +6,7 @@
 #include <vug/building/cell_points.h>
 #include <vug/building/memory_estimate.h>
 #include <vug/image/ocio_view.h>
+#include <vug/loading/placement/check.h>
 #include <vug/loading/validate.h>
 #include <vug/shot/lsystem_plan.h>
 #include <vug/shot/queries.h>
@@ -99,6 +100,7 @@ loading::Loaded load_and_check(const Options& options) {
         {options.scene.scene, 0, 0}, "the scene declares nothing to build or to render",
         "declare a volume or a mesh, such as volume rock = level_set(sphere(1m), voxel: 5cm)");
   check_memory(loaded);
+  loading::check_placement(loaded, {}, loaded.diagnostics);
   return loaded;
 }
 

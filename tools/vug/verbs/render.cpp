@@ -11,6 +11,7 @@
 #include <vug/base/parallel.h>
 #include <vug/delivery/write_products.h>
 #include <vug/loading/dependencies.h>
+#include <vug/loading/placement/check.h>
 #include <vug/picture/frame_sequence.h>
 #include <vug/picture/stereo_views.h>
 
@@ -30,6 +31,7 @@ struct Options {
   std::string tile, samples, frames, eye;
   std::string part, checkpoint, preview;
   std::string ocio;
+  bool anyway = false;
   SettingOptions settings;
   picture::PictureOptions picture;
   picture::RenderOptions render;
@@ -119,6 +121,20 @@ void require_outputs(const Options& options, const loading::Loaded& loaded,
   vug::require_outputs(outputs, loading::file_dependencies(loaded));
 }
 
+/// Refuses a scene whose camera or lights are in rock, whose props float or whose voids are filled.
+void require_placement(const Options& options, const loading::Loaded& loaded,
+                       const picture::PicturePlan& plan, loading::Accuracy accuracy) {
+  if (options.anyway) return;
+  Diagnostics mistakes;
+  loading::check_placement(loaded, {picture::camera_name(loaded.shot, plan.render), accuracy},
+                           mistakes);
+  if (!mistakes.has_errors()) return;
+  clear_progress_bar();
+  fmt::print(stderr, "{}the render was not started; --anyway renders the scene as it is\n",
+             loaded.report(mistakes));
+  throw ExitRequest{kUnusable};
+}
+
 /// The options with the frame number inserted into file names that contain a placeholder.
 Options with_frame_number(const Options& options, int frame) {
   Options out = options;
@@ -144,6 +160,13 @@ int run_frames(const Options& options, const loading::SceneSource& source, Progr
   using Clock = std::chrono::steady_clock;
   const std::vector<int> frames = picture::parse_frames(options.frames);
   for (const int frame : frames) options_at_frame(options, frame);  // check names before any work
+  for (const int frame : frames) {  // and the animation before the first picture
+    if (options.anyway) break;
+    const loading::Loaded loaded = source.at(frame);
+    if (!loaded.usable()) break;  // reported at this frame
+    require_placement(options, loaded, picture::plan_picture(loaded.shot, options.picture),
+                      loading::Accuracy::bounds);
+  }
   std::unique_ptr<SceneAtFrame> now;
   double seconds = 0;
   size_t rendered = 0, skipped = 0;
@@ -161,6 +184,7 @@ int run_frames(const Options& options, const loading::SceneSource& source, Progr
       continue;
     }
     require_outputs(one, now->loaded, plan);
+    require_placement(options, now->loaded, plan, loading::Accuracy::exact);
     if (!options.work.quiet) {
       clear_progress_bar();
       fmt::print(stderr, "frame {}, {} of {}", frames[i], i + 1, frames.size());
@@ -205,6 +229,7 @@ int run(Options options) {
                      progress);
   const picture::PicturePlan plan = picture::plan_picture(scene.loaded.shot, options.picture);
   require_outputs(options, scene.loaded, plan);
+  require_placement(options, scene.loaded, plan, loading::Accuracy::exact);
   render_one(options, scene.builder, plan);
   options.work.summarise(scene.builder);
   return kDone;
@@ -230,6 +255,9 @@ Verb render_verb() {
         app.add_option("--eye", options->eye,
                        "Render only one view of a stereo camera: left or right")
             ->check(one_of({"left", "right"}));
+        app.add_flag("--anyway", options->anyway,
+                     "Render even if the camera or a light is in rock, a prop floats, or a void is "
+                     "filled");
         app.add_option("--ocio", options->ocio,
                        "OpenColorIO configuration for the PNG; default $OCIO");
         options->settings.add_to(app);

@@ -112,6 +112,6 @@ VUG_INSTANCE_SOURCE_KIND(points) {
           return keyed;
         };
         return std::make_shared<const building::InstanceFunction>(
-            building::IndexedInstanceSource{make, last});
+            building::IndexedInstanceSource{.make = make, .last_model = last, .is_given = true});
       });
 }

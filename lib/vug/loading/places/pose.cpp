@@ -48,6 +48,6 @@ VUG_INSTANCE_SOURCE_KIND(pose) {
           return std::vector<building::Instance>{{at, key, model}};
         };
         return std::make_shared<const building::InstanceFunction>(
-            building::IndexedInstanceSource{make, model});
+            building::IndexedInstanceSource{.make = make, .last_model = model, .is_given = true});
       });
 }

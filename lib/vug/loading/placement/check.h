@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds mistakes of set dressing before a picture is rendered: cameras and lights in rock, props in
+// mid-air, and voids that another part of the rock fills.
+#pragma once
+
+#include <vug/loading/load.h>
+#include <vug/loading/placement/solid.h>
+
+namespace vug::loading {
+
+struct PlacementOptions {
+  std::string camera;  ///< The only camera to check; empty: all of them.
+  Accuracy accuracy = Accuracy::bounds;
+};
+
+/// Adds an error for each mistake of a scene without errors, at the declaration of the camera, the
+/// light, the object or the `place`, or at the void. A camera may be inside a body of water or
+/// glass, an orthographic camera also in rock, since it shows sections. A light may be inside any
+/// body that light can leave, and is only reported if it is in rock with all of its shape. With
+/// Accuracy::bounds, speleothems of `dripstone` are taken into account for props only.
+void check_placement(const Loaded& scene, const PlacementOptions& options,
+                     Diagnostics& diagnostics);
+
+}  // namespace vug::loading
