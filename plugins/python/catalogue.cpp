@@ -10,8 +10,7 @@
 namespace vug::python {
 namespace {
 
-py::list kinds_for_python(const std::string& word) {
-  const std::vector<const KindInfo*> kinds = loading::find_kinds(word);
+py::list as_list(const std::vector<const KindInfo*>& kinds) {
   nlohmann::ordered_json json = loading::catalogue_json(kinds);
   for (size_t k = 0; k < kinds.size(); ++k)
     for (size_t p = 0; p < kinds[k]->params.size(); ++p)
@@ -28,9 +27,13 @@ void bind_catalogue(py::module_& module) {
       "Plugins in the folders of $VUG_PLUGIN_PATH are loaded by `import vug`.");
   module.def("plugins_in_path", &loading::plugins_in_path, "Plugins that `import vug` loads.");
   module.def(
-      "find_kinds", &kinds_for_python, "word"_a = "",
+      "find_kinds", [](const std::string& word) { return as_list(loading::find_kinds(word)); },
+      "word"_a = "",
       "The output of `vug list WORD --json`: kinds of that name, category or family, or all.\n"
       "Each parameter has an additional entry 'text' with its type, range and default.");
+  module.def(
+      "search_kinds", [](const std::string& text) { return as_list(loading::search_kinds(text)); },
+      "text"_a, "The kinds whose descriptions or synonyms contain all words of the text.");
   module.def("kind_words", &loading::kind_words, "Words that find_kinds accepts.");
   module.def("suggestion", &suggestion, "name"_a, "candidates"_a,
              "A sentence that suggests the nearest candidate.");

@@ -51,6 +51,26 @@ class List(VugTest):
             self.assertEqual([k["name"] for k in kinds if category in (k["category"], k["name"])],
                              [k["name"] for k in listed])
 
+    def test_search(self):
+        """Descriptions and synonyms, in any case."""
+        for words, found in ((["stalactite"], "dripstone"), (["HDRI"], "sky_image"), (["hdri"], "sky_image"),
+                             (["AOV"], "CryptoObject"), (["wet", "rock"], "coated"), (["wet rock"], "coated"),
+                             (["god rays"], "haze"), (["point light"], "sphere")):
+            self.assertRegex(self.expect(0, "list", *words).out, rf"\n  {found} ", words)
+        self.assertEqual([k["name"] for k in json.loads(self.expect(0, "list", "stalactite", "--json").out)],
+                         ["dripstone"])
+        error = self.expect(2, "list", "antimatter").err
+        self.assertEqual(error, "error: no kind, description or synonym contains 'antimatter'\n"
+                                "hint: 'vug list' lists all of them\n")
+
+    def test_each_kind_has_an_example(self):
+        self.assertTrue(self.expect(0, "list", "torus").out.endswith(
+            "\nexample:\n  field shape = torus(radius: 1m, tube: 20cm)\n"))
+        self.assertIn("\nexample:\n  mesh painted on cave {\n    paint layer(", self.expect(0, "list", "slope").out)
+        kinds = json.loads(self.expect(0, "list", "--json").out)
+        self.assertEqual([kind["name"] for kind in kinds if not kind["example"]], [])
+        self.assertIn("environment map", next(k for k in kinds if k["name"] == "sky_image")["synonyms"])
+
     def test_aovs(self):
         text = self.expect(0, "list", "aov").out
         self.assertRegex(text, r"\n  N +Normal of .*Channels N.X, N.Y, N.Z, written by default\.\n")

@@ -25,8 +25,20 @@ function(vug_kinds module folder)
   set_property(GLOBAL PROPERTY VUG_KINDS_${module}/${folder} ${ARGN})
 endfunction()
 
+# vug_example(INFO FILE HEADER)
+# FILE contains the example and the synonyms of the kind whose KindInfo is the expression INFO, declared in HEADER.
+# Kinds of vug_kinds do not need it: theirs is FOLDER/NAME.vug, if it exists.
+function(vug_example info file header)
+  file(READ ${file} text)
+  if(NOT CMAKE_SCRIPT_MODE_FILE)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  endif()
+  set_property(GLOBAL APPEND_STRING PROPERTY VUG_EXAMPLES "      {&${info}, R\"vug(${text})vug\"},\n")
+  set_property(GLOBAL APPEND PROPERTY VUG_EXAMPLE_HEADERS "#include <${header}>\n")
+endfunction()
+
 # vug_registries(FOLDER)
-# Writes FOLDER/MODULE/families.cpp, which defines the functions of the module's families, and
+# Writes FOLDER/loading/examples.cpp, which defines vug::loading::kind_texts(), FOLDER/MODULE/families.cpp, which defines the functions of the module's families, and
 # FOLDER/loading/scene_families.cpp, which defines vug::loading::scene_families().
 function(vug_registries out)
   get_property(families GLOBAL PROPERTY VUG_FAMILIES)
@@ -60,6 +72,11 @@ function(vug_registries out)
       foreach(kind ${kinds})
         string(APPEND declarations "${returned} ${kind}_${suffix}();\n")
         string(APPEND elements "      ${address}${kind}_${suffix}(),\n")
+        set(example ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../lib/vug/${module}/${folder}/${kind}.vug)
+        if(EXISTS ${example})
+          vug_example("::vug::${module}::${kind}_${suffix}().info" ${example} ${header})
+          string(APPEND example_declarations "namespace vug::${module} {\n${returned} ${kind}_${suffix}();\n}\n")
+        endif()
       endforeach()
       list(APPEND modules ${module})
       list(APPEND headers_${module} "#include <${header}>\n")
@@ -94,12 +111,31 @@ ${scene_calls}  return all;
 
 }  // namespace vug::loading
 " @ONLY)
+  get_property(headers GLOBAL PROPERTY VUG_EXAMPLE_HEADERS)
+  list(REMOVE_DUPLICATES headers)
+  string(CONCAT headers ${headers})
+  get_property(examples GLOBAL PROPERTY VUG_EXAMPLES)
+  file(CONFIGURE OUTPUT ${out}/loading/examples.cpp CONTENT
+    "// Generated from the examples next to the kinds, lib/vug/*/*/*.vug.
+#include <vug/loading/example.h>
+${headers}
+${example_declarations}
+namespace vug::loading {
+
+const std::vector<KindText>& kind_texts() {
+  static const std::vector<KindText> all = {
+${examples}  };
+  return all;
+}
+
+}  // namespace vug::loading
+" @ONLY)
   foreach(module ${modules})
     if(TARGET vug_${module} AND (NOT VUG_SLICE OR module IN_LIST VUG_SLICE))
       target_sources(vug_${module} PRIVATE ${out}/${module}/families.cpp)
     endif()
   endforeach()
   if(TARGET vug_loading AND (NOT VUG_SLICE OR loading IN_LIST VUG_SLICE))
-    target_sources(vug_loading PRIVATE ${out}/loading/scene_families.cpp)
+    target_sources(vug_loading PRIVATE ${out}/loading/scene_families.cpp ${out}/loading/examples.cpp)
   endif()
 endfunction()

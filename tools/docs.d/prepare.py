@@ -120,7 +120,9 @@ def kinds_pages(vug, entries):
         categories[kind["category"]].append(kind)
     pages = {}
     overview = ["# Kinds", "",
-                "Everything that a scene, a comparison or an export can name, generated from `vug list`.", "",
+                "Everything that a scene, a comparison or an export can name, generated from `vug list`. Examples refer",
+                "to a field `rock`, its level set `cave`, its mesh `skin`, an object `pebble`, an L-system `fern` and a",
+                "facade `front`.", "",
                 "| category | kinds |", "|---|---|"]
     for category, members in categories.items():
         file = category.replace(" ", "_") + ".md"
@@ -129,6 +131,8 @@ def kinds_pages(vug, entries):
         lines = [f"# Kinds: {category}", ""]
         for kind in members:
             lines += [f"## {kind['name']}", "", escaped(kind["doc"]), ""]
+            if kind.get("synonyms"):
+                lines += ["Also found as: " + escaped(", ".join(kind["synonyms"])) + ".", ""]
             if kind.get("cite") in entries:
                 name = label(kind["cite"], entries[kind["cite"]])
                 lines += [f"Source: [{name}](../../sources.md#{kind['cite']})", ""]
@@ -141,6 +145,8 @@ def kinds_pages(vug, entries):
                     lines.append(f"| `{param['name']}` | {escaped(limits(param))} | {default} "
                                  f"| {escaped(param.get('doc', ''))} |")
                 lines.append("")
+            if kind.get("example"):
+                lines += ["```text" if kind["example"].startswith("vug ") else "```vug", kind["example"], "```", ""]
         pages[f"reference/kinds/{file}"] = "\n".join(lines)
     pages["reference/kinds/index.md"] = "\n".join(overview) + "\n"
     return pages

@@ -3,6 +3,7 @@
 #include <vug/facade/split.h>
 #include <vug/image/measure.h>
 #include <vug/loading/catalogue.h>
+#include <vug/loading/example.h>
 #include <vug/loading/facade_binding.h>
 #include <vug/loading/grammar_binding.h>
 #include <vug/loading/reader.h>
@@ -15,7 +16,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <sstream>
 
 namespace vug::loading {
 namespace {
@@ -70,6 +73,56 @@ std::vector<const KindInfo*> find_kinds(const std::string& word) {
   std::vector<const KindInfo*> kept;
   std::copy_if(kinds.begin(), kinds.end(), std::back_inserter(kept), belongs);
   return kept;
+}
+
+namespace {
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+/// Whether the text contains all words, each at the beginning of a word.
+bool contains_words(const std::string& text, const std::vector<std::string>& words) {
+  const auto is_start = [&](size_t at) {
+    return at == 0 || !std::isalnum(static_cast<unsigned char>(text[at - 1]));
+  };
+  return std::all_of(words.begin(), words.end(), [&](const std::string& word) {
+    size_t at = text.find(word);
+    while (at != text.npos && !is_start(at)) at = text.find(word, at + 1);
+    return at != text.npos;
+  });
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream in(lower(text));
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+}  // namespace
+
+std::vector<const KindInfo*> search_kinds(const std::string& text) {
+  const std::vector<std::string> words = words_of(text);
+  std::vector<const KindInfo*> named, described;
+  if (words.empty()) return named;
+  for (const KindInfo* kind : all_kinds()) {
+    const std::string names = lower(
+        fmt::format("{} {} {}", kind->name, kind->category, fmt::join(synonyms_of(*kind), " ; ")));
+    std::string all = names + " " + lower(kind->doc);
+    if (contains_words(names, words)) {
+      named.push_back(kind);
+      continue;
+    }
+    for (const ParamInfo& param : kind->params)
+      all += lower(" " + param.name + " " + param.doc + " " +
+                   fmt::format("{}", fmt::join(param.choices, " ")));
+    if (contains_words(all, words)) described.push_back(kind);
+  }
+  named.insert(named.end(), described.begin(), described.end());
+  return named;
 }
 
 std::vector<std::string> kind_words() {
@@ -141,6 +194,8 @@ nlohmann::ordered_json catalogue_json(const std::vector<const KindInfo*>& kinds)
     nlohmann::ordered_json entry = {
         {"name", kind->name}, {"category", kind->category}, {"doc", kind->doc}};
     if (!kind->cite.empty()) entry["cite"] = kind->cite;
+    if (const auto synonyms = synonyms_of(*kind); !synonyms.empty()) entry["synonyms"] = synonyms;
+    entry["example"] = example_of(*kind);
     entry["params"] = std::move(params);
     list.push_back(std::move(entry));
   }

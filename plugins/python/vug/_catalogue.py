@@ -31,6 +31,8 @@ class Kind:
         self.category: str = data["category"]
         self.doc: str = data["doc"]
         self.cite: Optional[str] = data.get("cite")  # a key of docs/references.bib
+        self.example: str = data["example"]  # scene text
+        self.synonyms: List[str] = data.get("synonyms", [])
         self.params: Dict[str, KindParam] = {p["name"]: _param(p) for p in data["params"]}
         self.__doc__ = str(self)
 
@@ -38,6 +40,7 @@ class Kind:
         lines = [f"{self.name} ({self.category}): {self.doc}"]
         for p in self.params.values():
             lines.append(f"  {p.name:<14} {p.text}" + (f"; {p.doc}" if p.doc else ""))
+        lines += ["example:", *(f"  {line}" for line in self.example.splitlines())]
         return "\n".join(lines)
 
     def __repr__(self) -> str:
@@ -50,6 +53,10 @@ class Catalogue:
     def find(self, word: str) -> List[Kind]:
         """Kinds of that name, of that category, or accepted by that declaration."""
         return [Kind(data) for data in _vug.find_kinds(word)] if word else []
+
+    def search(self, text: str) -> List[Kind]:
+        """Kinds whose names, descriptions, synonyms or parameters contain all words of the text."""
+        return [Kind(data) for data in _vug.search_kinds(text)]
 
     def __iter__(self) -> Iterator[Kind]:
         return iter([Kind(data) for data in _vug.find_kinds()])
