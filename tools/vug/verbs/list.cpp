@@ -36,7 +36,7 @@ void print_kind(const KindInfo& kind) {
   for (const ParamInfo& param : kind.params)
     fmt::print("  {:<14} {}{}\n", param.name, loading::describe(param),
                param.doc.empty() ? "" : "; " + param.doc);
-  fmt::print("\nexample:\n");
+  fmt::print("example:\n");
   std::istringstream lines(loading::example_of(kind));
   for (std::string line; std::getline(lines, line);) fmt::print("  {}\n", line);
 }
