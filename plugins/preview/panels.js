@@ -83,6 +83,9 @@ function metrics(data) {
   for (const { center, pairs } of (left.crossing_places ?? []).slice(0, 5))
     faults.push(row(`at (${center.map(number).join(', ')})`, `${number(pairs)} pairs`, 'bad'));
   delete left.crossing_places;
+  for (const { kind, center, removed } of (left.small_features ?? []).slice(0, 5))
+    faults.push(row(`at (${center.map(number).join(', ')})`, removed ? `${kind}, removed` : kind, removed ? 'good' : 'bad'));
+  delete left.small_features;
   const box = left.bounds;
   delete left.bounds;
   if (Array.isArray(box))

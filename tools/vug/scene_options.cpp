@@ -110,10 +110,15 @@ building::BuildOptions WorkOptions::build_options(const loading::Loaded& loaded)
 
 void WorkOptions::summarise(const building::Builder& builder) const {
   if (quiet) return;
-  for (const shot::MeshPtr& plan : shot::declared_meshes(builder.shot()))
+  for (const shot::MeshPtr& plan : shot::declared_meshes(builder.shot())) {
+    const std::vector<volume::SmallFeature> small = builder.small_features(plan);
+    if (!small.empty() && plan->topology == shot::SmallTopology::clean)
+      fmt::print(stderr, "mesh '{}': removed features smaller than two voxels: {}\n", plan->name,
+                 describe(small));
     if (const size_t pieces = builder.components_removed(plan); pieces > 0)
       fmt::print(stderr, "mesh '{}': {} smaller than {} m removed\n", plan->name,
                  pluralize(pieces, "piece"), plan->smallest_piece);
+  }
 }
 
 }  // namespace vug::cli

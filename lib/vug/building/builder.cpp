@@ -216,9 +216,15 @@ mesh::MeshPtr Builder::mesh_for_volume(const shot::MeshPtr& plan) {
 Builder::BuiltMesh Builder::build_plain(const shot::MeshPlan& plan) {
   const volume::LevelSet* surface = plan.file_mesh ? nullptr : &level_set(plan.volume);
   const Stopwatch watch(seconds_);
-  mesh::LargeComponents pieces =
-      surface ? make_mesh(plan, *surface, memory_budget(), progress_) : make_mesh(plan);
-  return {std::make_shared<const mesh::Mesh>(std::move(pieces.mesh)), pieces.removed, false};
+  SurfaceMesh made = surface ? make_mesh(plan, *surface, memory_budget(), progress_)
+                             : SurfaceMesh{make_mesh(plan), {}};
+  if (plan.topology == shot::SmallTopology::keep && !made.small_features.empty())
+    warn(plan.volume->where,
+         fmt::format("the mesh '{}' has features smaller than two voxels: {}", plan.name,
+                     describe(made.small_features)),
+         "topology clean removes them");
+  return {std::make_shared<const mesh::Mesh>(std::move(made.pieces.mesh)), made.pieces.removed,
+          std::move(made.small_features), false};
 }
 
 Builder::BuiltMesh Builder::build_with_cells(const shot::MeshPlan& plan, Folds folds) {
@@ -247,7 +253,7 @@ Builder::BuiltMesh Builder::build_with_cells(const shot::MeshPlan& plan, Folds f
   if (worn->triangles.empty() && !bare->triangles.empty())
     warn(plan.cells->where, fmt::format("nothing remains of the mesh '{}'", plan.name),
          "all of its cells have been removed, and 'holes' cuts the mesh there");
-  return {worn, components_removed(under), made.unfolded_vertices > 0};
+  return {worn, components_removed(under), small_features(under), made.unfolded_vertices > 0};
 }
 
 Builder::BuiltMesh Builder::build_merged(const shot::MeshPlan& plan) {
@@ -256,6 +262,8 @@ Builder::BuiltMesh Builder::build_merged(const shot::MeshPlan& plan) {
   for (const shot::MeshPtr& part : plan.parts) {
     parts.push_back(mesh(part));
     made.components_removed += components_removed(part);
+    for (const volume::SmallFeature& each : small_features(part))
+      made.small_features.push_back(each);
   }
   made.mesh = std::make_shared<const mesh::Mesh>(merge_meshes(parts));
   return made;
@@ -330,6 +338,11 @@ size_t Builder::components_removed(const shot::MeshPtr& plan) const {
   if (const BuiltMesh* known = cached(plan)) return known->components_removed;
   const auto surface = cached_surface(plan);
   return surface ? surface->components_removed() : 0;
+}
+
+std::vector<volume::SmallFeature> Builder::small_features(const shot::MeshPtr& plan) const {
+  const BuiltMesh* known = cached(plan);
+  return known ? known->small_features : std::vector<volume::SmallFeature>();
 }
 
 }  // namespace vug::building

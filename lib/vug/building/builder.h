@@ -9,6 +9,7 @@
 #include <vug/mesh/mesh.h>
 #include <vug/shot/shot.h>
 #include <vug/volume/level_set.h>
+#include <vug/volume/small_features.h>
 #include <vug/volume/surface_bricks.h>
 
 #include <functional>
@@ -49,6 +50,8 @@ class Builder {
   /// Number of components that `smallest_piece` removed from the mesh or surface; 0 before it is
   /// built.
   size_t components_removed(const shot::MeshPtr& plan) const;
+  /// Bubbles and handles of the mesh that were smaller than two voxels; none before it is built.
+  std::vector<volume::SmallFeature> small_features(const shot::MeshPtr& plan) const;
 
   /// Error(too_large) if the estimate for the mesh, its grid and its cells exceeds the memory
   /// budget.
@@ -74,6 +77,7 @@ class Builder {
   struct BuiltMesh {
     std::shared_ptr<const mesh::Mesh> mesh;
     size_t components_removed = 0;
+    std::vector<volume::SmallFeature> small_features = {};
     bool unfolded = false;  ///< Displacements were changed because they would have folded it.
   };
   std::map<shot::MeshPtr, BuiltMesh> meshes_;

@@ -9,6 +9,7 @@
 #include <vug/volume/level_set_field.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace vug::building {
 
@@ -23,20 +24,24 @@ void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const field::Sample
   mesh.attributes.push_back(std::move(color));
 }
 
-mesh::LargeComponents make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface,
-                                uint64_t memory, Progress& progress) {
+SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface, uint64_t memory,
+                      Progress& progress) {
   meshing::PolygonizeOptions polygonize;
   polygonize.adaptivity = plan.adaptivity;
   polygonize.polish = plan.polish;
-  const field::Field* exact =
-      plan.polish && !plan.volume->source_mesh ? &plan.volume->field : nullptr;
+  const field::Field* exact = plan.volume->source_mesh ? nullptr : &plan.volume->field;
   const auto active = static_cast<double>(surface.statistics().active_voxels);
   require_memory(meshing_bytes(active, 2 * plan.volume->half_width), memory, "the mesh");
+  std::vector<volume::SmallFeature> small = volume::find_small_features(surface, exact);
+  const volume::LevelSet meshed = plan.topology == shot::SmallTopology::clean
+                                      ? volume::without_features(surface, small)
+                                      : surface;
   mesh::LargeComponents pieces = mesh::large_components(
-      meshing::polygonize(surface, exact, polygonize, progress).mesh, plan.smallest_piece);
+      meshing::polygonize(meshed, plan.polish ? exact : nullptr, polygonize, progress).mesh,
+      plan.smallest_piece);
   if (plan.paint) add_colors(pieces.mesh, plan.paint, volume::sampled_grid(surface).get());
   if (!plan.elements.empty()) facade::add_semantics(pieces.mesh, plan.elements);
-  return pieces;
+  return {std::move(pieces), std::move(small)};
 }
 
 mesh::LargeComponents make_mesh(const shot::MeshPlan& plan) {

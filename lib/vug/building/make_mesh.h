@@ -6,13 +6,20 @@
 #include <vug/mesh/components.h>
 #include <vug/shot/shot.h>
 #include <vug/volume/level_set.h>
+#include <vug/volume/small_features.h>
 
 namespace vug::building {
 
+struct SurfaceMesh {
+  mesh::LargeComponents pieces;
+  /// Removed from the surface, or kept, as the plan says.
+  std::vector<volume::SmallFeature> small_features;
+};
+
 /// The mesh of the plan's level set without its small components, with vertex colours and with the
 /// attributes of facade elements. Error(too_large) if `memory` bytes do not suffice.
-mesh::LargeComponents make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface,
-                                uint64_t memory, Progress& progress);
+SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface, uint64_t memory,
+                      Progress& progress);
 
 /// The mesh of the plan's file without its small components, with vertex colours.
 mesh::LargeComponents make_mesh(const shot::MeshPlan& plan);

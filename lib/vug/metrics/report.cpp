@@ -30,6 +30,7 @@ void for_each(const Report& r, const Row& row) {
   row("zero_area_triangles", r.zero_area_triangles, "");
   row("self_intersections", r.self_intersections, "");
   row("crossing_places", r.crossing_places, "");
+  row("small_features", r.small_features, "");
   row("bounds", r.bounds, "m");
 }
 
@@ -39,6 +40,16 @@ std::string text(const Box3d& box) {
   if (box.isEmpty()) return "-";
   return fmt::format("({:.6g}, {:.6g}, {:.6g}) .. ({:.6g}, {:.6g}, {:.6g})", box.min.x, box.min.y,
                      box.min.z, box.max.x, box.max.y, box.max.z);
+}
+std::string text(const Vec3d& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x, p.y, p.z); }
+std::string text(const std::vector<SmallFeaturePlace>& features) {
+  constexpr size_t kMost = 5;
+  std::string list;
+  for (size_t i = 0; i < std::min(kMost, features.size()); ++i)
+    list += fmt::format("{}{} at {}{}", i ? "; " : "", features[i].kind, text(features[i].centre),
+                        features[i].removed ? ", removed" : "");
+  if (features.size() > kMost) list += fmt::format("; and {} others", features.size() - kMost);
+  return list.empty() ? "-" : list;
 }
 /// The places with the most pairs.
 std::string text(const std::vector<CrossingPlace>& places) {
@@ -68,6 +79,14 @@ nlohmann::ordered_json json(const std::vector<CrossingPlace>& places) {
     list.push_back({{"center", {place.centre.x, place.centre.y, place.centre.z}},
                     {"size", place.size},
                     {"pairs", place.pairs}});
+  return list;
+}
+nlohmann::ordered_json json(const std::vector<SmallFeaturePlace>& features) {
+  auto list = nlohmann::ordered_json::array();
+  for (const SmallFeaturePlace& each : features)
+    list.push_back({{"kind", each.kind},
+                    {"center", {each.centre.x, each.centre.y, each.centre.z}},
+                    {"removed", each.removed}});
   return list;
 }
 template <class T>

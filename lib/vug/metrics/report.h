@@ -6,8 +6,16 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vug::metrics {
+
+/// A bubble or handle of the level set that is smaller than two voxels.
+struct SmallFeaturePlace {
+  std::string kind;  ///< "bubble", "crumb" or "handle".
+  Vec3d centre;
+  bool removed = false;  ///< From the mesh.
+};
 
 /// Values that cannot be derived from the input are empty (JSON: null).
 struct Report {
@@ -29,6 +37,7 @@ struct Report {
   std::optional<size_t> self_intersections;  ///< Pairs of triangles; empty if not computed.
   size_t crossing_triangles = 0;             ///< Triangles in these pairs.
   std::vector<CrossingPlace> crossing_places = {};
+  std::vector<SmallFeaturePlace> small_features = {};
   Box3d bounds;
 
   /// The share of the triangles that intersect others or have no area.

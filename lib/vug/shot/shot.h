@@ -57,14 +57,18 @@ using VolumePtr = std::shared_ptr<const VolumePlan>;
 struct CellsPlan;  ///< See cells_plan.h.
 using CellsPtr = std::shared_ptr<const CellsPlan>;
 
+/// The treatment of bubbles and handles of a mesh that are smaller than two voxels.
+enum class SmallTopology { clean, keep };
+
 /// `mesh NAME on VOLUME { ... }` or `mesh NAME { file ... }`, such a mesh with a cell layer, or
 /// several meshes combined into one.
 struct MeshPlan {
   std::string name;
-  VolumePtr volume;            ///< Null for a combined mesh and for a mesh from a file.
-  mesh::MeshPtr file_mesh;     ///< The mesh of the file, in metres and with normals.
-  double adaptivity = 0;       ///< 0 keeps every quad, 1 merges flat regions.
-  bool polish = true;          ///< Move vertices onto the exact field.
+  VolumePtr volume;         ///< Null for a combined mesh and for a mesh from a file.
+  mesh::MeshPtr file_mesh;  ///< The mesh of the file, in metres and with normals.
+  double adaptivity = 0;    ///< 0 keeps every quad, 1 merges flat regions.
+  bool polish = true;       ///< Move vertices onto the exact field.
+  SmallTopology topology = SmallTopology::clean;
   double smallest_piece = 0;   ///< Metres; components with a shorter box diagonal are removed.
   std::string format = "ply";  ///< A kind of mesh::formats().
   paint::Paint paint;          ///< Vertex colours (attribute Cd); null: none.

@@ -50,6 +50,9 @@ Schema<MeshBlock> mesh_schema() {
           "elements", &MeshBlock::elements_of,
           {.doc = "facades, or solids that they are carved into: the vertices store their node and "
                   "their kind of element"})
+      .choice("topology", static_cast<shot::SmallTopology MeshBlock::*>(&shot::MeshPlan::topology),
+              {{"clean", shot::SmallTopology::clean}, {"keep", shot::SmallTopology::keep}},
+              "bubbles and handles smaller than two voxels: clean removes them")
       .choice("format", static_cast<std::string MeshBlock::*>(&shot::MeshPlan::format), formats(),
               "format of the written file");
   s.param("file", &MeshBlock::file, {.doc = "an OBJ, PLY or STL file, which may be open"})
@@ -100,7 +103,8 @@ mesh::MeshPtr read_source(const MeshBlock& block, const scene::Declaration& decl
                               fmt::format("remove 'on' or '{}'", entry.key));
     return nullptr;
   }
-  for (const char* key : {"adaptivity", "polish", "elements", drawn ? "file" : "tolerance"})
+  for (const char* key :
+       {"adaptivity", "polish", "topology", "elements", drawn ? "file" : "tolerance"})
     if (const scene::Entry* other = declaration.find_entry(key)) {
       context.diagnostics.error(
           other->where, fmt::format("a mesh {} does not use '{}'", source, key), "leave it out");
