@@ -11,7 +11,8 @@ namespace {
 bool can_merge(const render::Object& object) {
   return object.instance && !object.instance->moves() && object.mesh && !object.solid &&
          !object.world_space_material && object.emission == render::Rgb(0.0f) &&
-         !(object.material && object.material->is_emissive());
+         !(object.material &&
+           (object.material->is_emissive() || object.material->refers_to_scene()));
 }
 
 Transform object_transform(const render::Object& object) {

@@ -2,6 +2,7 @@
 #include <vug/building/flat_scene.h>
 #include <vug/delivery/assembly.h>
 #include <vug/delivery/bake.h>
+#include <vug/delivery/material_probe.h>
 #include <vug/picture/picture_plan.h>
 #include <vug/shot/cells_plan.h>
 
@@ -31,7 +32,7 @@ class Collector {
  public:
   Collector(const std::vector<render::Object>& objects, AssemblyResult& out) : out_(out) {
     for (const render::Object& object : objects)
-      if (object.world_space_material) ++counts_[key_of(object)];
+      if (varies_by_instance(object)) ++counts_[key_of(object)];
     for (const render::Object& object : objects) add(object);
     make_names_unique();
   }
@@ -55,7 +56,7 @@ class Collector {
 
   size_t prototype_of(const render::Object& object) {
     const Key key = key_of(object);
-    if (!object.world_space_material) return shared_prototype(key, object);
+    if (!varies_by_instance(object)) return shared_prototype(key, object);
     const size_t places = counts_.at(key);
     if (places * object.mesh->positions.size() <= kMaxVertices) return own_prototype(key, object);
     if (size_t& probes = probes_[key]; probes < kProbes) {
@@ -95,7 +96,7 @@ class Collector {
   }
 
   static render::Object without_instance_look(render::Object object) {
-    object.world_space_material = false;
+    object.instance = nullptr;
     return object;
   }
   static BakeResult bake_without_instance(const render::Object& object) {

@@ -18,13 +18,18 @@ std::vector<uint32_t> corners_of(const mesh::Mesh& mesh) {
 
 }  // namespace
 
+bool varies_by_instance(const render::Object& object) {
+  return object.instance &&
+         (object.world_space_material || (object.material && object.material->refers_to_scene()));
+}
+
 MaterialProbe::MaterialProbe(const render::Object& object)
     : object_(object),
       mesh_(*object.mesh),
       corners_(corners_of(mesh_)),
       color_(mesh::find_attribute(mesh_, mesh::kColour, 3)) {
   if (mesh_.normals.empty()) normals_ = mesh::vertex_normals(mesh_);
-  if (object.world_space_material && object.instance) instance_ = object.instance.get();
+  if (varies_by_instance(object)) instance_ = object.instance.get();
 }
 
 render::Surface MaterialProbe::surface(const Vec3f& position, const Vec3f& normal,
@@ -38,7 +43,7 @@ render::Surface MaterialProbe::surface(const Vec3f& position, const Vec3f& norma
   if (instance_) {
     const render::Affine place = instance_->at(0);
     surface.instance = instance_;
-    surface.world_space_material = true;
+    surface.world_space_material = object_.world_space_material;
     surface.position = place.point(surface.position);
     surface.shading_normal = render::normalized(place.normal(surface.shading_normal));
   }

@@ -10,6 +10,9 @@
 
 namespace vug::delivery {
 
+/// Whether instances of the object can look different.
+bool varies_by_instance(const render::Object& object);
+
 /// Stores a reference to the object, which must outlive it.
 class MaterialProbe {
  public:
@@ -33,7 +36,7 @@ class MaterialProbe {
   std::vector<uint32_t> corners_;  ///< A corner of each vertex, as triangle * 3 + corner.
   std::vector<Vec3f> normals_;     ///< Vertex normals if the mesh has none.
   const mesh::Attribute* color_;
-  const render::InstanceTransform* instance_ = nullptr;  ///< Set for world-space materials.
+  const render::InstanceTransform* instance_ = nullptr;  ///< Set if it determines the look.
 };
 
 }  // namespace vug::delivery

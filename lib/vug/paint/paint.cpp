@@ -15,7 +15,7 @@ double ramp(double x, double from, double to) {
 AttributeUses attribute_uses(const Mask& mask, const Paint& a, const Paint& b) {
   AttributeUses all = mask ? mask->uses() : AttributeUses{};
   for (const Paint& paint : {a, b})
-    if (paint) all.insert(all.end(), paint->uses().begin(), paint->uses().end());
+    if (paint) all.add(paint->uses());
   return all;
 }
 

@@ -34,6 +34,8 @@ struct EvalPoint {
       nullptr;  ///< From this space to that of `solid`; null if they are the same.
   const Attributes* attributes = nullptr;  ///< The attributes of the mesh, if known.
   double footprint = 0;  ///< Width in metres of the sampled area; finer detail may be left out.
+  const EvalPoint* in_scene =
+      nullptr;  ///< The point in the space of the scene; null if this space is the same.
 };
 
 /// An attribute that a mask or a paint reads, and where the text names it.
@@ -41,7 +43,17 @@ struct AttributeUse {
   std::string attribute;
   SourceLocation where;
 };
-using AttributeUses = std::vector<AttributeUse>;
+/// The attributes that masks and paints read, and whether they depend on the position of an
+/// instance.
+struct AttributeUses : std::vector<AttributeUse> {
+  using vector::vector;
+  bool refers_to_scene = false;
+
+  void add(const AttributeUses& more) {
+    insert(end(), more.begin(), more.end());
+    refers_to_scene = refers_to_scene || more.refers_to_scene;
+  }
+};
 
 /// A function of an EvalPoint, with the attributes that it reads. Immutable, shared between
 /// threads.
@@ -75,7 +87,7 @@ template <class T>
 AttributeUses attribute_uses(const std::vector<std::shared_ptr<const SurfaceFunction<T>>>& parts) {
   AttributeUses all;
   for (const auto& part : parts)
-    if (part) all.insert(all.end(), part->uses().begin(), part->uses().end());
+    if (part) all.add(part->uses());
   return all;
 }
 AttributeUses attribute_uses(const Mask& mask, const Paint& a, const Paint& b = nullptr);

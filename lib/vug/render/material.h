@@ -90,6 +90,10 @@ class Material {
   /// surface with this material's albedo at normal incidence.
   virtual exchange::Look look(const Surface& surface) const;
 
+  /// Whether a mask or a paint refers to the scene, so that the instances of an object differ even
+  /// if the material is evaluated in the mesh's own space.
+  virtual bool refers_to_scene() const { return false; }
+
   /// The same material for light in other primaries. `from_rec709` converts from linear Rec.709,
   /// the space of its parameters, paints and vertex colours.
   virtual std::shared_ptr<const Material> in_space(

@@ -166,6 +166,41 @@ place row { of pebble at [(0, 0, 3), (1, 0, 3)] material plain }
   EXPECT_NEAR(red(2, 0), 0.1, 1e-6);  // above the whole ramp
 }
 
+/// The noise of the stone itself is the same everywhere; its moss depends on the height in the
+/// scene and the slope there.
+TEST(Assemble, MasksOfAnObjectMayReferToTheScene) {
+  const std::string text = R"(
+volume stone = level_set(sphere(30cm), voxel: 10cm)
+mesh pebble on stone {}
+object own on pebble { material surface(roughness: height(from: 0m, to: 4m)) }
+object grown on pebble { material surface(roughness: height(from: 0m, to: 4m, in: scene), coat: slope(in: scene)) }
+place row { of own at [(0, 0, 0), (0, 2, 0)] }
+place tower { of grown at [(0, 0, 0), pose(position: (0, 2, 0), scale: 2), pose(position: (0, 2, 0), roll: 180deg)] }
+)";
+  const Made made(text);
+  const exchange::Assembly& all = made.out.assembly;
+  ASSERT_EQ(all.groups.size(), 4u);
+  EXPECT_EQ(all.groups[0].name, "row");
+  EXPECT_EQ(all.groups[0].places.size(), 2u);
+  const auto at = [&](size_t group, const char* name, float height) {
+    const exchange::Prototype& part = all.prototypes[all.groups[group].prototype];
+    const mesh::Attribute* values = mesh::find_attribute(*part.mesh, name, 1);
+    for (size_t v = 0; values && v < part.mesh->positions.size(); ++v)
+      if (std::fabs(part.mesh->positions[v].y - height) < 0.011f)
+        return static_cast<double>(values->values[v]);
+    return -1.0;
+  };
+  const auto wanted = [](double y) {
+    const double t = std::clamp(y / 4, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+  };
+  EXPECT_NEAR(at(1, "roughness", 0.3f), wanted(0.3), 2e-2);
+  EXPECT_NEAR(at(2, "roughness", 0.3f), wanted(2.6), 2e-2);  // twice as large, at 2 m
+  EXPECT_NEAR(at(3, "roughness", 0.3f), wanted(1.7), 2e-2);  // upside down
+  EXPECT_LT(at(1, "wetness", 0.3f), 0.05);
+  EXPECT_GT(at(3, "wetness", 0.3f), 0.95);
+}
+
 TEST(Assemble, ObjectsOfOnePlaceHaveUniqueNames) {
   const Made made(R"(
 volume stone = level_set(sphere(30cm), voxel: 10cm)

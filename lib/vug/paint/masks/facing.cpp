@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/maths.h>
 #include <vug/paint/kind.h>
+#include <vug/paint/space.h>
 
 #include <algorithm>
 
 namespace vug::paint {
 namespace {
 
-struct Facing {
+struct Facing : InSpace {
   Vec3d toward{0, 0, 1};
   double from = kPi / 2;
   double to = 0;
@@ -23,6 +24,7 @@ struct Facing {
                 .dimension = Dimension::angle})
         .param("to", &Facing::to,
                {.doc = "angle where the mask is 1", .dimension = Dimension::angle});
+    describe_space(s);
   }
 };
 
@@ -31,9 +33,10 @@ struct Facing {
 
 VUG_MASK_KIND(facing) {
   return mask_kind<Facing>("facing", [](const Facing& f) {
-    return make_mask([f, way = f.toward.normalized()](const EvalPoint& point) {
+    const auto evaluate = [f, way = f.toward.normalized()](const EvalPoint& point) {
       const double along = std::clamp(point.normal.dot(way), -1.0, 1.0);
       return ramp(maths::acos(along), f.from, f.to);
-    });
+    };
+    return make_mask(in_space(f, evaluate), f.uses());
   });
 }

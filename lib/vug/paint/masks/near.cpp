@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/paint/kind.h>
+#include <vug/paint/space.h>
 
 namespace vug::paint {
 namespace {
 
-struct Near {
+struct Near : InSpace {
   field::Field field;
   double from = 1;
   double to = 0;
@@ -16,6 +17,7 @@ struct Near {
         .param("field", &Near::field, {.doc = "the solid", .required = true})
         .param("from", &Near::from, any_length("distance where the mask is 0"))
         .param("to", &Near::to, any_length("distance where the mask is 1"));
+    describe_space(s);
   }
 };
 
@@ -24,7 +26,9 @@ struct Near {
 
 VUG_MASK_KIND(near) {
   return mask_kind<Near>("near", [](const Near& n) {
-    return make_mask(
-        [n](const EvalPoint& point) { return ramp(n.field.value(point.position), n.from, n.to); });
+    const auto evaluate = [n](const EvalPoint& point) {
+      return ramp(n.field.value(point.position), n.from, n.to);
+    };
+    return make_mask(in_space(n, evaluate), n.uses());
   });
 }

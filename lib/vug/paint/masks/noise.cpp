@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/noise.h>
 #include <vug/paint/kind.h>
+#include <vug/paint/space.h>
 
 namespace vug::paint {
 namespace {
 
-struct NoiseMask {
+struct NoiseMask : InSpace {
   field::Noise noise;
   double from = -0.5;
   double to = 0.5;
@@ -17,6 +18,7 @@ struct NoiseMask {
         .param("noise", &NoiseMask::noise, {.doc = "fbm, beds, worley, ...; about -1 to 1"})
         .param("from", &NoiseMask::from, {.doc = "value of the noise where the mask is 0"})
         .param("to", &NoiseMask::to, {.doc = "value where the mask is 1"});
+    describe_space(s);
   }
 };
 
@@ -25,8 +27,9 @@ struct NoiseMask {
 
 VUG_MASK_KIND(noise) {
   return mask_kind<NoiseMask>("noise", [](const NoiseMask& n) {
-    return make_mask([n](const EvalPoint& point) {
+    const auto evaluate = [n](const EvalPoint& point) {
       return ramp(n.noise.field.value(point.position), n.from, n.to);
-    });
+    };
+    return make_mask(in_space(n, evaluate), n.uses());
   });
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/maths.h>
 #include <vug/paint/kind.h>
+#include <vug/paint/space.h>
 
 namespace vug::paint {
 namespace {
 
-struct Slope {
+struct Slope : InSpace {
   double from = 0;
   double to = kPi;
 
@@ -18,6 +19,7 @@ struct Slope {
                {.doc = "angle where the mask is 0", .dimension = Dimension::angle})
         .param("to", &Slope::to,
                {.doc = "angle where the mask is 1", .dimension = Dimension::angle});
+    describe_space(s);
   }
 };
 
@@ -26,7 +28,9 @@ struct Slope {
 
 VUG_MASK_KIND(slope) {
   return mask_kind<Slope>("slope", [](const Slope& s) {
-    return make_mask(
-        [s](const EvalPoint& point) { return ramp(maths::acos(point.normal.y), s.from, s.to); });
+    const auto evaluate = [s](const EvalPoint& point) {
+      return ramp(maths::acos(point.normal.y), s.from, s.to);
+    };
+    return make_mask(in_space(s, evaluate), s.uses());
   });
 }

@@ -4,6 +4,7 @@
 #include <vug/base/error.h>
 #include <vug/image/texture.h>
 #include <vug/paint/kind.h>
+#include <vug/paint/space.h>
 
 #include <fmt/format.h>
 
@@ -13,7 +14,7 @@ namespace {
 enum class Mapping { triplanar, x, y, z };
 enum class Missing { stop, show };
 
-struct Picture {
+struct Picture : InSpace {
   std::filesystem::path file;
   double size = 1;
   Mapping mapping = Mapping::triplanar;
@@ -32,6 +33,7 @@ struct Picture {
                 "solid")
         .choice("missing", &Picture::missing, {{"stop", Missing::stop}, {"show", Missing::show}},
                 "a missing file is an error, or painted magenta");
+    describe_space(s);
   }
 };
 
@@ -75,8 +77,9 @@ VUG_PAINT_KIND(picture) {
                   fmt::format("the picture '{}' does not exist", p.file.string()), {},
                   "missing: show paints it magenta");
     }
-    return make_paint([p, texture = image::Texture(p.file)](const EvalPoint& point) {
+    const auto evaluate = [p, texture = image::Texture(p.file)](const EvalPoint& point) {
       return color_at(p, texture, point);
-    });
+    };
+    return make_paint(in_space(p, evaluate), p.uses());
   });
 }

@@ -21,10 +21,13 @@ struct VertexColor {
 
 VUG_PAINT_KIND(vertex_color) {
   return paint_kind<VertexColor>("vertex_color", [](const VertexColor& v) {
-    return make_paint([v](const EvalPoint& point) {
+    AttributeUses uses;
+    uses.refers_to_scene = v.otherwise && v.otherwise->uses().refers_to_scene;
+    const auto evaluate = [v](const EvalPoint& point) {
       const auto value = point.attributes ? point.attributes->read(v.name) : std::nullopt;
       if (value) return *value;
       return v.otherwise ? (*v.otherwise)(point) : Vec3d(0.5);
-    });
+    };
+    return make_paint(evaluate, std::move(uses));
   });
 }

@@ -21,6 +21,9 @@ SurfacePoint::SurfacePoint(const Surface& surface) : surface_(surface) {
     point_.to_solid = &*own_;
     return;
   }
+  in_scene_ = point_;
+  in_scene_.to_solid = &*own_;
+  point_.in_scene = &in_scene_;
   point_.position = own_->point(point_.position);
   point_.normal = own_->normal(point_.normal).normalized();
   point_.footprint /= static_cast<double>(surface.instance->mean_scale());
@@ -30,6 +33,7 @@ void SurfacePoint::move_to(const Vec3f& point) {
   const Vec3d from(surface_.position), to(point);
   moved_ = own_ ? own_->point(to) - own_->point(from) : to - from;
   point_.position = own_ && !surface_.world_space_material ? own_->point(to) : to;
+  in_scene_.position = to;
 }
 
 std::optional<Vec3d> SurfacePoint::read(std::string_view name) const {

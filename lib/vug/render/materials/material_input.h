@@ -24,6 +24,7 @@ class SurfacePoint final : private paint::Attributes {
   paint::EvalPoint point_;
   std::optional<Transform> own_;  ///< For an instance: from the scene to the mesh's own space.
   std::optional<Vec3d> moved_;    ///< Displacement of the point, in that space.
+  paint::EvalPoint in_scene_;     ///< The point before its transformation to that space.
 };
 
 /// A number, or a mask that drives it. Values are clamped to `low` and `high`, the bounds that the
@@ -34,6 +35,7 @@ struct NumberInput {
 
   NumberInput(double number) : constant(number) {}  // NOLINT
   explicit NumberInput(paint::Mask mask) : varying(std::move(mask)) {}
+  bool refers_to_scene() const { return varying && varying->uses().refers_to_scene; }
   float at(const paint::EvalPoint& point, float low = 0, float high = 1) const;
 };
 
@@ -45,6 +47,7 @@ struct ColorInput {
 
   ColorInput(const Vec3d& color) : constant(color) {}  // NOLINT
   explicit ColorInput(paint::Paint paint) : varying(std::move(paint)) {}
+  bool refers_to_scene() const { return varying && varying->uses().refers_to_scene; }
   /// In the rendering colour space; `times` is a Rec.709 colour, such as the vertex colour.
   Rgb at(const paint::EvalPoint& point, const Rgb& times = Rgb(1.0f)) const;
 };

@@ -111,6 +111,9 @@ class MixMaterial final : public Material {
     return exchange::blend(p_.a->look(surface), p_.b->look(surface),
                            static_cast<double>(share_at(surface)));
   }
+  bool refers_to_scene() const override {
+    return p_.mask.refers_to_scene() || p_.a->refers_to_scene() || p_.b->refers_to_scene();
+  }
   MaterialPtr in_space(const image::ColourMatrix& from_rec709) const override {
     Mix p = p_;
     p.a = p.a->in_space(from_rec709), p.b = p.b->in_space(from_rec709);

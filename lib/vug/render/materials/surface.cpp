@@ -161,6 +161,12 @@ class SurfaceMaterial final : public Material {
     return p_.coat.at(SurfacePoint(surface).eval_point());
   }
   exchange::Look look(const Surface& surface) const override;
+  bool refers_to_scene() const override {
+    const auto any = [](const auto&... inputs) { return (inputs.refers_to_scene() || ...); };
+    return any(p_.color, p_.matte, p_.specular, p_.roughness, p_.metal, p_.coat, p_.coat_roughness,
+               p_.fuzz, p_.fuzz_color, p_.fuzz_roughness, p_.subsurface, p_.transmission,
+               p_.through, p_.through_color, p_.opacity, p_.emission, p_.emission_mask, p_.bump);
+  }
   MaterialPtr in_space(const image::ColourMatrix& from_rec709) const override {
     SurfaceParams p = p_;
     p.color.from_rec709 = p.fuzz_color.from_rec709 = p.emission.from_rec709 =
