@@ -11,6 +11,7 @@
 #include <vug/mesh/mesh.h>
 #include <vug/paint/paint.h>
 #include <vug/render/scene.h>
+#include <vug/shot/caps.h>
 #include <vug/shot/render_settings.h>
 
 #include <cstdint>
@@ -48,6 +49,7 @@ struct VolumePlan {
   bool half = false;          ///< Store 16-bit floats.
   std::optional<Vec3d> from;  ///< With `to`: the box to clip to; required for unbounded fields.
   std::optional<Vec3d> to;
+  Caps caps;             ///< Faces of that box that `field` closes with rock.
   SourceLocation where;  ///< Location of the name in the text.
 
   std::string fault() const;  ///< Describes an invalid box of `from` and `to`; else empty.

@@ -8,7 +8,8 @@ namespace vug::shot {
 
 const Kinds<VolumePtr>& volume_kinds();
 
-/// The schema of the parameters of all volumes: field, voxel, half_width, half, from, to.
+/// The schema of the parameters of all volumes: field, voxel, half_width, half, from, to,
+/// caps.
 Schema<VolumePlan> volume_schema(std::string name, std::string doc);
 
 /// The kind of volume with that schema: a fog if `fog`, else a level set.
