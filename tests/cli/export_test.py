@@ -59,6 +59,14 @@ class Export(VugTest):
         self.assertEqual(about["metadata"]["vug:upAxis"], "z")
         self.assertAlmostEqual(about["grids"][0]["voxel_size"][0], 20)
 
+    def test_drafts_say_so_in_their_recipe(self):
+        self.write("a.vug", "volume rock = level_set(box() - sphere(60cm), voxel: 10cm)\nmesh skin on rock {}\n")
+        self.expect(0, "build", "a.vug", "-o", "final", "-q")
+        self.expect(0, "build", "a.vug", "-o", "draft", "-q", "--quality", "draft")
+        self.assertNotEqual((self.folder / "draft/a.ply").read_bytes(), (self.folder / "final/a.ply").read_bytes())
+        self.assertIn("--quality draft", self.expect(0, "recipe", "draft/a.ply").err)
+        self.assertIn("draft", self.expect(2, "build", "a.vug", "-o", "o", "--quality", "low").err)
+
     def test_pyopenvdb_reads_clouds(self):
         if subprocess.run(["/usr/bin/python3", "-c", "import pyopenvdb"], capture_output=True).returncode != 0:
             self.skipTest("pyopenvdb is not installed")

@@ -33,6 +33,11 @@ void SceneOptions::add_to(CLI::App& app, const WorkOptions* work) {
       ->type_name("NAME=VALUE");
   app.add_option("--seed", seed, "Seed that replaces the scene's own")->check(seed_number());
   app.add_flag("--strict", strict, "Warnings about the scene are errors");
+  if (work)
+    app.add_option("--quality", quality,
+                   "draft: meshes are not polished, so that they take less time and edges are "
+                   "blunt; default final")
+        ->check(one_of({"draft", "final"}));
   app.add_option("--frame", frame, "Frame number of an animated scene; default 1")
       ->transform(number_in(Dimension::none, -1e6, 1e6));
 }
@@ -41,6 +46,7 @@ loading::LoadOptions SceneOptions::load_options() const {
   loading::LoadOptions options;
   options.seed = seed;
   options.frame = frame.value_or(1);
+  options.draft = quality == "draft";
   for (const std::string& define : defines) {
     const size_t equals = define.find('=');
     if (equals == std::string::npos || equals == 0)

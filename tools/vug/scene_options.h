@@ -24,6 +24,7 @@ struct SceneOptions {
   std::optional<uint64_t> seed;
   std::optional<double> frame;
   bool strict = false;  ///< Warnings about the scene are errors.
+  std::string quality = "final";
 
   /// `work`: the options of the same verb, or null. Its limits also apply while the scene is
   /// loaded.

@@ -216,7 +216,9 @@ mesh::MeshPtr Builder::mesh_for_volume(const shot::MeshPtr& plan) {
 Builder::BuiltMesh Builder::build_plain(const shot::MeshPlan& plan) {
   const volume::LevelSet* surface = plan.file_mesh ? nullptr : &level_set(plan.volume);
   const Stopwatch watch(seconds_);
-  SurfaceMesh made = surface ? make_mesh(plan, *surface, memory_budget(), progress_)
+  shot::MeshPlan quality = plan;
+  quality.polish = plan.polish && !shot_.draft;
+  SurfaceMesh made = surface ? make_mesh(quality, *surface, memory_budget(), progress_)
                              : SurfaceMesh{make_mesh(plan), {}};
   if (plan.topology == shot::SmallTopology::keep && !made.small_features.empty())
     warn(plan.volume->where,

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace vug::delivery {
@@ -19,10 +21,17 @@ using scene::TokenKind;
 
 constexpr const char* kDefine = "# -D ";
 constexpr const char* kSeed = "# --seed ";
-constexpr const char* kFrame = "# --frame ";
+/// Settings that a scene text cannot contain.
+constexpr const char* kArguments[] = {"# --frame ", "# --quality "};
 
 bool begins(const std::string& line, const std::string& with) {
   return line.compare(0, with.size(), with) == 0;
+}
+
+bool records_change(const std::string& line) {
+  return begins(line, kDefine) || begins(line, kSeed) ||
+         std::any_of(std::begin(kArguments), std::end(kArguments),
+                     [&](const char* each) { return begins(line, each); });
 }
 
 /// Removes and returns the lines at the end that record overrides.
@@ -32,7 +41,7 @@ std::vector<std::string> changes(std::string& text) {
     const size_t before = text.size() < 2 ? std::string::npos : text.rfind('\n', text.size() - 2);
     const size_t begin = before == std::string::npos ? 0 : before + 1;
     const std::string line = text.substr(begin, text.size() - 1 - begin);
-    if (!begins(line, kDefine) && !begins(line, kSeed) && !begins(line, kFrame)) break;
+    if (!records_change(line)) break;
     out.insert(out.begin(), line);
     text.resize(begin);
   }

@@ -61,6 +61,7 @@ std::string recipe(const scene::Document& document, const LoadOptions& options, 
     text += fmt::format("# -D {}={}\n", change.name, change.text);
   if (options.seed) text += fmt::format("# --seed {}\n", seed);
   if (moves) text += fmt::format("# --frame {}\n", options.frame);
+  if (options.draft) text += "# --quality draft\n";
   return text;
 }
 
@@ -141,7 +142,9 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   loaded.shot.name = file.stem().string();
   loaded.shot.seed = evaluator.seed();
   loaded.shot.frame = options.frame;
+  loaded.shot.draft = options.draft;
   Hasher texts;
+  if (options.draft) texts.add("draft");
   for (const auto& source : document.sources)
     texts.add_value(source->text.size()).add(source->text);
   loaded.shot.text_digest = texts.finish();

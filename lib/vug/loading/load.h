@@ -28,6 +28,7 @@ struct LoadOptions {
   std::vector<std::filesystem::path>
       enclosing_scenes;  ///< The chain of scenes that place this one.
   double frame = 1;      ///< The frame to evaluate.
+  bool draft = false;    ///< Sets Shot::draft.
   /// Memory limit in bytes for the word of an L-system; 0: the machine's free memory.
   uint64_t max_memory = 0;
   /// Cache of static declarations for the same text, overrides and seed. Cached values are reused

@@ -158,8 +158,10 @@ struct Shot {
   uint64_t seed = 0;
   double frame = 1;       ///< Frame number; frames may be fractional.
   bool animated = false;  ///< Part of the scene depends on the frame.
+  bool draft = false;     ///< Meshes are not polished.
   std::string recipe;  ///< The scene text with its overrides, from which the shot can be rebuilt.
-  Digest text_digest;  ///< Digest of the scene text and of all included texts.
+  /// Digest of the scene text, of all included texts and of `draft`.
+  Digest text_digest;
   std::vector<VolumePtr> volumes;
   std::vector<MeshPtr> meshes;
   std::vector<ObjectPlan> objects;

@@ -52,9 +52,11 @@ TEST(Recipe, ASeedThatTheTextLacksIsAdded) {
 }
 
 TEST(Recipe, OtherSettingsBecomeArguments) {
-  const Recipe recipe = parse_recipe("include \"x.vug\"\n# -D HERE=2\n# --frame 12\n");
+  const Recipe recipe =
+      parse_recipe("include \"x.vug\"\n# -D HERE=2\n# --frame 12\n# --quality draft\n");
   EXPECT_EQ(recipe.scene, "include \"x.vug\"\n");
-  EXPECT_EQ(recipe.arguments, (std::vector<std::string>{"-D HERE=2", "--frame 12"}));
+  EXPECT_EQ(recipe.arguments,
+            (std::vector<std::string>{"-D HERE=2", "--frame 12", "--quality draft"}));
 }
 
 TEST(Recipe, LoadsAsTheOriginal) {

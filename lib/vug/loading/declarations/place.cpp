@@ -60,6 +60,7 @@ std::shared_ptr<const shot::Shot> load_model(const shot::Model& model, const Sou
   options.include_folders = context.options.include_folders;
   options.enclosing_scenes = context.options.enclosing_scenes;
   options.frame = context.options.frame;
+  options.draft = context.options.draft;
   options.max_memory = context.options.max_memory;
   options.enclosing_scenes.push_back(fs::weakly_canonical(context.file));
   const fs::path own = fs::weakly_canonical(model.file);
