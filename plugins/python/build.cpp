@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/building/cells_checkpoint.h>
+#include <vug/building/level_set_for_files.h>
 #include <vug/delivery/describe_cells.h>
 #include <vug/delivery/measure.h>
 #include <vug/delivery/write_products.h>
@@ -33,7 +34,9 @@ LevelSet level_set(Build& build, const std::string& name) {
   const shot::VolumePtr plan = shot::find_volume(shot, name);
   std::optional<volume::Grid> made;
   build.work([&](building::Builder& builder) {
-    made = builder.level_set(plan).named(plan->name).stored_as_half(plan->half);
+    made = building::level_set_for_files(builder, plan, shot::DistanceValues::bound)
+               .named(plan->name)
+               .stored_as_half(plan->half);
   });
   return {{*made, delivery::write_options(shot)}};
 }

@@ -59,6 +59,19 @@ class Export(VugTest):
         self.assertEqual(about["metadata"]["vug:upAxis"], "z")
         self.assertAlmostEqual(about["grids"][0]["voxel_size"][0], 20)
 
+    def test_exported_distances_are_exact(self):
+        def distance(file):
+            about = json.loads(self.expect(0, "info", file, "--json").out)
+            return next(grid["metadata"].get("vug:distance") for grid in about["grids"] if grid["class"] == "level set")
+        solid = "level_set(box(size: (1, 1, 1)) - sphere(60cm), voxel: 10cm"
+        self.write("a.vug", f"volume rock = {solid})\n")
+        self.write("b.vug", f"volume rock = {solid}, distance: bound)\n")
+        for scene, exported, built in [("a", "exact", None), ("b", "bound", "bound")]:
+            self.expect(0, "export", f"{scene}.vug", "-o", "o", "-q")
+            self.assertEqual(distance(f"o/{scene}_rock.vdb"), exported)
+            self.expect(0, "build", f"{scene}.vug", "-o", "o", "-q")
+            self.assertEqual(distance(f"o/{scene}.vdb"), built)
+
     def test_drafts_say_so_in_their_recipe(self):
         self.write("a.vug", "volume rock = level_set(box() - sphere(60cm), voxel: 10cm)\nmesh skin on rock {}\n")
         self.expect(0, "build", "a.vug", "-o", "final", "-q")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/memory.h>
+#include <vug/building/level_set_for_files.h>
 #include <vug/delivery/export_volume.h>
 #include <vug/delivery/write_products.h>
 #include <vug/volume/density.h>
@@ -35,7 +36,9 @@ void add_cloud(const building::Builder& builder, const volume::Grid& density, bo
 }  // namespace
 
 ExportVolume export_volume(building::Builder& builder, const shot::VolumePtr& plan) {
-  const volume::Grid grid = volume_grid(*plan, builder.level_set(plan)).named(grid_name(*plan));
+  const volume::LevelSet level_set =
+      building::level_set_for_files(builder, plan, shot::DistanceValues::exact);
+  const volume::Grid grid = volume_grid(*plan, level_set).named(grid_name(*plan));
   ExportVolume out{plan->name, {grid}, {}};
   if (builder.shot().medium && builder.shot().medium_volume == plan)
     add_cloud(builder, grid, plan->half, out);

@@ -18,8 +18,9 @@ struct ExportVolume {
   std::optional<exchange::Medium> medium;  ///< Interpretation of the grids, if there is a medium.
 };
 
-/// A level set as `surface` (as `air` if the scene calls it air), a fog as `density`. The fog of a
-/// cloud also gets `color`, `temperature` and `flame` if these vary. Error(too_large).
+/// A level set, with exact distances unless its plan requests bounds, as `surface` (as `air` if the
+/// scene calls it air), a fog as `density`. The fog of a cloud also gets `color`, `temperature` and
+/// `flame` if these vary. Error(too_large).
 ExportVolume export_volume(building::Builder& builder, const shot::VolumePtr& plan);
 
 /// Whether the scene's medium has its own grids, from a file.

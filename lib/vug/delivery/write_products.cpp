@@ -2,6 +2,7 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/memory.h>
 #include <vug/building/cell_points.h>
+#include <vug/building/level_set_for_files.h>
 #include <vug/delivery/cells_files.h>
 #include <vug/delivery/write_products.h>
 #include <vug/mesh/format.h>
@@ -18,7 +19,8 @@ namespace {
 std::vector<volume::Grid> grids_of(building::Builder& builder) {
   std::vector<volume::Grid> grids;
   for (const shot::VolumePtr& plan : builder.shot().volumes)
-    grids.push_back(volume_grid(*plan, builder.level_set(plan)));
+    grids.push_back(volume_grid(
+        *plan, building::level_set_for_files(builder, plan, shot::DistanceValues::bound)));
   for (const shot::CellsPtr& cells : shot::declared_cells(builder.shot()))
     if (cells->writes("grids"))
       for (volume::Grid& grid : cell_grids(builder, cells)) grids.push_back(std::move(grid));

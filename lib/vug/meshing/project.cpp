@@ -23,6 +23,7 @@ SurfacePoint surface_point(const Vec3d& p, const Gradient& g) {
   if (!(slope > 1e-9) || !std::isfinite(slope)) return here;
   here.normal = g.gradient / slope;
   here.residual = std::fabs(g.value) / slope;
+  here.inside = g.value < 0;
   return here;
 }
 

@@ -13,6 +13,7 @@ struct SurfacePoint {
   Vec3d point;
   Vec3d normal{0, 0, 0};        ///< Unit gradient; zero if the gradient vanishes.
   double residual = kInfinity;  ///< |f| / |grad f|: first-order distance from the surface.
+  bool inside = false;          ///< Whether the field is negative.
 };
 
 struct ProjectOptions {

@@ -36,6 +36,13 @@ namespace vug::shot {
 
 struct MeshPlan;
 
+/// The values that files contain in the band of a level set.
+enum class DistanceValues {
+  automatic,  ///< `exact` in exports, `bound` in other files.
+  bound,      ///< The values of the field, or its first-order distances.
+  exact,      ///< Euclidean distances.
+};
+
 /// `volume NAME = level_set(...)` or `fog(...)`, or `volume NAME on MESH { ... }`.
 struct VolumePlan {
   std::string name;  ///< Also the name of the grid in the .vdb file.
@@ -43,9 +50,10 @@ struct VolumePlan {
   std::shared_ptr<const MeshPlan>
       source_mesh;  ///< Mesh to voxelise instead of the field; null: the field.
   bool fog = false;
-  double voxel = 0.1;         ///< Voxel edge in metres.
-  double half_width = 3;      ///< Half width of the narrow band in voxels.
-  bool repair = true;         ///< Convert band values into distances if the field is not one.
+  double voxel = 0.1;     ///< Voxel edge in metres.
+  double half_width = 3;  ///< Half width of the narrow band in voxels.
+  bool repair = true;     ///< Convert band values into distances if the field is not one.
+  DistanceValues distance = DistanceValues::automatic;
   bool half = false;          ///< Store 16-bit floats.
   std::optional<Vec3d> from;  ///< With `to`: the box to clip to; required for unbounded fields.
   std::optional<Vec3d> to;

@@ -67,4 +67,8 @@ Region region_of(const field::Field& field, const VoxelizeOptions& options) {
   return out;
 }
 
+field::Field field_in_region(const field::Field& field, const VoxelizeOptions& options) {
+  return region_of(field, options).field;
+}
+
 }  // namespace vug::volume

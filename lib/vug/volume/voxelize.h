@@ -31,6 +31,10 @@ struct VoxelizeEstimate {
 };
 VoxelizeEstimate estimate(const field::Field& field, const VoxelizeOptions& options);
 
+/// The field that `voxelize` samples: the given one, cut off by the faces of the region. Throws
+/// Error(bad_input) as `voxelize` does.
+field::Field field_in_region(const field::Field& field, const VoxelizeOptions& options);
+
 /// The zero set of the level set equals that of the field up to trilinear interpolation; the repair
 /// does not move it. Values are exact distances where the field's are; elsewhere the band ends four
 /// lattice steps from the surface (see trim_band.h). The result has the same bytes for any
