@@ -111,6 +111,10 @@ building::BuildOptions WorkOptions::build_options(const loading::Loaded& loaded)
     clear_progress_bar();
     fmt::print(stderr, "{}", loaded.report(doubtful));
   };
+  options.where_of = [&loaded](const field::NodePtr& node) {
+    const scene::Provenance* made = loaded.provenance.find(node);
+    return made ? made->where : SourceLocation();
+  };
   return options;
 }
 

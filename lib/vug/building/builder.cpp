@@ -5,6 +5,7 @@
 #include <vug/building/cells_checkpoint.h>
 #include <vug/building/make_mesh.h>
 #include <vug/building/memory_estimate.h>
+#include <vug/building/thin_part_warnings.h>
 #include <vug/metrics/surface.h>
 #include <vug/shot/queries.h>
 #include <vug/volume/fitting_voxel.h>
@@ -152,6 +153,10 @@ const volume::LevelSet& Builder::level_set(const shot::VolumePtr& plan) {
     held_ += made.statistics().memory_bytes;
     if (!made.holds_solid())
       warn(plan->where, fmt::format("the volume '{}' is empty", plan->name), why_empty(*plan));
+    if (options_.on_warning && !plan->source_mesh)
+      if (const Diagnostics thin = thin_part_warnings(*plan, options_.where_of);
+          !thin.all().empty())
+        options_.on_warning(thin);
     return made;
   } catch (Error& error) {
     throw volume_error(*plan, error, fmt::format("making the volume '{}'", plan->name));

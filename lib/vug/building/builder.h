@@ -22,6 +22,8 @@ struct BuildOptions {
                             ///< Error(too_large) before work that needs more.
   /// Called with each warning, such as an empty grid, as soon as it is found.
   std::function<void(const Diagnostics&)> on_warning = nullptr;
+  /// The text that made a node of a field, for warnings; null: unknown.
+  std::function<SourceLocation(const field::NodePtr&)> where_of = nullptr;
   /// Checkpoint of the runs of cells; null: none.
   std::shared_ptr<CellsCheckpoint> checkpoint = nullptr;
 };

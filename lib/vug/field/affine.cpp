@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/affine.h>
 #include <vug/field/deformer.h>
+#include <vug/field/placement.h>
 
 namespace vug::field {
 namespace {
@@ -77,6 +78,14 @@ Field transformed(const Field& field, const Transform& map) {
   const double scale = similarity && std::fabs(least - 1) < 1e-12 ? 1 : least;
   Affine affine{map, inverse, inverse.max_stretch(), scale};
   return Field(std::make_shared<DeformerNode<Affine>>("transform", affine, field.node()));
+}
+
+std::optional<Transform> placement_of(const Node& node) {
+  if (const auto* moved = dynamic_cast<const DeformerNode<Translation>*>(&node))
+    return Transform::translation(moved->deformer().by);
+  if (const auto* mapped = dynamic_cast<const DeformerNode<Affine>*>(&node))
+    return mapped->deformer().forward;
+  return std::nullopt;
 }
 
 }  // namespace vug::field

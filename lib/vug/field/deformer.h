@@ -65,6 +65,7 @@ class DeformerNode final : public EvaluationModes<DeformerNode<D>> {
   }
   std::string name() const override { return name_; }
   std::vector<NodePtr> children() const override { return {child_}; }
+  const D& deformer() const { return deformer_; }
 
  private:
   static constexpr bool kConstantDerivative = requires(const D& deformer, const Point<Pack>& g) {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of a solid that are thinner than a voxel, so that a level set contains them only if lattice
+// points happen to lie inside.
+#pragma once
+
+#include <vug/field/field.h>
+
+#include <vector>
+
+namespace vug::field {
+
+/// An operand of the unions of an expression.
+struct ThinPart {
+  NodePtr node;
+  Vec3d at;              ///< A point at its greatest depth, in the space of the expression, metres.
+  double thickness = 0;  ///< Diameter of the largest ball inside it, metres.
+};
+
+/// The operands whose thickness is below `thickness` metres, by the order of the expression. Only
+/// operands whose values are distances are listed, each node once. Unions, differences and affine
+/// maps are divided into operands; what is subtracted is ignored.
+std::vector<ThinPart> thin_parts(const Field& field, double thickness);
+
+}  // namespace vug::field
