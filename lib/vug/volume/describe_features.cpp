@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// The text of a list of small features for warnings and summaries.
 #include <vug/base/pluralize.h>
 #include <vug/volume/small_features.h>
 
