@@ -118,6 +118,20 @@ TEST(Placement, APropInMidAir) {
   EXPECT_EQ(mistakes(with_prop("(0, 1, 20)")), "") << "without ground below";
 }
 
+TEST(Placement, ALevelSetInMidAirIsAWarning) {
+  const Loaded loaded =
+      load_text(kRoom +
+                    "volume c = level_set(sphere(40cm).translate((0, 2, 0)), voxel: 4cm)\n"
+                    "mesh round on c {}\nobject ball on round {}\n",
+                "t.vug");
+  Diagnostics found;
+  check_placement(loaded, {}, found);
+  ASSERT_EQ(found.all().size(), 1u);
+  EXPECT_FALSE(found.has_errors());
+  EXPECT_EQ(found.all()[0].message,
+            "'ball' floats 1.60 m above 'walls': its foot is at (0, 1.6, 0)");
+}
+
 TEST(Placement, LampsMayHang) {
   const std::string bulb =
       "volume c = level_set(sphere(10cm), voxel: 2cm)\nmesh globe on c {}\n"

@@ -159,11 +159,13 @@ void check_props(const Set& set, Accuracy accuracy, Diagnostics& diagnostics) {
       ground = ground_far_below(prop, set, Accuracy::exact);
     if (!ground) continue;
     const double gap = box.min.y - ground->height;
-    diagnostics.error(
-        piece.where,
+    const std::string what =
         fmt::format("{} floats {:.2f} m above '{}': its foot is at {}", piece.name, gap,
-                    ground->name, position_text(foot_of(box))),
-        fmt::format("move it down by {:.2f} m; lamps and other emissive objects may hang", gap));
+                    ground->name, position_text(foot_of(box)));
+    const std::string hint =
+        fmt::format("move it down by {:.2f} m; lamps and other emissive objects may hang", gap);
+    piece.modelled ? diagnostics.warning(piece.where, what, hint)
+                   : diagnostics.error(piece.where, what, hint);
   }
 }
 

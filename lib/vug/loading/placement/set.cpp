@@ -117,6 +117,8 @@ Set set_of(const Loaded& scene) {
     piece.name = fmt::format("'{}'", object.name);
     piece.where = location_of(scene, object.name, {"object", "mesh", "volume"});
     piece.solids = solids_of(object);
+    piece.modelled = std::none_of(piece.solids.begin(), piece.solids.end(),
+                                  [](const Solid& solid) { return solid.mesh != nullptr; });
     set.pieces.push_back(std::move(piece));
   }
   for (const auto& [name, light] : scene.shot.lights)

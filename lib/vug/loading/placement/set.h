@@ -14,6 +14,7 @@ struct SetPiece {
   SourceLocation where;  ///< Its declaration.
   std::vector<Solid> solids;
   bool floating = false;  ///< May be in mid-air, since it has lights of its own.
+  bool modelled = false;  ///< A level set of this scene, whose field says where it is.
 };
 
 /// A finite light.
