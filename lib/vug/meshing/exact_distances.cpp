@@ -14,20 +14,18 @@ namespace vug::meshing {
 namespace {
 
 // Lengths in voxels.
-constexpr double kOnSurface = 2e-3;  ///< Residual at which a point is on the surface.
-constexpr double kNearSurface =
-    0.02;  ///< The same for rough fields, where one more Newton step is added.
-constexpr double kSufficient = 0.01;  ///< Possible excess of a distance that is not improved.
-constexpr double kBeyondBand = 3;     ///< Length of the tips of edges that polygons lack.
-constexpr double kMargin = 5;         ///< Beyond the band, in which searches evaluate the field.
-constexpr double kAside = 0.2;      ///< Distance of samples from an edge, towards each side of it.
-constexpr double kProgress = 5e-3;  ///< Improvement of a distance by a step that is worth another.
-constexpr double kAtFace =
-    0.1;                  ///< Residual up to which a point is rather on a face than at an edge.
+constexpr double kOnSurface = 2e-3;    ///< Residual at which a point is on the surface.
+constexpr double kNearSurface = 0.02;  ///< The same before a last Newton step, for rough fields.
+constexpr double kAtFace = 0.1;        ///< Residual at which a point is on a face, not at an edge.
+constexpr double kSufficient = 0.01;   ///< Possible excess of a distance that is not improved.
+constexpr double kProgress = 5e-3;     ///< Progress of a step that is worth another.
+constexpr double kAside = 0.2;         ///< Distance of samples from an edge, towards its sides.
+constexpr double kBeyondBand = 3;      ///< Length of the tips of edges that polygons lack.
+constexpr double kMargin = 5;          ///< Beyond the band, in which searches evaluate the field.
+constexpr double kSamePlane = 0.97;    ///< Cosine between planes on the same side of an edge.
+constexpr size_t kMostPlanes = 4;
 constexpr int kVain = 2;  ///< Steps without progress that are permitted.
 constexpr int kImprovements = 9;
-constexpr size_t kMostPlanes = 4;
-constexpr double kSamePlane = 0.97;  ///< Cosine between planes on the same side of an edge.
 
 /// The polygons of the level set with their vertices on the surface of the field; edges are blunt.
 struct SampledSurface {

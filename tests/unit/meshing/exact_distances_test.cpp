@@ -73,14 +73,14 @@ struct DentedBox {
   }
 };
 
-struct Case {
+struct Comparison {
   const char* name;
   field::Field solid;
   Truth truth;
 };
 
 /// A wedge as the intersection of half-spaces in a box; the primitive has exact distances.
-Case wedge(const char* name, double height) {
+Comparison wedge(const char* name, double height) {
   const Vec3d size(2, height, 1.5);
   const auto half_space = [](const Vec3d& normal, double offset) {
     return field::make("half_space", {{"normal", normal}, {"offset", offset}});
@@ -94,7 +94,7 @@ Case wedge(const char* name, double height) {
 }
 
 /// Other solids are compared with a much finer mesh.
-Case against_fine_mesh(const char* name, const field::Field& solid, double voxel) {
+Comparison against_fine_mesh(const char* name, const field::Field& solid, double voxel) {
   const mesh::MeshDistance fine(polygonized(solid, voxel).mesh);
   return {name, solid,
           [=](const Vec3d& p) { return std::copysign(fine.closest(p).distance, solid.value(p)); }};
@@ -115,7 +115,7 @@ field::Field blended() {
                       field::Blend{field::Profile::smooth, 0.3});
 }
 
-Case placed(const Case& given, const Transform& at) {
+Comparison placed(const Comparison& given, const Transform& at) {
   const Transform back = at.inverse();
   return {given.name, field::transformed(given.solid, at),
           [=](const Vec3d& p) { return given.truth(back.point(p)); }};
@@ -128,12 +128,13 @@ std::vector<Transform> placements() {
 }
 
 TEST(ExactDistances, AreExactOutsideSharpEdges) {
-  for (const Case& given : {Case{"box minus ball", DentedBox::solid(), DentedBox::distance},
-                            wedge("wedge of 45 degrees", 2), wedge("wedge of 31 degrees", 1.2),
-                            wedge("wedge of 17 degrees", 0.6)})
+  for (const Comparison& given :
+       {Comparison{"box minus ball", DentedBox::solid(), DentedBox::distance},
+        wedge("wedge of 45 degrees", 2), wedge("wedge of 31 degrees", 1.2),
+        wedge("wedge of 17 degrees", 0.6)})
     for (const Transform& at : placements()) {
       SCOPED_TRACE(given.name);
-      const Case here = placed(given, at);
+      const Comparison here = placed(given, at);
       const volume::LevelSet bounds = level_set_of(here.solid, 0.07);
       const volume::LevelSet exact = exact_distances(bounds, here.solid);
       EXPECT_GT(largest_error(bounds, here.truth), 0.8);
@@ -143,8 +144,8 @@ TEST(ExactDistances, AreExactOutsideSharpEdges) {
 }
 
 TEST(ExactDistances, OfRoughAndBlendedSolidsAgreeWithAFinerMesh) {
-  for (const Case& given : {against_fine_mesh("rough ball", rough_ball(), 0.02),
-                            against_fine_mesh("blend", blended(), 0.02)}) {
+  for (const Comparison& given : {against_fine_mesh("rough ball", rough_ball(), 0.02),
+                                  against_fine_mesh("blend", blended(), 0.02)}) {
     SCOPED_TRACE(given.name);
     const volume::LevelSet bounds = level_set_of(given.solid, 0.08);
     const volume::LevelSet exact = exact_distances(bounds, given.solid);
