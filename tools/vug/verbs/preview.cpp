@@ -30,8 +30,10 @@ std::filesystem::path page_file() {
   files.emplace_back(VUG_BUILT_PAGE);
   for (const std::filesystem::path& file : files)
     if (unreadable_reason(file).empty()) return file;
-  throw Error(ErrorCode::bad_input, "this build of vug does not contain the preview page", {},
-              "install npm and rebuild with access to the npm registry");
+  throw Error(ErrorCode::bad_input,
+              fmt::format("the preview page '{}' has not been built", VUG_BUILT_PAGE), {},
+              "configure and build vug again, with npm installed and access to its registry; the "
+              "output of the build contains npm's own message");
 }
 
 int run(Options options) {
