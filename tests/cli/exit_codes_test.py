@@ -70,12 +70,12 @@ class Done(VugTest):
         dim = self.expect(0, "render", "dim.vug", "-o", "dim.exr").err
         self.assertIn("warning: the picture is very dark\n", dim)
         stops = dim.split("hint: --exposure ")[1].split()[0]
-        self.assertEqual(self.expect(0, "render", "dim.vug", "-o", "dim.exr", "--exposure", stops).err, "")
+        self.assertEqual(self.expect(0, "render", "dim.vug", "-o", "dim.exr", "--exposure", stops, "-q").err, "")
 
     def test_a_visible_light_on_black_is_not_too_bright(self):
         text = "light lamp = sphere(radius: %s, radiance: (900, 900, 900))\ncamera main { eye (0, 0, 4) }\nrender main { size 16x12  spp 4 }\n"
         self.write("lamp.vug", text % "50cm")
-        self.assertEqual(self.expect(0, "render", "lamp.vug", "-o", "lamp.exr").err, "")
+        self.assertEqual(self.expect(0, "render", "lamp.vug", "-o", "lamp.exr", "-q").err, "")
         self.write("lamp.vug", text % "3m")
         self.assertIn("the picture is very bright\n", self.expect(0, "render", "lamp.vug", "-o", "lamp.exr").err)
 

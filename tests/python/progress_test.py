@@ -117,7 +117,7 @@ class Cancelling(Case):
         for stage in set(stages):
             build = vug.loads(text).build(progress=lambda share, what: what != stage)
             with self.assertRaises(vug.Cancelled, msg=stage):
-                build.save(f"stopped {stage}")
+                build.save(f"{stage}/out")
 
     def test_a_picture_continues_from_its_checkpoint(self):
         scene = vug.loads(BALL)

@@ -7,15 +7,12 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <mutex>
 
 namespace vug::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 std::atomic<Progress*> interrupted = nullptr;
 
@@ -30,26 +27,24 @@ void on_signal(int signal) {
   _exit(kFailed);
 }
 
-class Bar {
+enum class Style { bars, lines, none };
+
+Style style_of(ProgressBarMode shown) {
+  if (shown == ProgressBarMode::never) return Style::none;
+  const bool bars = shown == ProgressBarMode::always || isatty(STDERR_FILENO);
+  return bars ? Style::bars : Style::lines;
+}
+
+/// Shows the stages of the process, and records their times.
+class StageDisplay {
  public:
-  void draw(const std::string& stage, double fraction) {
+  const StageTimes& times() const { return times_; }
+
+  void update(Style style, const std::string& stage, double fraction) {
     const std::lock_guard lock(mutex_);
-    if (stage != stage_) {
-      stage_ = stage;
-      start_ = Clock::now();
-    }
-    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-    std::string left;
-    if (fraction >= 1)
-      left = fmt::format("{:.1f} s", seconds);
-    else if (fraction > 0.02 && seconds > 1)
-      left = fmt::format("{:.0f} s left", seconds * (1 - fraction) / fraction);
-    const int full = static_cast<int>(fraction * kWidth);
-    fmt::print(stderr, "\r{:<28.28} [{:=<{}}{:<{}}] {:3.0f}% {:<12}", stage, "", full, "",
-               kWidth - full, 100 * fraction, left);
-    if (fraction >= 1) fmt::print(stderr, "\n");
-    open_ = fraction < 1;
-    std::fflush(stderr);
+    times_.update(stage, fraction);
+    if (style == Style::bars) draw(stage, fraction);
+    if (style == Style::lines) log(stage, fraction);
   }
   void clear() {
     const std::lock_guard lock(mutex_);
@@ -58,36 +53,72 @@ class Bar {
   }
 
  private:
-  static constexpr int kWidth = 30;
+  static constexpr int kNameWidth = 38, kWidth = 20;
+  static constexpr double kBrief = 0.1;       ///< Shorter stages leave no line, in seconds.
+  static constexpr double kLogInterval = 60;  ///< Seconds between lines about a long stage.
+
+  /// The time that the stage took or that is left.
+  std::string time_text(double fraction) const {
+    const double seconds = times_.stage_seconds();
+    if (fraction >= 1) return fmt::format("{:.1f} s", seconds);
+    if (fraction <= 0.02 || seconds <= 1) return "";
+    return fmt::format("{:.0f} s left", seconds * (1 - fraction) / fraction);
+  }
+  void draw(const std::string& stage, double fraction) {
+    const int full = static_cast<int>(fraction * kWidth);
+    fmt::print(stderr, "\r{:<{}.{}} [{:=<{}}{:<{}}] {:3.0f}% {:<12}", stage, kNameWidth, kNameWidth,
+               "", full, "", kWidth - full, 100 * fraction, time_text(fraction));
+    open_ = fraction < 1;
+    if (!open_)  // the next output replaces the line of a brief stage
+      fmt::print(stderr, "{}",
+                 times_.stage_seconds() < kBrief
+                     ? fmt::format("\r{:<{}}\r", "", kNameWidth + kWidth + 21)
+                     : "\n");
+    std::fflush(stderr);
+  }
+  void log(const std::string& stage, double fraction) {
+    const double seconds = times_.stage_seconds();
+    if (fraction <= 0) logged_ = 0;
+    if (fraction >= 1 && seconds >= kBrief)
+      fmt::print(stderr, "{}: {}\n", stage, time_text(fraction));
+    if (fraction >= 1 || seconds - logged_ < kLogInterval) return;
+    logged_ = seconds;
+    fmt::print(stderr, "{}: {:.0f} %, {}\n", stage, 100 * fraction, time_text(fraction));
+  }
+
   std::mutex mutex_;
-  std::string stage_;
-  Clock::time_point start_;
+  StageTimes times_;
+  double logged_ = 0;  ///< Seconds of the stage at its last line in a log.
   bool open_ = false;
 };
 
-Bar& bar() {
-  static Bar only;
+StageDisplay& display() {
+  static StageDisplay only;
   return only;
 }
 
 }  // namespace
 
 Progress& terminal_progress(ProgressBarMode shown) {
-  static Progress silent;
-  static Progress drawn(
-      [](const std::string& stage, double fraction) { bar().draw(stage, fraction); });
-  const bool draw = shown == ProgressBarMode::always ||
-                    (shown == ProgressBarMode::on_terminals && isatty(STDERR_FILENO));
-  Progress& progress = draw ? drawn : silent;
+  static Progress progress([style = style_of(shown)](const std::string& stage, double fraction) {
+    display().update(style, stage, fraction);
+  });
   interrupted = &progress;
   return progress;
 }
 
+void report_stage(ProgressBarMode shown, const std::string& stage, double fraction) {
+  display().update(style_of(shown), stage, fraction);
+}
+
+const StageTimes& stage_times() { return display().times(); }
+
 void install_signal_handlers() {
+  display();  // its clock starts with the process
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
 }
 
-void clear_progress_bar() { bar().clear(); }
+void clear_progress_bar() { display().clear(); }
 
 }  // namespace vug::cli

@@ -14,6 +14,9 @@
 namespace vug::cli {
 namespace {
 
+/// Name of the first stage.
+constexpr const char* kLoading = "loading the scene";
+
 /// The loaded scene, after its diagnostics have been printed.
 loading::Loaded usable(loading::Loaded loaded, const SceneOptions& options) {
   options.apply_strictness(loaded.diagnostics);
@@ -71,8 +74,14 @@ void SceneOptions::apply_strictness(Diagnostics& diagnostics) const {
   diagnostics = std::move(errors);
 }
 
+ProgressBarMode SceneOptions::bar_mode() const {
+  return work_ ? work_->bar_mode() : ProgressBarMode::never;
+}
+
 loading::Loaded SceneOptions::load() const {
-  return usable(loading::load(scene, load_options()), *this);
+  return usable(
+      show_stage(bar_mode(), kLoading, [&] { return loading::load(scene, load_options()); }),
+      *this);
 }
 
 loading::SceneSource SceneOptions::source() const {
@@ -80,7 +89,7 @@ loading::SceneSource SceneOptions::source() const {
 }
 
 loading::Loaded SceneOptions::load(const loading::SceneSource& source, double at) const {
-  return usable(source.at(at), *this);
+  return usable(show_stage(bar_mode(), kLoading, [&] { return source.at(at); }), *this);
 }
 
 void WorkOptions::add_to(CLI::App& app) {
@@ -129,6 +138,9 @@ void WorkOptions::summarise(const building::Builder& builder) const {
       fmt::print(stderr, "mesh '{}': {} smaller than {} m removed\n", plan->name,
                  pluralize(pieces, "piece"), plan->smallest_piece);
   }
+  constexpr double kWorthMentioning = 1;  // second
+  if (stage_times().total_seconds() >= kWorthMentioning)
+    fmt::print(stderr, "{}\n", stage_times().summary());
 }
 
 }  // namespace vug::cli

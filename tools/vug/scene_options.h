@@ -41,6 +41,8 @@ struct SceneOptions {
   void apply_strictness(Diagnostics& diagnostics) const;
 
  private:
+  ProgressBarMode bar_mode() const;
+
   const WorkOptions* work_ = nullptr;
 };
 
@@ -58,7 +60,8 @@ struct WorkOptions {
   /// Options of a builder with that limit, which prints warnings to stderr as they occur. `loaded`
   /// must outlive the builder.
   building::BuildOptions build_options(const loading::Loaded& loaded) const;
-  /// Reports on stderr the components that were removed from the meshes, unless quiet.
+  /// Reports on stderr the components that were removed from the meshes, and the time of each
+  /// stage, unless quiet.
   void summarise(const building::Builder& builder) const;
 };
 

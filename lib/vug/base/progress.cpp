@@ -9,7 +9,9 @@ namespace vug {
 void Progress::begin(std::string stage, uint64_t total) {
   check();
   if (!watcher_) return;  // no state: all work without a watcher shares `none`
+  end();
   stage_ = std::move(stage);
+  if (!product_.empty()) stage_ += " of '" + product_ + "'";
   total_ = std::max<uint64_t>(total, 1);
   done_ = 0;
   percent_ = -1;
@@ -19,13 +21,13 @@ void Progress::begin(std::string stage, uint64_t total) {
 void Progress::advance(uint64_t units) {
   if (!watcher_) return;
   const uint64_t done = done_.fetch_add(units, std::memory_order_relaxed) + units;
-  const int percent = static_cast<int>(std::min<uint64_t>(100, 100 * done / total_));
+  const int percent = static_cast<int>(std::min<uint64_t>(99, 100 * done / total_));
   int seen = percent_.load(std::memory_order_relaxed);
   // The thread that increments the percentage reports it.
   while (percent > seen && !percent_.compare_exchange_weak(seen, percent)) {
   }
   if (percent > seen)
-    report(percent, std::min(1.0, static_cast<double>(done) / static_cast<double>(total_)));
+    report(percent, std::min(0.99, static_cast<double>(done) / static_cast<double>(total_)));
 }
 
 void Progress::report(int percent, double fraction) {
@@ -41,6 +43,14 @@ void Progress::end() {
 
 void Progress::check() const {
   if (cancelled()) throw Error(ErrorCode::cancelled, "stopped on request");
+}
+
+Progress::Product::Product(Progress& progress, std::string name) : progress_(progress) {
+  if (progress_.watcher_) outer_ = std::exchange(progress_.product_, std::move(name));
+}
+
+Progress::Product::~Product() {
+  if (progress_.watcher_) progress_.product_ = std::move(outer_);
 }
 
 Progress& Progress::none() {

@@ -30,8 +30,10 @@ MeshWithCells apply_cells(const mesh::Mesh& bare, const CellLayer& layer,
   options.move = plan.move;
   options.folds = folds == Folds::allow;
   try {
+    progress.begin("attributes of the cells");
     applied.unfolded_vertices =
         cells::transfer_to_mesh(layer.simulation, applied.mesh, options, progress);
+    progress.begin("displacement by the cells");
     if (plan.move) require_near(bare, applied.mesh);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input) throw;
@@ -41,6 +43,7 @@ MeshWithCells apply_cells(const mesh::Mesh& bare, const CellLayer& layer,
     applied.flipped_triangles = mesh::flipped_triangles(bare.positions, applied.mesh).size();
   const mesh::Attribute* gone = mesh::find_attribute(applied.mesh, cells::kTransparent, 1);
   if (plan.holes && gone) applied.mesh = mesh::clip(applied.mesh, gone->values, 0.5F);
+  progress.end();
   return applied;
 }
 

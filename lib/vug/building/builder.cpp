@@ -6,9 +6,8 @@
 #include <vug/building/make_mesh.h>
 #include <vug/building/memory_estimate.h>
 #include <vug/building/thin_part_warnings.h>
-#include <vug/metrics/surface.h>
+#include <vug/field/deferred.h>
 #include <vug/shot/queries.h>
-#include <vug/volume/fitting_voxel.h>
 #include <vug/volume/from_mesh.h>
 #include <vug/volume/level_set_field.h>
 
@@ -45,13 +44,6 @@ std::string why_empty(const shot::VolumePlan& plan) {
   return "its solid is empty or thinner than a voxel";
 }
 
-/// Locates an error at the volume's line if the scene text is at fault; else adds `doing` as
-/// context.
-Error volume_error(const shot::VolumePlan& plan, Error& error, std::string doing) {
-  if (error.code() == ErrorCode::bad_input && !error.where().known()) return error.at(plan.where);
-  return error.within(std::move(doing));
-}
-
 /// Adds the plan and all meshes that it depends on.
 void add_with_parts(const shot::MeshPtr& plan, std::vector<shot::MeshPtr>& meshes) {
   meshes.push_back(plan);
@@ -69,19 +61,6 @@ void Builder::warn(const SourceLocation& where, const std::string& message,
   Diagnostics one;
   one.warning(where, message, hint);
   options_.on_warning(one);
-}
-
-uint64_t Builder::memory_budget() const {
-  if (options_.max_memory == 0) return available_memory();
-  return options_.max_memory > held_ ? options_.max_memory - held_ : 1;
-}
-
-double Builder::area_of(const shot::VolumePtr& plan) const {
-  if (const auto held = level_sets_.find(plan); held != level_sets_.end())
-    return area_of_band(static_cast<double>(held->second.statistics().active_voxels), *plan);
-  if (plan->source_mesh && plan->source_mesh->volume) return area_of(plan->source_mesh->volume);
-  if (plan->field.bounds().isEmpty()) return 0;
-  return volume::estimate(plan->field, voxelize_options(*plan, memory_budget())).surface_area;
 }
 
 const Builder::BuiltMesh* Builder::cached(const shot::MeshPtr& plan) const {
@@ -137,8 +116,11 @@ void Builder::reuse_from(Builder&& other) {
 volume::LevelSet Builder::make_level_set(const shot::VolumePlan& plan) {
   const mesh::MeshPtr mesh = plan.source_mesh ? mesh_for_volume(plan.source_mesh) : nullptr;
   const Stopwatch watch(seconds_);
-  if (!mesh)
+  const Progress::Product product(progress_, plan.name);
+  if (!mesh) {
+    field::compute_deferred(plan.field, progress_);
     return volume::voxelize(plan.field, voxelize_options(plan, memory_budget()), progress_);
+  }
   volume::FromMeshOptions options;
   options.voxel = plan.voxel;
   options.half_width = plan.half_width;
@@ -160,36 +142,6 @@ const volume::LevelSet& Builder::level_set(const shot::VolumePtr& plan) {
     return made;
   } catch (Error& error) {
     throw volume_error(*plan, error, fmt::format("making the volume '{}'", plan->name));
-  }
-}
-
-void Builder::require_mesh_memory(const shot::MeshPtr& plan) const {
-  if (cached(plan)) return;
-  for (const shot::MeshPtr& part : plan->parts) require_mesh_memory(part);
-  if (plan->cells && cell_layers_.count(plan->cells) == 0) {
-    double area = 0;
-    for (const shot::MeshPtr& support : plan->cells->on) {
-      require_mesh_memory(support);
-      if (support->volume) area += area_of(support->volume);
-      if (support->file_mesh) area += metrics::area(*support->file_mesh);
-    }
-    require_cell_memory(*plan->cells, area, memory_budget());
-  }
-  if (plan->cells || !plan->volume) return;
-  const shot::VolumePlan& volume = *plan->volume;
-  if (volume.source_mesh) return require_mesh_memory(volume.source_mesh);
-  if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
-  const double band = 2 * volume.half_width;
-  if (meshing_bytes(max_active_voxels(volume), band) <= static_cast<double>(memory_budget()))
-    return;
-  try {
-    const auto estimate = volume::estimate(volume.field, voxelize_options(volume, memory_budget()));
-    const double bytes = estimate.bytes + meshing_bytes(estimate.active_voxels, band);
-    require_memory(bytes, memory_budget(),
-                   fmt::format("a mesh and its grid with voxels of {} m", volume.voxel),
-                   volume::fitting_voxel_hint(volume.voxel, bytes, memory_budget()));
-  } catch (Error& error) {
-    throw volume_error(volume, error, fmt::format("making the mesh '{}'", plan->name));
   }
 }
 
@@ -221,6 +173,7 @@ mesh::MeshPtr Builder::mesh_for_volume(const shot::MeshPtr& plan) {
 Builder::BuiltMesh Builder::build_plain(const shot::MeshPlan& plan) {
   const volume::LevelSet* surface = plan.file_mesh ? nullptr : &level_set(plan.volume);
   const Stopwatch watch(seconds_);
+  const Progress::Product product(progress_, plan.name);
   shot::MeshPlan quality = plan;
   quality.polish = plan.polish && !shot_.draft;
   SurfaceMesh made = surface ? make_mesh(quality, *surface, memory_budget(), progress_)
@@ -246,7 +199,10 @@ Builder::BuiltMesh Builder::build_with_cells(const shot::MeshPlan& plan, Folds f
   const shot::MeshPtr under = shot::mesh_without_cells(plan);
   mesh::MeshPtr bare = mesh(under);
   const Stopwatch watch(seconds_);
-  if (refine) bare = refine_for_cells(*plan.cells, *bare, memory_budget());
+  const Progress::Product product(progress_, plan.name);
+  if (refine)
+    bare = run_stage(progress_, "refining the mesh",
+                     [&] { return refine_for_cells(*plan.cells, *bare, memory_budget()); });
   MeshWithCells made = apply_cells(*bare, *layer, *plan.cells, folds, progress_);
   // A few inverted slivers among many triangles are invisible.
   if (folds == Folds::prevent && made.flipped_triangles > bare->triangles.size() / 2000)
@@ -296,6 +252,7 @@ CellLayerPtr Builder::cell_layer(const shot::CellsPtr& plan) {
   std::vector<CellSupport> supports;
   for (const shot::MeshPtr& each : plan->on) supports.push_back({mesh(each), solid(each)});
   const Stopwatch watch(seconds_);
+  const Progress::Product product(progress_, plan->name);
   try {
     CellRunOptions how{nullptr, options_.checkpoint.get()};
     if (const auto resumable = resumable_.find(plan); resumable != resumable_.end())
@@ -310,20 +267,6 @@ CellLayerPtr Builder::cell_layer(const shot::CellsPtr& plan) {
   }
 }
 
-void Builder::require_surface_memory(const shot::MeshPtr& plan) const {
-  const shot::VolumePlan& volume = *plan->volume;
-  if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
-  try {
-    const auto estimate = volume::estimate(volume.field, voxelize_options(volume, memory_budget()));
-    const double bytes = estimate.bytes + surface_bytes(estimate.surface_area, volume.voxel);
-    require_memory(bytes, memory_budget(),
-                   fmt::format("a surface and its grid with voxels of {} m", volume.voxel),
-                   volume::fitting_voxel_hint(volume.voxel, bytes, memory_budget()));
-  } catch (Error& error) {
-    throw volume_error(volume, error, fmt::format("making the surface of '{}'", plan->name));
-  }
-}
-
 volume::SurfaceBricksPtr Builder::surface(const shot::MeshPtr& plan) {
   if (const auto known = cached_surface(plan)) return known;
   require_surface_memory(plan);
@@ -333,7 +276,10 @@ volume::SurfaceBricksPtr Builder::surface(const shot::MeshPtr& plan) {
   const double area = area_of_band(active, *plan->volume);
   try {
     require_memory(surface_bytes(area, plan->volume->voxel), memory_budget(), "the surface");
-    auto made = std::make_shared<const volume::SurfaceBricks>(grid, plan->smallest_piece);
+    const Progress::Product product(progress_, plan->name);
+    auto made = run_stage(progress_, "surface", [&] {
+      return std::make_shared<const volume::SurfaceBricks>(grid, plan->smallest_piece);
+    });
     held_ += made->bytes();
     return surfaces_.emplace(plan, std::move(made)).first->second;
   } catch (Error& error) {

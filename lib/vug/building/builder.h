@@ -11,6 +11,7 @@
 #include <vug/volume/level_set.h>
 #include <vug/volume/small_features.h>
 #include <vug/volume/surface_bricks.h>
+#include <vug/volume/voxelize.h>
 
 #include <functional>
 #include <map>
@@ -41,6 +42,8 @@ class Builder {
   /// continue.
   void reuse_from(Builder&& other);
 
+  /// Computes the deferred fields of the shown objects, such as drips.
+  void compute_deferred();
   const volume::LevelSet& level_set(const shot::VolumePtr& plan);
   mesh::MeshPtr mesh(const shot::MeshPtr& plan);
   /// The level set of which the mesh is the surface, for masks; null if there is none.
@@ -91,6 +94,12 @@ class Builder {
   BuiltMesh build_plain(const shot::MeshPlan& plan);
   BuiltMesh build_with_cells(const shot::MeshPlan& plan, Folds folds);
   BuiltMesh build_merged(const shot::MeshPlan& plan);
+  /// Locates an error at the volume's line if the scene text is at fault; else adds `doing` as
+  /// context.
+  static Error volume_error(const shot::VolumePlan& plan, Error& error, std::string doing);
+  /// The memory of the plan's level set, estimated once.
+  const volume::VoxelizeEstimate& estimate(const shot::VolumePtr& plan) const;
+  mutable std::map<shot::VolumePtr, volume::VoxelizeEstimate> estimates_;
   /// Approximate surface area of the volume in square metres.
   double area_of(const shot::VolumePtr& plan) const;
   volume::SurfaceBricksPtr cached_surface(const shot::MeshPtr& plan) const;

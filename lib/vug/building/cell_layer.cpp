@@ -40,6 +40,7 @@ cells::BuildResult network(const shot::CellsPlan& plan, const std::vector<CellSu
     if (!supports[i].mesh->triangles.empty())
       meshes.push_back(supports[i].mesh), numbers.push_back(i);
   if (meshes.empty()) return {};
+  progress.begin("surface of the cells");
   const cells::Surface surface = surface_of(meshes, plan);
   try {
     cells::BuildResult built = cells::build(surface, build_options(plan, memory), progress);
@@ -92,6 +93,7 @@ void add_context(const shot::CellsPlan& plan, const std::vector<CellSupport>& su
   for (const CellSupport& support : supports)
     meshes.push_back(support.mesh), solids.push_back(support.solid);
   cells.set_solids(std::move(solids));
+  if (!plan.context_attributes.empty()) progress.begin("surroundings of the cells");
   for (const std::string& name : plan.context_attributes)
     if (!cells.attributes().find(name))
       cells.attributes().column<float>(name).now =

@@ -32,15 +32,19 @@ SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surfac
   const field::Field* exact = plan.volume->source_mesh ? nullptr : &plan.volume->field;
   const auto active = static_cast<double>(surface.statistics().active_voxels);
   require_memory(meshing_bytes(active, 2 * plan.volume->half_width), memory, "the mesh");
+  progress.begin("small features");
   std::vector<volume::SmallFeature> small = volume::find_small_features(surface, exact);
   const volume::LevelSet meshed = plan.topology == shot::SmallTopology::clean
                                       ? volume::without_features(surface, small)
                                       : surface;
-  mesh::LargeComponents pieces = mesh::large_components(
-      meshing::polygonize(meshed, plan.polish ? exact : nullptr, polygonize, progress).mesh,
-      plan.smallest_piece);
+  progress.begin("triangles");
+  mesh::Mesh polygons =
+      meshing::polygonize(meshed, plan.polish ? exact : nullptr, polygonize, progress).mesh;
+  progress.begin("components of the mesh");
+  mesh::LargeComponents pieces = mesh::large_components(std::move(polygons), plan.smallest_piece);
   if (plan.paint) add_colors(pieces.mesh, plan.paint, volume::sampled_grid(surface).get());
   if (!plan.elements.empty()) facade::add_semantics(pieces.mesh, plan.elements);
+  progress.end();
   return {std::move(pieces), std::move(small)};
 }
 

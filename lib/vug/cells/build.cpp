@@ -58,7 +58,7 @@ BuildResult build(const Surface& surface, const BuildOptions& options, Progress&
   if (relaxation.steps > 0)
     out.relaxation = relax(places, surface, options.spacing, reach, relaxation, progress);
   out.network = link(places, surface, options.spacing, reach, options.grid.full, progress);
-  orient(out.network);
+  run_stage(progress, "orienting cells", [&] { orient(out.network); });
   return out;
 }
 

@@ -51,11 +51,11 @@ Push push_on(uint32_t i, const std::vector<SurfacePoint>& places,
 std::vector<RelaxStep> relax(std::vector<SurfacePoint>& places, const Surface& surface,
                              double spacing, double reach, const RelaxOptions& options,
                              Progress& progress) {
+  progress.begin("relaxing cells", static_cast<uint64_t>(std::max(0, options.steps)));
   const SurfaceSearch search(surface);
   const ForceLaw law{options.force, static_cast<float>(reach), static_cast<float>(spacing)};
   const auto strength = static_cast<float>(options.strength * spacing);
   const auto most = static_cast<float>(0.3 * spacing);
-  progress.begin("relaxing cells", static_cast<uint64_t>(std::max(0, options.steps)));
   std::vector<RelaxStep> steps;
   std::vector<SurfacePoint> sorted(places.size());
   std::vector<float> nearest(places.size()), moved(places.size());

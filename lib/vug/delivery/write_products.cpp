@@ -15,6 +15,13 @@ namespace vug::delivery {
 
 namespace {
 
+/// Writes a file as a stage of the builder's progress.
+template <class Write>
+void write_file(const building::Builder& builder, const std::filesystem::path& file,
+                const Write& write) {
+  run_stage(builder.progress(), "writing " + file.filename().string(), [&] { write(file); });
+}
+
 /// All volumes, and the grids of cells on them.
 std::vector<volume::Grid> grids_of(building::Builder& builder) {
   std::vector<volume::Grid> grids;
@@ -49,7 +56,9 @@ mesh::Comments mesh_comments(const shot::Shot& shot) {
 }
 
 void write_volumes(building::Builder& builder, const std::filesystem::path& vdb) {
-  volume::write(vdb, grids_of(builder), write_options(builder.shot()));
+  const std::vector<volume::Grid> grids = grids_of(builder);
+  write_file(builder, vdb,
+             [&](const auto& file) { volume::write(file, grids, write_options(builder.shot())); });
 }
 
 std::vector<std::filesystem::path> product_paths(const shot::Shot& shot,
@@ -82,7 +91,9 @@ std::vector<std::filesystem::path> write_products(building::Builder& builder,
   for (const shot::MeshPtr& plan : shot::declared_meshes(shot)) builder.require_mesh_memory(plan);
   if (!shot.volumes.empty()) write_volumes(builder, *path++);
   for (const shot::MeshPtr& plan : shot::declared_meshes(shot))
-    mesh::write_mesh(*builder.mesh(plan), *path++, mesh_comments(shot));
+    write_file(builder, *path++, [&, mesh = builder.mesh(plan)](const auto& file) {
+      mesh::write_mesh(*mesh, file, mesh_comments(shot));
+    });
   for (const shot::CellsPtr& cells : shot::declared_cells(shot)) {
     if (cells->writes("points")) {
       const building::CellLayerPtr layer = builder.cell_layer(cells);
@@ -91,9 +102,14 @@ std::vector<std::filesystem::path> write_products(building::Builder& builder,
       require_memory(kBytes * static_cast<double>(layer->network().size()), builder.memory_budget(),
                      fmt::format("the points of '{}'", cells->name),
                      "exclude points from its files");
-      volume::write(*path++, {building::cell_points(*cells, *layer)}, write_options(shot));
+      write_file(builder, *path++, [&](const auto& file) {
+        volume::write(file, {building::cell_points(*cells, *layer)}, write_options(shot));
+      });
     }
-    if (cells->writes("csv")) write_table(*path++, *builder.cell_layer(cells));
+    if (cells->writes("csv"))
+      write_file(builder, *path++, [&, layer = builder.cell_layer(cells)](const auto& file) {
+        write_table(file, *layer);
+      });
   }
   return paths;
 }

@@ -7,15 +7,21 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <unordered_set>
 #include <utility>
+#include <vector>
 
 namespace vug::field {
 namespace {
 
 class DeferredNode final : public Node {
  public:
-  DeferredNode(Traits traits, std::function<Field()> make)
-      : Node(std::move(traits)), make_(std::move(make)) {}
+  DeferredNode(Traits traits, std::string work, std::function<Field()> make)
+      : Node(std::move(traits)), work_(std::move(work)), make_(std::move(make)) {}
+
+  const std::string& work() const { return work_; }
+  bool is_computed() const { return ready_; }
+  void compute() const { made(); }
 
   double eval(const Point<double>& p) const override { return made().eval(p); }
   Dual<double> eval(const Point<Dual<double>>& p) const override { return made().eval(p); }
@@ -56,6 +62,7 @@ class DeferredNode final : public Node {
     return *field_.node();
   }
 
+  std::string work_;
   std::function<Field()> make_;
   mutable std::once_flag once_;
   mutable std::atomic<bool> ready_ = false;
@@ -64,8 +71,22 @@ class DeferredNode final : public Node {
 
 }  // namespace
 
-Field deferred(Traits traits, std::function<Field()> make) {
-  return Field(std::make_shared<DeferredNode>(std::move(traits), std::move(make)));
+Field deferred(Traits traits, std::string work, std::function<Field()> make) {
+  return Field(std::make_shared<DeferredNode>(std::move(traits), std::move(work), std::move(make)));
+}
+
+void compute_deferred(const Field& whole, Progress& progress) {
+  std::vector<NodePtr> pending{whole.node()};
+  std::unordered_set<const Node*> seen;
+  while (!pending.empty()) {
+    const NodePtr node = std::move(pending.back());
+    pending.pop_back();
+    if (!seen.insert(node.get()).second) continue;
+    const auto* deferred = dynamic_cast<const DeferredNode*>(node.get());
+    if (deferred && !deferred->is_computed())
+      run_stage(progress, deferred->work(), [&] { deferred->compute(); });
+    for (NodePtr& child : node->children()) pending.push_back(std::move(child));
+  }
 }
 
 }  // namespace vug::field

@@ -13,8 +13,7 @@ std::string prefix_of(const std::string& channel) {
 }
 
 std::string plain_name(const std::string& channel) {
-  const size_t dot = channel.rfind('.');
-  return dot == std::string::npos ? channel : channel.substr(dot + 1);
+  return channel.substr(channel.rfind('.') + 1);  // from 0 without a dot
 }
 
 bool is_primary(const std::string& channel) {

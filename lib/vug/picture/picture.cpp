@@ -193,6 +193,8 @@ render::Scene build_scene(building::Builder& builder, const shot::RenderPlan& pl
   if (flat.objects.empty() && flat.lights.empty())
     throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");
+  Progress& progress = builder.progress();
+  progress.begin("assembling the scene");
   building::add_default_light(flat, shot.medium.get());
   scene.objects = std::move(flat.objects);
   scene.lights = std::move(flat.lights);
@@ -213,7 +215,9 @@ render::Scene build_scene(building::Builder& builder, const shot::RenderPlan& pl
   if (bounds.isEmpty()) bounds = Box3d(Vec3d(-1), Vec3d(1));
   scene.camera = plan.settings.camera ? plan.settings.camera : outside_camera(bounds);
   warn_if_inside_solid(builder, plan, shot::shown_objects(shot), *scene.camera);
-  return render::in_space(std::move(scene), plan.settings.working_space);
+  scene = render::in_space(std::move(scene), plan.settings.working_space);
+  progress.end();
+  return scene;
 }
 
 PictureJob prepare_picture(building::Builder& builder, const PicturePlan& plan, bool whole_film) {

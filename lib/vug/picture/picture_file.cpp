@@ -70,11 +70,12 @@ struct DenoisedView {
   std::optional<image::Image> layers, shown;
 };
 
-std::vector<DenoisedView> denoise_views(const std::vector<PictureView>& views) {
+std::vector<DenoisedView> denoise_views(const std::vector<PictureView>& views,
+                                        Progress& progress = Progress::none()) {
   std::vector<DenoisedView> out(views.size());
   for (size_t i = 0; i < views.size(); ++i) {
     if (!views[i].output.settings.denoise) continue;
-    image::Image smooth = image::denoise(views[i].image);
+    image::Image smooth = image::denoise(views[i].image, {}, progress);
     out[i].layers = image::joined(views[i].image, smooth);
     out[i].shown = as_colour(std::move(smooth));
   }
@@ -125,13 +126,16 @@ std::filesystem::path deep_path(const std::filesystem::path& exr) {
 }
 
 std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
-                                                 const std::vector<PictureView>& views) {
-  const std::vector<DenoisedView> smooth = denoise_views(views);
+                                                 const std::vector<PictureView>& views,
+                                                 Progress& progress) {
+  const std::vector<DenoisedView> smooth = denoise_views(views, progress);
+  progress.begin("writing the picture");
   write_layers(exr, views, smooth);
   write_png_views(png_path(exr), views, smooth);
-  if (!has_deep(views)) return {exr, png_path(exr)};
-  write_deep(deep_path(exr), views);
-  return {exr, png_path(exr), deep_path(exr)};
+  std::vector<std::filesystem::path> files{exr, png_path(exr)};
+  if (has_deep(views)) write_deep(files.emplace_back(deep_path(exr)), views);
+  progress.end();
+  return files;
 }
 
 void write_picture_file(const std::filesystem::path& file, const std::vector<PictureView>& views) {

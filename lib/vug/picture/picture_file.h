@@ -2,6 +2,7 @@
 // Writes a rendered picture: the EXR with its AOVs, and the PNG next to it.
 #pragma once
 
+#include <vug/base/progress.h>
 #include <vug/image/deep.h>
 #include <vug/picture/picture_output.h>
 #include <vug/render/film/partial_render.h>
@@ -21,9 +22,10 @@ struct PictureView {
 
 /// Writes `exr`, the PNG of the same name next to it, and the deep picture if there are deep
 /// images; returns their paths. For two views, left and right, the EXRs have parts for each view
-/// and the PNG shows them side by side.
+/// and the PNG shows them side by side. Error(cancelled).
 std::vector<std::filesystem::path> write_picture(const std::filesystem::path& exr,
-                                                 const std::vector<PictureView>& views);
+                                                 const std::vector<PictureView>& views,
+                                                 Progress& progress = Progress::none());
 /// Writes one of these files: NAME.exr, NAME.png or NAME.deep.exr. Error(bad_input) for other
 /// names, and for NAME.deep.exr if the views have no deep image.
 void write_picture_file(const std::filesystem::path& file, const std::vector<PictureView>& views);

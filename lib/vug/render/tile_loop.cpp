@@ -21,7 +21,9 @@ std::vector<size_t> unfinished_tiles(const TileProgress& tiles, uint32_t count) 
 void render_tiles(const PreparedRender& prepared, const TileProgress& tiles, TileSink& sink,
                   const RenderCallbacks& callbacks, Progress& progress) {
   if (callbacks.estimate)
-    callbacks.estimate(estimate_seconds(prepared, static_cast<double>(tiles.missing()), progress));
+    callbacks.estimate(run_stage(progress, "estimating the time", [&] {
+      return estimate_seconds(prepared, static_cast<double>(tiles.missing()), progress);
+    }));
   progress.begin("rendering", tiles.samples());
   progress.advance(tiles.samples() - tiles.missing());
   for (const uint32_t count : sink.stops(tiles)) {

@@ -55,6 +55,28 @@ TEST(Progress, ReportsOneAtATimeAndNeverBackwards) {
   EXPECT_FALSE(fell);
 }
 
+TEST(Progress, StagesEndOnceAndNameTheirProduct) {
+  std::vector<std::string> ended;
+  Progress progress([&](const std::string& stage, double fraction) {
+    if (fraction >= 1) ended.push_back(stage);
+  });
+  {
+    const Progress::Product rock(progress, "rock");
+    progress.begin("voxels", 2);
+    progress.advance(2);
+    EXPECT_TRUE(ended.empty()) << "all units are done, but the stage has not ended";
+    {
+      const Progress::Product wall(progress, "wall");
+      EXPECT_EQ(run_stage(progress, "triangles", [] { return 7; }), 7);  // ends the voxels
+    }
+    run_stage(progress, "components", [] {});
+    progress.end();
+  }
+  run_stage(progress, "rendering", [] {});
+  EXPECT_EQ(ended, (std::vector<std::string>{"voxels of 'rock'", "triangles of 'wall'",
+                                             "components of 'rock'", "rendering"}));
+}
+
 TEST(Progress, CancelledWorkStopsAtTheNextCheck) {
   Progress progress;
   progress.check();

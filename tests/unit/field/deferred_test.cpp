@@ -17,7 +17,7 @@ TEST(Deferred, IsComputedOnceWhenAValueIsNeeded) {
   const Field ball = make("sphere", {{"radius", 2.0}});
   std::atomic<int> calls = 0;
   std::atomic<double> sum = 0;
-  const Field field = deferred(ball.node()->traits(), [&] {
+  const Field field = deferred(ball.node()->traits(), "digging", [&] {
     ++calls;
     // A parallel loop of its own, while others wait for the field.
     sum = ordered_sum(
@@ -42,7 +42,7 @@ TEST(Deferred, IsComputedOnceWhenAValueIsNeeded) {
 TEST(Deferred, BoundsAndInspectionComputeNothing) {
   const Field ball = make("sphere", {{"radius", 2.0}});
   int calls = 0;
-  const Field drips = deferred(ball.node()->traits(), [&] {
+  const Field drips = deferred(ball.node()->traits(), "digging", [&] {
     ++calls;
     return ball;
   });
@@ -61,8 +61,21 @@ TEST(Deferred, BoundsAndInspectionComputeNothing) {
   EXPECT_TRUE(bounds_at(rock, Vec3d(1.5, 0, 0)).contains(rock.value(Vec3d(1.5, 0, 0))));
 }
 
+TEST(Deferred, IsComputedAsAStageAndOnlyOnce) {
+  const Field ball = make("sphere", {{"radius", 2.0}});
+  const Field field =
+      unite({ball, deferred(ball.node()->traits(), "digging", [&] { return ball; })});
+  std::vector<std::string> stages;
+  Progress progress([&](const std::string& stage, double fraction) {
+    if (fraction >= 1) stages.push_back(stage);
+  });
+  for (int i = 0; i < 2; ++i) compute_deferred(field, progress);
+  EXPECT_EQ(stages, std::vector<std::string>{"digging"});
+}
+
 TEST(Deferred, AnErrorIsRepeated) {
-  const Field field = deferred({}, []() -> Field { throw Error(ErrorCode::bad_input, "no"); });
+  const Field field =
+      deferred({}, "digging", []() -> Field { throw Error(ErrorCode::bad_input, "no"); });
   EXPECT_THROW(field.value(Vec3d(0)), Error);
   EXPECT_THROW(field.value(Vec3d(0)), Error);
 }

@@ -23,14 +23,14 @@ int run(const Options& options) {
   if (render::read_partial_render_info(paths.front()).header.deep)
     outputs.push_back(picture::deep_path(options.output));
   require_outputs(outputs, paths);
-  const render::PartialRender whole =
-      render::merge(paths, terminal_progress(options.work.bar_mode()));
+  Progress& progress = terminal_progress(options.work.bar_mode());
+  const render::PartialRender whole = render::merge(paths, progress);
   const image::Image image = render::develop(whole.state, whole.header.aovs);
   std::optional<image::DeepImage> deep;
   if (whole.header.deep) deep = render::develop(whole.state, *whole.header.deep);
   const picture::PictureOutput output = picture::from_header_attributes(whole.header.notes);
   const picture::PictureView view{image, whole.header, output, deep ? &*deep : nullptr};
-  for (const auto& path : picture::write_picture(options.output, {view}))
+  for (const auto& path : picture::write_picture(options.output, {view}, progress))
     fmt::print("{}\n", path.string());
   return kDone;
 }

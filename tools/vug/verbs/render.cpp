@@ -15,7 +15,6 @@
 #include <vug/picture/frame_sequence.h>
 #include <vug/picture/stereo_views.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -83,17 +82,30 @@ std::string time_text(double seconds) {
   return fmt::format("about {:.1f} h", seconds / 3600);
 }
 
+/// Prints the estimate of the rendering and of the whole picture, on which `before` seconds have
+/// been spent.
+void print_estimate(double before, double seconds, double bytes) {
+  if (seconds < 5 && bytes < 0x1p30) return;  // too short to report
+  clear_progress_bar();
+  fmt::print(stderr, "rendering takes {} and {}, after {:.0f} s of preparation: {} in all\n",
+             time_text(seconds), bytes_text(bytes), before, time_text(before + seconds));
+}
+
 /// Renders and writes one picture of the loaded scene.
 void render_one(const Options& options, building::Builder& builder,
-                const picture::PicturePlan& plan) {
-  const std::vector<picture::RenderResult> rendered =
-      picture::render_views(builder, plan, options.render);
+                const picture::PicturePlan& plan, double start) {
+  picture::RenderOptions render = options.render;
+  if (!options.work.quiet)
+    render.estimate = [&](double seconds, double bytes) {
+      print_estimate(stage_times().total_seconds() - start, seconds, bytes);
+    };
+  const std::vector<picture::RenderResult> rendered = picture::render_views(builder, plan, render);
   const std::vector<picture::PictureView> views = picture::picture_views(rendered);
   if (views.empty()) {
     fmt::print("{}\n", options.part);
   } else {
     picture::warn_about_exposure(builder, rendered.front());
-    for (const auto& path : picture::write_picture(options.output, views))
+    for (const auto& path : picture::write_picture(options.output, views, builder.progress()))
       fmt::print("{}\n", path.string());
   }
   if (!options.products.empty())
@@ -156,8 +168,16 @@ Options options_at_frame(const Options& options, int frame) {
   return out;
 }
 
+/// `require_placement` with exact values, as stages.
+void check_placement(const Options& options, SceneAtFrame& scene, const picture::PicturePlan& plan,
+                     Progress& progress) {
+  if (options.anyway) return;
+  scene.builder.compute_deferred();
+  run_stage(progress, "checking the placement",
+            [&] { require_placement(options, scene.loaded, plan, loading::Accuracy::exact); });
+}
+
 int run_frames(const Options& options, const loading::SceneSource& source, Progress& progress) {
-  using Clock = std::chrono::steady_clock;
   const std::vector<int> frames = picture::parse_frames(options.frames);
   for (const int frame : frames) options_at_frame(options, frame);  // check names before any work
   for (const int frame : frames) {  // and the animation before the first picture
@@ -172,6 +192,7 @@ int run_frames(const Options& options, const loading::SceneSource& source, Progr
   size_t rendered = 0, skipped = 0;
   for (size_t i = 0; i < frames.size(); ++i) {
     const Options one = options_at_frame(options, frames[i]);
+    const double start = stage_times().total_seconds();
     auto next = std::make_unique<SceneAtFrame>(options.scene.load(source, frames[i]), options.work,
                                                progress);
     if (now) next->builder.reuse_from(std::move(now->builder));
@@ -184,7 +205,7 @@ int run_frames(const Options& options, const loading::SceneSource& source, Progr
       continue;
     }
     require_outputs(one, now->loaded, plan);
-    require_placement(options, now->loaded, plan, loading::Accuracy::exact);
+    check_placement(options, *now, plan, progress);
     if (!options.work.quiet) {
       clear_progress_bar();
       fmt::print(stderr, "frame {}, {} of {}", frames[i], i + 1, frames.size());
@@ -194,13 +215,12 @@ int run_frames(const Options& options, const loading::SceneSource& source, Progr
                              static_cast<double>(frames.size() - i)));
       fmt::print(stderr, "\n");
     }
-    const Clock::time_point start = Clock::now();
     try {
-      render_one(one, now->builder, plan);
+      render_one(one, now->builder, plan, start);
     } catch (Error& error) {
       throw error.within(fmt::format("rendering frame {}", frames[i]));
     }
-    seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    seconds += stage_times().total_seconds() - start;
     ++rendered;
   }
   if (skipped > 0 && !options.work.quiet)
@@ -212,12 +232,6 @@ int run_frames(const Options& options, const loading::SceneSource& source, Progr
 
 int run(Options options) {
   parse(options);
-  if (!options.work.quiet)
-    options.render.estimate = [](double seconds, double bytes) {
-      if (seconds < 5 && bytes < 0x1p30) return;  // too short to report
-      clear_progress_bar();
-      fmt::print(stderr, "rendering takes {} and {}\n", time_text(seconds), bytes_text(bytes));
-    };
   Progress& progress = terminal_progress(options.work.bar_mode());
   const loading::SceneSource source = options.scene.source();
   options.picture.source = &source;
@@ -229,8 +243,8 @@ int run(Options options) {
                      progress);
   const picture::PicturePlan plan = picture::plan_picture(scene.loaded.shot, options.picture);
   require_outputs(options, scene.loaded, plan);
-  require_placement(options, scene.loaded, plan, loading::Accuracy::exact);
-  render_one(options, scene.builder, plan);
+  check_placement(options, scene, plan, progress);
+  render_one(options, scene.builder, plan, 0);
   options.work.summarise(scene.builder);
   return kDone;
 }

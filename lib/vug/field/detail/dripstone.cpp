@@ -59,7 +59,7 @@ struct Dripstone : DripOptions {
 VUG_FIELD_KIND(dripstone) {
   return field_kind<Dripstone>("dripstone", "detail", [](const Dripstone& d) {
     const Traits traits{1, Exactness::eikonal, dripstone_bounds(d.field.bounds(), d), 1};
-    return unite({d.field, deferred(traits, [d] { return dripstone(find_drips(d.field, d), d); })},
-                 {Profile::smooth, d.root});
+    const auto make = [d] { return dripstone(find_drips(d.field, d), d); };
+    return unite({d.field, deferred(traits, "finding drips", make)}, {Profile::smooth, d.root});
   });
 }

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// The memory that the products of a Builder need, before they are made.
+#include <vug/base/memory.h>
+#include <vug/building/builder.h>
+#include <vug/building/cell_layer.h>
+#include <vug/building/memory_estimate.h>
+#include <vug/field/deferred.h>
+#include <vug/metrics/surface.h>
+#include <vug/shot/queries.h>
+#include <vug/volume/fitting_voxel.h>
+
+#include <fmt/format.h>
+
+namespace vug::building {
+
+uint64_t Builder::memory_budget() const {
+  if (options_.max_memory == 0) return available_memory();
+  return options_.max_memory > held_ ? options_.max_memory - held_ : 1;
+}
+
+Error Builder::volume_error(const shot::VolumePlan& plan, Error& error, std::string doing) {
+  if (error.code() == ErrorCode::bad_input && !error.where().known()) return error.at(plan.where);
+  return error.within(std::move(doing));
+}
+
+void Builder::compute_deferred() {
+  for (const shot::ObjectPlan& object : shot::shown_objects(shot_)) {
+    const shot::VolumePtr& plan = object.mesh->volume;
+    if (!plan) continue;
+    const Progress::Product product(progress_, plan->name);
+    field::compute_deferred(plan->field, progress_);
+  }
+}
+
+const volume::VoxelizeEstimate& Builder::estimate(const shot::VolumePtr& plan) const {
+  if (const auto known = estimates_.find(plan); known != estimates_.end()) return known->second;
+  const Progress::Product product(progress_, plan->name);
+  field::compute_deferred(plan->field, progress_);
+  const auto made = run_stage(progress_, "estimating the memory", [&] {
+    return volume::estimate(plan->field, voxelize_options(*plan, memory_budget()));
+  });
+  return estimates_.emplace(plan, made).first->second;
+}
+
+double Builder::area_of(const shot::VolumePtr& plan) const {
+  if (const auto held = level_sets_.find(plan); held != level_sets_.end())
+    return area_of_band(static_cast<double>(held->second.statistics().active_voxels), *plan);
+  if (plan->source_mesh && plan->source_mesh->volume) return area_of(plan->source_mesh->volume);
+  if (plan->field.bounds().isEmpty()) return 0;
+  return estimate(plan).surface_area;
+}
+
+void Builder::require_mesh_memory(const shot::MeshPtr& plan) const {
+  if (cached(plan)) return;
+  for (const shot::MeshPtr& part : plan->parts) require_mesh_memory(part);
+  if (plan->cells && cell_layers_.count(plan->cells) == 0) {
+    double area = 0;
+    for (const shot::MeshPtr& support : plan->cells->on) {
+      require_mesh_memory(support);
+      if (support->volume) area += area_of(support->volume);
+      if (support->file_mesh) area += metrics::area(*support->file_mesh);
+    }
+    require_cell_memory(*plan->cells, area, memory_budget());
+  }
+  if (plan->cells || !plan->volume) return;
+  const shot::VolumePlan& volume = *plan->volume;
+  if (volume.source_mesh) return require_mesh_memory(volume.source_mesh);
+  if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
+  const double band = 2 * volume.half_width;
+  if (meshing_bytes(max_active_voxels(volume), band) <= static_cast<double>(memory_budget()))
+    return;
+  try {
+    const auto& estimated = estimate(plan->volume);
+    const double bytes = estimated.bytes + meshing_bytes(estimated.active_voxels, band);
+    require_memory(bytes, memory_budget(),
+                   fmt::format("a mesh and its grid with voxels of {} m", volume.voxel),
+                   volume::fitting_voxel_hint(volume.voxel, bytes, memory_budget()));
+  } catch (Error& error) {
+    throw volume_error(volume, error, fmt::format("making the mesh '{}'", plan->name));
+  }
+}
+
+void Builder::require_surface_memory(const shot::MeshPtr& plan) const {
+  const shot::VolumePlan& volume = *plan->volume;
+  if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
+  try {
+    const auto& estimated = estimate(plan->volume);
+    const double bytes = estimated.bytes + surface_bytes(estimated.surface_area, volume.voxel);
+    require_memory(bytes, memory_budget(),
+                   fmt::format("a surface and its grid with voxels of {} m", volume.voxel),
+                   volume::fitting_voxel_hint(volume.voxel, bytes, memory_budget()));
+  } catch (Error& error) {
+    throw volume_error(volume, error, fmt::format("making the surface of '{}'", plan->name));
+  }
+}
+
+}  // namespace vug::building
