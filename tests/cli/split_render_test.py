@@ -2,6 +2,7 @@
 """Long renders: merged partial renders and resumed renders are identical to uninterrupted ones."""
 import json
 import random
+import resource
 import signal
 import subprocess
 import time
@@ -53,6 +54,63 @@ class Farm(VugTest):
             self.part(f"c{i}", "--tile", f"{i}/2", *args)
         self.expect(0, "merge", "c1", "c2", "-o", "joint.exr")
         self.expect_whole("joint", "crop")
+
+    def processor_seconds(self, *args):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.expect(0, "render", "s.vug", *args)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+    def test_parts_share_what_was_learned(self):
+        args = ("--guiding", "light.vugguide")
+        learned = self.expect(0, "render", "s.vug", *args)
+        self.assertEqual(learned.out, "light.vugguide\n")
+        before = digest(self.folder / "light.vugguide")
+        for i in (1, 2, 3):
+            shown = self.part(f"t{i}", "--tile", f"{i}/3", *args, "--progress").err
+            self.assertNotIn("learning", shown)
+        self.expect(0, "merge", "t1", "t2", "t3", "-o", "tiles.exr")
+        self.expect_whole("tiles")
+        self.expect(0, "render", "s.vug", "-o", "again.exr", *args)
+        self.expect_whole("again")
+        self.assertEqual(digest(self.folder / "light.vugguide"), before)
+        info = json.loads(self.expect(0, "info", "light.vugguide", "--json").out)
+        self.assertEqual((info["type"], info["width"], info["spp"]), ("learned light of a picture", 64, 48))
+
+    def test_the_first_part_writes_what_it_learns(self):
+        shown = self.part("t1", "--tile", "1/2", "--guiding", "new.vugguide", "--progress").err
+        self.assertIn("learning", shown)
+        self.part("t2", "--tile", "2/2", "--guiding", "new.vugguide", "--threads", "1")
+        self.expect(0, "merge", "t1", "t2", "-o", "tiles.exr")
+        self.expect_whole("tiles")
+        self.expect(0, "render", "s.vug", "--guiding", "same.vugguide", "--threads", "3")
+        self.assertEqual(digest(self.folder / "same.vugguide"), digest(self.folder / "new.vugguide"))
+
+    def test_guiding_files_of_other_pictures_are_refused(self):
+        self.expect(0, "render", "s.vug", "--guiding", "g")
+        for args, what in [(("--spp", "32"), "samples per pixel"), (("--seed", "6"), "seeds"), (("--size", "32x20"), "sizes")]:
+            said = self.expect(2, "render", "s.vug", "-o", "no.exr", "--guiding", "g", *args).err
+            self.assertIn(f"the guiding file 'g' belongs to another picture: different {what}", said)
+        data = (self.folder / "g").read_bytes()
+        changed = bytearray(data)
+        changed[len(data) // 2] ^= 1
+        for name, content, why in [("cut", data[:-9], "cut short"), ("flip", bytes(changed), "content was changed"),
+                                   ("text", b"not a guiding file at all", "it is not a guiding file"), ("few", b"x", "cut short")]:
+            self.write(name, content)
+            self.assertIn(why, self.expect(2, "render", "s.vug", "-o", "no.exr", "--guiding", name).err)
+        self.assertIn("--guiding", self.expect(2, "render", "s.vug").err)
+
+    def test_the_cost_of_learning_does_not_grow_with_the_parts(self):
+        if SLOW:
+            self.skipTest("times of a sanitizer")
+        size = ("--size", "320x200")
+        whole = self.processor_seconds("-o", "large.exr", *size)
+        self.processor_seconds("--guiding", "large.vugguide", *size)
+        parts = sum(self.processor_seconds("--part", f"p{i}", "--tile", f"{i}/25", "--guiding", "large.vugguide", *size)
+                    for i in range(1, 26))
+        self.expect(0, "merge", *[f"p{i}" for i in range(1, 26)], "-o", "merged.exr")
+        self.expect_whole("merged", "large")
+        self.assertLess(parts, 1.5 * whole)
 
     def test_parts_that_do_not_form_a_picture(self):
         self.part("a", "--tile", "1/2")

@@ -5,6 +5,7 @@
 #include <vug/image/deep_info.h>
 #include <vug/mesh/format.h>
 #include <vug/picture/picture_file.h>
+#include <vug/render/film/guiding_file.h>
 #include <vug/volume/io.h>
 
 #include <fmt/format.h>
@@ -130,6 +131,23 @@ Json describe_table(const std::filesystem::path& file) {
           {"columns", columns}};
 }
 
+/// The learned light of a picture.
+Json describe_guiding(const std::filesystem::path& file) {
+  const render::PartialRenderHeader header = render::read_guiding_header(file);
+  Json texts = Json::object();
+  for (const auto& [key, text] : picture::from_header_attributes(header.notes).metadata)
+    texts[key] = text;
+  return {{"file", file.string()},
+          {"type", "learned light of a picture"},
+          {"bytes", std::filesystem::file_size(file)},
+          {"width", header.width},
+          {"height", header.height},
+          {"spp", header.spp},
+          {"seed", header.seed},
+          {"scene", header.identity},  // a hash of all inputs of the picture
+          {"metadata", std::move(texts)}};
+}
+
 /// A partial render or a checkpoint; a checkpoint has remaining samples.
 Json describe_part(const std::filesystem::path& file) {
   const render::PartialRenderInfo part = render::read_partial_render_info(file);
@@ -169,6 +187,7 @@ nlohmann::ordered_json describe_file(const std::filesystem::path& file) {
     if (extension == "." + format->info.name) return describe_mesh(file);
   for (const exchange::Format* format : exchange::formats())
     if (extension == "." + format->info.name) return describe_scene(file);
+  if (render::is_guiding(file)) return describe_guiding(file);
   return render::is_partial_render(file) || extension == ".vugpart" ? describe_part(file)
                                                                     : describe_picture(file);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/memory.h>
 #include <vug/picture/render_job.h>
+#include <vug/render/film/guiding_file.h>
+#include <vug/render/prepare.h>
 
 #include <fmt/format.h>
 
@@ -63,6 +65,21 @@ render::RenderState initial_state(const PictureJob& job, const render::PartialRe
   return std::move(kept.state);
 }
 
+/// Prepares the pixels of the region with the light of the guiding file, which is written if it
+/// does not exist.
+render::PreparedRender prepare_region(const PictureJob& job,
+                                      const render::PartialRenderHeader& header,
+                                      const render::Region& region, const fs::path& guiding,
+                                      Progress& progress) {
+  render::PrepareOptions part;
+  part.region = region;
+  const bool known = !guiding.empty() && fs::exists(guiding);
+  if (known) part.learned = render::read_guiding(guiding, header);
+  render::PreparedRender prepared = render::prepare(job.scene, job.options, part, progress);
+  if (!guiding.empty() && !known) render::write_guiding(guiding, header, *prepared.learned);
+  return prepared;
+}
+
 }  // namespace
 
 RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
@@ -88,13 +105,15 @@ RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
       builder.warn(where, fmt::format("{} samples were clamped to {:.0f}", cut, render::kMaxLight),
                    "a light exceeds the range of pictures");
   };
+  render::PartialRenderHeader header;  // identifies the picture by hashes of all meshes
+  if (saved || !options.guiding.empty()) header = file_header(job, builder.shot(), plan);
   if (!kept) {
     image::DeepImage* deep = job.options.deep ? &rendered.deep.emplace() : nullptr;
-    rendered.image = render::render(job.scene, job.options, builder.progress(), callbacks, deep);
+    const render::PreparedRender prepared = prepare_region(
+        job, header, render::render_region(job.options), options.guiding, builder.progress());
+    rendered.image = render::render(prepared, builder.progress(), callbacks, deep);
     return rendered;
   }
-  render::PartialRenderHeader header;  // identifies the picture by hashes of all meshes
-  if (saved) header = file_header(job, builder.shot(), plan);
   if (!options.checkpoint.empty()) {
     callbacks.save_every = options.checkpoint_every;
     callbacks.save = [&](const render::RenderState& state) {
@@ -107,7 +126,9 @@ RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
     };
   render::RenderState state = initial_state(job, header, options);
   try {
-    render::continue_render(job.scene, job.options, state, callbacks, builder.progress());
+    const render::PreparedRender prepared =
+        prepare_region(job, header, state.region, options.guiding, builder.progress());
+    render::continue_render(prepared, state, callbacks, builder.progress());
   } catch (const Error& error) {
     if (error.code() != ErrorCode::cancelled || options.checkpoint.empty()) throw;
     throw Error(error.code(), error.what(), error.where(), resume_hint(options, state));
@@ -119,6 +140,16 @@ RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
   rendered.image = render::develop(state, job.options.aovs);
   if (job.options.deep) rendered.deep = render::develop(state, *job.options.deep);
   return rendered;
+}
+
+void learn_light(building::Builder& builder, const PicturePlan& plan, const fs::path& guiding) {
+  const PictureJob job = prepare_picture(builder, plan, false);
+  const render::PartialRenderHeader header = file_header(job, builder.shot(), plan);
+  if (fs::exists(guiding)) {
+    render::read_guiding(guiding, header);
+    return;
+  }
+  prepare_region(job, header, render::Region(), guiding, builder.progress());
 }
 
 void remove_checkpoint(const RenderOptions& options) {

@@ -18,6 +18,9 @@ struct RenderOptions {
       checkpoint_every;  ///< Interval in seconds; default: see render::RenderCallbacks::save_every.
   bool resume = false;   ///< Continue from the checkpoint if it exists.
   std::filesystem::path preview;  ///< PNG of the picture so far; empty: none.
+  /// File of the learned light, for all parts of the picture: read if it exists, else written.
+  /// Empty: none.
+  std::filesystem::path guiding;
   /// Called before the rendering with its approximate time in seconds and memory in bytes.
   std::function<void(double seconds, double bytes)> estimate = nullptr;
 };
@@ -33,9 +36,14 @@ struct RenderResult {
 
 /// Builds the scene and renders it. Call `remove_checkpoint` after the files of a finished render
 /// have been written. Error(bad_input): a slice without `part`; a checkpoint that exists without
-/// `resume`, or that belongs to another picture or slice.
+/// `resume`, or that belongs to another picture or slice; a guiding file of another picture.
 RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
                             const RenderOptions& options = {});
 void remove_checkpoint(const RenderOptions& options);
+
+/// Learns the light of the picture and writes it to the guiding file, unless the file exists and
+/// belongs to this picture. Throws as render_picture does.
+void learn_light(building::Builder& builder, const PicturePlan& plan,
+                 const std::filesystem::path& guiding);
 
 }  // namespace vug::picture

@@ -11,10 +11,11 @@ namespace vug::picture {
 std::vector<RenderResult> render_views(building::Builder& builder, const PicturePlan& plan,
                                        const RenderOptions& options) {
   if (plan.options.eye != 0 || !is_stereo(plan)) return {render_picture(builder, plan, options)};
-  if (!options.part.empty() || !options.checkpoint.empty())
-    throw Error(ErrorCode::bad_input,
-                "a stereo picture cannot have a checkpoint or be rendered in parts", {},
-                "render one view at a time: --eye left, then --eye right");
+  if (!options.part.empty() || !options.checkpoint.empty() || !options.guiding.empty())
+    throw Error(
+        ErrorCode::bad_input,
+        "a stereo picture cannot have a checkpoint or a guiding file, or be rendered in parts", {},
+        "render one view at a time: --eye left, then --eye right");
   std::vector<RenderResult> views;
   for (const int eye : {-1, 1}) {
     PicturePlan view = plan;

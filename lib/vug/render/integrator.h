@@ -16,6 +16,7 @@ namespace vug::render {
 class Camera;
 class LightPathRecorder;
 class PreparedScene;
+struct GuidingData;
 
 /// The first surface on a camera ray, for AOVs.
 struct FirstHit {
@@ -55,11 +56,17 @@ struct TrainingContext {
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  /// Returns an integrator trained on this scene, or null if there is nothing to learn. The result
-  /// is the same for any number of threads and for every slice of the picture.
-  virtual std::shared_ptr<const Integrator> trained(const TrainingContext& context,
-                                                    Progress& progress) const {
+  /// Learns to guide paths in this scene; null if there is nothing to learn. The result is the same
+  /// for any number of threads and for every slice of the picture.
+  virtual std::shared_ptr<const GuidingData> learn(const TrainingContext& context,
+                                                   Progress& progress) const {
     (void)context, (void)progress;
+    return nullptr;
+  }
+  /// The integrator, guided by data that it has learned before; null if it does not learn.
+  virtual std::shared_ptr<const Integrator> guided_by(
+      std::shared_ptr<const GuidingData> guiding) const {
+    (void)guiding;
     return nullptr;
   }
   /// The settings that bias the picture, such as "clamp 3"; empty without any.

@@ -97,17 +97,41 @@ Ray PreparedRender::camera_ray(const SampleId& id, float time) const {
 
 namespace {
 
-PreparedRender prepare_valid(const Scene& scene, const Options& options, Progress& progress) {
+/// Learns the light, or continues with what has been learned.
+void use_light(PreparedRender& out, const LearnedLightPtr& learned, const TrainingContext& context,
+               Progress& progress) {
+  auto light = std::make_shared<LearnedLight>(learned ? *learned : LearnedLight());
+  if (!learned && out.options.openings)
+    out.timings.portals =
+        timed([&] { light->portals = find_automatic_portals(context, progress); });
+  if (!light->portals.empty())
+    out.timings.portals += timed([&] {
+      out.world = std::make_shared<const PreparedScene>(*out.world, *out.scene,
+                                                        portal_lights(light->portals));
+    });
+  out.timings.training = timed([&] {
+    const TrainingContext with_portals{*out.world,     context.camera,  context.sampler,
+                                       context.aspect, context.samples, context.seed};
+    if (!learned) light->guiding = out.integrator->learn(with_portals, progress);
+    if (light->guiding)
+      if (IntegratorPtr guided = out.integrator->guided_by(light->guiding))
+        out.integrator = std::move(guided);
+  });
+  out.learned = std::move(light);
+}
+
+PreparedRender prepare_valid(const Scene& scene, const Options& options, const PrepareOptions& part,
+                             Progress& progress) {
   PreparedRender out;
   out.scene = &scene;
   out.options = options;
-  out.region = render_region(options);
+  out.region = part.region.value_or(render_region(options));
   out.sampler = options.sampler ? options.sampler : make_sampler("sobol");
   out.integrator = options.integrator
                        ? options.integrator
                        : make_integrator("path", {{"max_bounces", options.max_bounces}});
   out.spread = pixel_angle(*scene.camera, options);
-  progress.begin("preparing the scene", 1);
+  progress.begin("BVH and lights");
   out.timings.bvh = timed([&] { out.world = std::make_shared<const PreparedScene>(scene); });
   progress.end();
   out.is_static = !scene.camera->moves() && !out.world->moves() &&
@@ -116,19 +140,10 @@ PreparedRender prepare_valid(const Scene& scene, const Options& options, Progres
   const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   const auto samples = static_cast<uint64_t>(options.width) *
                        static_cast<uint64_t>(options.height) * static_cast<uint64_t>(options.spp);
-  const auto context = [&] {
-    return TrainingContext{*out.world, *scene.camera, *out.sampler, aspect, samples, options.seed};
-  };
-  if (options.openings)
-    out.timings.portals = timed([&] {
-      if (const auto portals = find_automatic_portals(context(), progress); !portals.empty())
-        out.world = std::make_shared<const PreparedScene>(*out.world, scene, portals);
-    });
-  out.timings.training = timed([&] {
-    if (IntegratorPtr trained = out.integrator->trained(context(), progress))
-      out.integrator = std::move(trained);
-  });
-  if (options.bright_edges && samples >= kMinSamplesForEdges)
+  const std::shared_ptr<const PreparedScene> world = out.world;  // without the portals
+  use_light(out, part.learned, {*world, *scene.camera, *out.sampler, aspect, samples, options.seed},
+            progress);
+  if (options.bright_edges && samples >= kMinSamplesForEdges && !out.region.empty())
     out.timings.bright_edges = timed([&] {
       const int rays = std::clamp(options.spp / 2, kMinEdgeSamples, kMaxEdgeSamples);
       out.edges =
@@ -143,9 +158,14 @@ PreparedRender prepare_valid(const Scene& scene, const Options& options, Progres
 
 }  // namespace
 
-PreparedRender prepare(const Scene& scene, const Options& options, Progress& progress) {
+PreparedRender prepare(const Scene& scene, const Options& options, const PrepareOptions& part,
+                       Progress& progress) {
   require_valid(scene, options);
-  return with_threads_of(options, [&] { return prepare_valid(scene, options, progress); });
+  return with_threads_of(options, [&] { return prepare_valid(scene, options, part, progress); });
+}
+
+PreparedRender prepare(const Scene& scene, const Options& options, Progress& progress) {
+  return prepare(scene, options, {}, progress);
 }
 
 }  // namespace vug::render

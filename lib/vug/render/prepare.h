@@ -5,10 +5,12 @@
 #include <vug/base/progress.h>
 #include <vug/render/film/light_path_recorder.h>
 #include <vug/render/paths/bright_edges.h>
+#include <vug/render/paths/learned_light.h>
 #include <vug/render/prepared_scene.h>
 #include <vug/render/render.h>
 
 #include <memory>
+#include <optional>
 
 namespace vug::render {
 
@@ -28,10 +30,11 @@ struct PreparedRender {
   Options options;
   SamplerPtr sampler;
   IntegratorPtr integrator;  ///< With its guiding data.
+  LearnedLightPtr learned;   ///< For other parts of the picture.
   std::shared_ptr<const PreparedScene> world;
   LightPathPlan light_paths;
   BrightEdges edges;
-  Region region;          ///< The pixels to be rendered: see render_region.
+  Region region;          ///< The pixels to be rendered.
   float spread = 0;       ///< The angle subtended by a pixel, in radians.
   bool is_static = true;  ///< True if nothing moves and no motion AOV is requested.
   PreparationTimings timings;
@@ -40,8 +43,17 @@ struct PreparedRender {
   Ray camera_ray(const SampleId& id, float time) const;
 };
 
+/// The work of `prepare` that is needed for a part of a picture.
+struct PrepareOptions {
+  LearnedLightPtr learned;       ///< From another part of the picture; null: it is learned now.
+  std::optional<Region> region;  ///< The pixels to be rendered; none: see render_region.
+};
+
 /// Builds the BVH, finds automatic portals, trains the integrator and detects bright edges. The
-/// result is the same for any number of threads. Throws as `render` does.
+/// result is the same for any number of threads, and that of a pixel for any region. Throws as
+/// `render` does.
+PreparedRender prepare(const Scene& scene, const Options& options, const PrepareOptions& part,
+                       Progress& progress);
 PreparedRender prepare(const Scene& scene, const Options& options,
                        Progress& progress = Progress::none());
 

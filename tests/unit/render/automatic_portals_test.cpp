@@ -44,9 +44,9 @@ TEST(AutomaticPortals, AreFoundWhereTheRoofIsOpen) {
   const auto portals =
       find_automatic_portals({world, *scene.camera, *sampler, 1, 1000, 3}, Progress::none());
   ASSERT_EQ(portals.size(), 1u);
-  EXPECT_NEAR(portals[0]->center().x, 0.7, 0.1);
-  EXPECT_NEAR(portals[0]->center().y, 3, 1e-5);
-  EXPECT_NEAR(portals[0]->center().z, 0.7, 0.1);
+  EXPECT_NEAR(portals[0].center.x, 0.7, 0.1);
+  EXPECT_NEAR(portals[0].center.y, 3, 1e-5);
+  EXPECT_NEAR(portals[0].center.z, 0.7, 0.1);
 }
 
 TEST(AutomaticPortals, AreNotSearchedInOpenScenes) {

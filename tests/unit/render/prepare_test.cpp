@@ -55,9 +55,28 @@ TEST(Prepare, RunsItsStagesInOrder) {
     if (stages.empty() || stages.back() != stage) stages.push_back(stage);
   });
   prepare(open_room(), options(64, 64, 16, 4), progress);
-  EXPECT_EQ(stages, (std::vector<std::string>{"preparing the scene", "finding openings to the sky",
+  EXPECT_EQ(stages, (std::vector<std::string>{"BVH and lights", "finding openings to the sky",
                                               "learning where light comes from",
                                               "looking for bright edges"}));
+}
+
+TEST(Prepare, PartsContinueWithWhatAnotherHasLearned) {
+  const Scene scene = open_room();
+  const Options o = options(64, 64, 16, 4);
+  const PreparedRender whole = prepare(scene, o);
+  ASSERT_TRUE(whole.learned && whole.learned->guiding);
+  EXPECT_FALSE(whole.learned->portals.empty());
+  std::vector<std::string> stages;
+  Progress progress([&](const std::string& stage, double) { stages.push_back(stage); });
+  const Region band{0, 16, 64, 32};
+  const PreparedRender part = prepare(scene, o, {whole.learned, band}, progress);
+  for (const std::string& stage : stages) {
+    EXPECT_EQ(stage.find("learning"), std::string::npos);
+    EXPECT_EQ(stage.find("openings"), std::string::npos);
+  }
+  for (int y = band.y0; y < band.y1; ++y)
+    for (int x = 0; x < 64; ++x) EXPECT_EQ(part.edges.at(x, y), whole.edges.at(x, y));
+  EXPECT_EQ(render(prepare(scene, o, {whole.learned, {}}, progress)), render(whole));
 }
 
 TEST(Prepare, RejectsInvalidOptions) {

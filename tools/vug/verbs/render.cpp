@@ -28,7 +28,7 @@ struct Options {
   std::string output;
   std::string products;
   std::string tile, samples, frames, eye;
-  std::string part, checkpoint, preview;
+  std::string part, checkpoint, preview, guiding;
   std::string ocio;
   bool anyway = false;
   SettingOptions settings;
@@ -46,6 +46,13 @@ picture::PictureOptions parse_picture(const Options& options) {
   if (!options.eye.empty()) picture.eye = options.eye == "left" ? -1 : 1;
   return picture;
 }
+
+constexpr const char* kOutputs =
+    "write -o and an .exr for a picture, --part and a file for a partial render, or --guiding and "
+    "a file to learn only";
+
+/// True if the guiding file is the only product.
+bool learns_only(const Options& options) { return options.output.empty() && options.part.empty(); }
 
 void parse(Options& options) {
   options.picture = parse_picture(options);
@@ -65,12 +72,11 @@ void parse(Options& options) {
                   "write --samples 0..64; the second number is exclusive");
   }
   render.part = options.part, render.checkpoint = options.checkpoint;
-  render.preview = options.preview;
-  if (options.output.empty() == options.part.empty())
-    throw Error(ErrorCode::bad_input,
-                options.part.empty() ? "no output file given" : "-o and --part exclude each other",
-                {},
-                "write -o and an .exr for a picture, or --part and a file for a partial render");
+  render.preview = options.preview, render.guiding = options.guiding;
+  if (!options.output.empty() && !options.part.empty())
+    throw Error(ErrorCode::bad_input, "-o and --part exclude each other", {}, kOutputs);
+  if (options.output.empty() && options.part.empty() && options.guiding.empty())
+    throw Error(ErrorCode::bad_input, "no output file given", {}, kOutputs);
   if (!options.output.empty())
     require_extension(options.output, ".exr", "the picture is an EXR; a PNG is written next to it");
   if (!options.preview.empty()) require_extension(options.preview, ".png", "");
@@ -94,6 +100,11 @@ void print_estimate(double before, double seconds, double bytes) {
 /// Renders and writes one picture of the loaded scene.
 void render_one(const Options& options, building::Builder& builder,
                 const picture::PicturePlan& plan, double start) {
+  if (learns_only(options)) {
+    picture::learn_light(builder, plan, options.guiding);
+    fmt::print("{}\n", options.guiding);
+    return;
+  }
   picture::RenderOptions render = options.render;
   if (!options.work.quiet)
     render.estimate = [&](double seconds, double bytes) {
@@ -118,7 +129,8 @@ void render_one(const Options& options, building::Builder& builder,
 void require_outputs(const Options& options, const loading::Loaded& loaded,
                      const picture::PicturePlan& plan) {
   std::vector<std::filesystem::path> outputs;
-  for (const std::string& path : {options.output, options.part, options.checkpoint})
+  for (const std::string& path :
+       {options.output, options.part, options.checkpoint, options.guiding})
     if (!path.empty()) outputs.emplace_back(path);
   if (!options.output.empty()) outputs.push_back(picture::png_path(options.output));
   // The preview may have the same name as the final picture.
@@ -150,17 +162,18 @@ void require_placement(const Options& options, const loading::Loaded& loaded,
 /// The options with the frame number inserted into file names that contain a placeholder.
 Options with_frame_number(const Options& options, int frame) {
   Options out = options;
-  for (std::string* path : {&out.output, &out.part, &out.checkpoint, &out.products, &out.preview})
+  for (std::string* path :
+       {&out.output, &out.part, &out.checkpoint, &out.products, &out.preview, &out.guiding})
     if (picture::has_frame_number(*path)) *path = picture::frame_path(*path, frame).string();
   out.render.part = out.part, out.render.checkpoint = out.checkpoint;
-  out.render.preview = out.preview;
+  out.render.preview = out.preview, out.render.guiding = out.guiding;
   return out;
 }
 
 /// The options for one picture of a sequence.
 Options options_at_frame(const Options& options, int frame) {
   for (const std::string* path :
-       {&options.output, &options.part, &options.checkpoint, &options.products})
+       {&options.output, &options.part, &options.checkpoint, &options.products, &options.guiding})
     if (!path->empty())
       picture::frame_path(*path, frame);  // throws for a name without a placeholder
   Options out = with_frame_number(options, frame);
@@ -198,7 +211,7 @@ int run_frames(const Options& options, const loading::SceneSource& source, Progr
     if (now) next->builder.reuse_from(std::move(now->builder));
     now = std::move(next);
     const picture::PicturePlan plan = picture::plan_picture(now->loaded.shot, one.picture);
-    if (options.render.resume && one.part.empty() &&
+    if (options.render.resume && !one.output.empty() &&
         picture::is_finished(one.output, now->loaded.shot, plan)) {
       picture::remove_checkpoint(one.render);
       ++skipped;
@@ -292,6 +305,9 @@ Verb render_verb() {
                      "frames");
         app.add_option("--part", options->part,
                        "Write a partial render for `vug merge` instead of a picture");
+        app.add_option("--guiding", options->guiding,
+                       "File of the learned light for all parts: read if it exists, else written; "
+                       "without -o and --part, nothing is rendered");
         app.add_option("--tile", options->tile, "Band of the picture for --part, I/N: band I of N");
         app.add_option("--samples", options->samples,
                        "Samples of each pixel for --part, A..B: samples A to B-1");

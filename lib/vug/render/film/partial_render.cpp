@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
-#include <vug/base/hash.h>
 #include <vug/base/memory.h>
-#include <vug/render/film/partial_render.h>
+#include <vug/render/film/partial_render_header.h>
 
 #include <fmt/format.h>
 
@@ -18,164 +17,6 @@ namespace {
 
 constexpr char kMagic[8] = {'v', 'u', 'g', 'p', 'a', 'r', 't', '\n'};
 constexpr uint32_t kVersion = 3;
-constexpr uint64_t kDigestBytes = 16;
-constexpr size_t kBuffer = 1 << 20;
-
-/// Reading and writing share the functions that list the values, so that they cannot differ.
-/// Numbers are stored in the byte order of the processor, which is little-endian.
-class Writer {
- public:
-  static constexpr bool kReads = false;
-  explicit Writer(const std::filesystem::path& path) : out_(path, std::ios::binary) {}
-
-  void bytes(const void* data, size_t count) {
-    const auto* from = static_cast<const char*>(data);
-    buffer_.insert(buffer_.end(), from, from + count);
-    if (buffer_.size() >= kBuffer) flush();
-  }
-  template <class T>
-  void number(const T& value) {
-    bytes(&value, sizeof value);
-  }
-  bool finish() {
-    flush();
-    const Digest digest = hash_.finish();
-    number(digest.high), number(digest.low);
-    flush();
-    out_.close();
-    return !out_.fail();
-  }
-
- private:
-  void flush() {
-    hash_.add(buffer_.data(), buffer_.size());
-    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-    buffer_.clear();
-  }
-  std::vector<char> buffer_;
-  std::ofstream out_;
-  Hasher hash_;
-};
-
-class Reader {
- public:
-  static constexpr bool kReads = true;
-  Reader(const std::filesystem::path& path, std::string what)
-      : path_(path),
-        what_(std::move(what)),
-        in_(path, std::ios::binary),
-        left_(std::filesystem::file_size(path)) {}
-
-  [[noreturn]] void refuse(const std::string& why) const {
-    throw Error(ErrorCode::bad_input,
-                fmt::format("cannot read the {} '{}': {}", what_, path_.string(), why));
-  }
-  void bytes(void* data, size_t count) {
-    need(count);
-    auto* to = static_cast<char*>(data);
-    for (size_t copied = 0; copied < count;) {
-      if (at_ == buffer_.size()) refill();
-      const size_t some = std::min(count - copied, buffer_.size() - at_);
-      std::memcpy(to + copied, buffer_.data() + at_, some);
-      at_ += some, copied += some, left_ -= some;
-    }
-  }
-  /// The bytes before the hash that are not read yet.
-  uint64_t left() const { return left_ - std::min(left_, kDigestBytes); }
-  /// Skips to the hash at the end.
-  void skip() {
-    std::vector<char> some(kBuffer);
-    while (left_ > kDigestBytes)
-      bytes(some.data(), std::min<uint64_t>(some.size(), left_ - kDigestBytes));
-  }
-  /// Call this before allocating memory for this many bytes.
-  void need(uint64_t count) const {
-    if (count > left_) refuse("it is cut short");
-  }
-  template <class T>
-  void number(T& value) {
-    bytes(&value, sizeof value);
-  }
-  void finish() {
-    if (left_ != kDigestBytes) refuse("its content was changed");
-    const Digest digest = hash_.finish();
-    Digest stored;
-    number(stored.high), number(stored.low);
-    if (!(stored == digest)) refuse("its content was changed");
-  }
-
- private:
-  /// Reads the next bytes, up to the hash, or the hash itself.
-  void refill() {
-    const uint64_t some =
-        left_ > kDigestBytes ? std::min<uint64_t>(kBuffer, left_ - kDigestBytes) : left_;
-    buffer_.resize(some);
-    at_ = 0;
-    in_.read(buffer_.data(), static_cast<std::streamsize>(some));
-    if (!in_) refuse(std::strerror(errno));
-    if (left_ > kDigestBytes) hash_.add(buffer_.data(), some);
-  }
-  std::vector<char> buffer_;
-  size_t at_ = 0;
-  std::filesystem::path path_;
-  std::string what_;  ///< Name of the expected kind of file.
-  std::ifstream in_;
-  uint64_t left_;
-  Hasher hash_;
-};
-
-template <class File, class Items, class Each>
-void list(File& file, Items& items, size_t least_bytes, const Each& each) {
-  auto count = static_cast<uint32_t>(items.size());
-  file.number(count);
-  if constexpr (File::kReads) {
-    file.need(uint64_t{count} * least_bytes);
-    items.resize(count);
-  }
-  for (auto& item : items) each(item);
-}
-
-template <class File, class Text>
-void text(File& file, Text& value) {
-  auto count = static_cast<uint32_t>(value.size());
-  file.number(count);
-  if constexpr (File::kReads) {
-    file.need(count);
-    value.resize(count);
-  }
-  if (count > 0) file.bytes(value.data(), count);
-}
-
-/// The options of a deep picture, after a flag that says whether there is one.
-template <class File, class Deep>
-void deep_options(File& file, Deep& deep) {
-  uint8_t present = deep.has_value() ? 1 : 0;
-  file.number(present);
-  if (present == 0) return;
-  if constexpr (File::kReads) deep.emplace();
-  file.number(deep->tolerance), file.number(deep->max_samples);
-}
-
-template <class File, class R>
-void region(File& file, R& r) {
-  file.number(r.x0), file.number(r.y0), file.number(r.x1), file.number(r.y1);
-}
-
-template <class File, class H>
-void header_of(File& file, H& h) {
-  text(file, h.identity);
-  file.number(h.width), file.number(h.height), file.number(h.spp), file.number(h.seed);
-  region(file, h.crop);
-  file.number(h.noise);
-  list(file, h.aovs.names, 4, [&](auto& name) { text(file, name); });
-  list(file, h.aovs.groups, 4, [&](auto& name) { text(file, name); });
-  list(file, h.aovs.attributes, 8,
-       [&](auto& attribute) { text(file, attribute.name), file.number(attribute.arity); });
-  list(file, h.aovs.objects, 4, [&](auto& name) { text(file, name); });
-  list(file, h.aovs.materials, 4, [&](auto& name) { text(file, name); });
-  deep_options(file, h.deep);
-  list(file, h.notes, 8, [&](auto& note) { text(file, note.first), text(file, note.second); });
-}
 
 template <class File, class Sum>
 void pixel(File& file, Sum& s) {
@@ -256,7 +97,7 @@ bool is_valid(const PartialRenderHeader& h, const TileProgress& tiles) {
 }
 
 /// Reads everything before the sums.
-void read_preamble(Reader& file, PartialRenderHeader& header, TileProgress& tiles) {
+void read_preamble(HashedReader& file, PartialRenderHeader& header, TileProgress& tiles) {
   char magic[sizeof kMagic];
   uint32_t version = 0;
   file.bytes(magic, sizeof magic);
@@ -275,13 +116,6 @@ void read_preamble(Reader& file, PartialRenderHeader& header, TileProgress& tile
     file.refuse("its content was changed");
 }
 
-Reader open(const std::filesystem::path& path, const std::string& what = "part") {
-  if (const std::string why = unreadable_reason(path); !why.empty())
-    throw Error(ErrorCode::bad_input,
-                fmt::format("cannot read the {} '{}': {}", what, path.string(), why));
-  return Reader(path, what);
-}
-
 }  // namespace
 
 PartialRenderHeader partial_render_header(const Options& options) {
@@ -298,7 +132,7 @@ PartialRenderHeader partial_render_header(const Options& options) {
 void write_partial_render(const std::filesystem::path& path, const PartialRenderHeader& header,
                           const RenderState& state) {
   AtomicFile target(path);
-  Writer file(target.path());
+  HashedWriter file(target.path());
   file.bytes(kMagic, sizeof kMagic);
   file.number(kVersion);
   header_of(file, header);
@@ -312,7 +146,7 @@ void write_partial_render(const std::filesystem::path& path, const PartialRender
 }
 
 PartialRender read_partial_render(const std::filesystem::path& path, const std::string& what) {
-  Reader file = open(path, what);
+  HashedReader file(path, what);
   PartialRender part;
   TileProgress tiles;
   read_preamble(file, part.header, tiles);
@@ -332,7 +166,7 @@ PartialRender read_partial_render(const std::filesystem::path& path, const std::
 }
 
 PartialRenderInfo read_partial_render_info(const std::filesystem::path& path) {
-  Reader file = open(path);
+  HashedReader file(path, "part");
   PartialRenderInfo info;
   TileProgress tiles;
   read_preamble(file, info.header, tiles);
@@ -350,7 +184,7 @@ bool is_partial_render(const std::filesystem::path& path) {
 }
 
 void verify_partial_render(const std::filesystem::path& path) {
-  Reader file = open(path);
+  HashedReader file(path, "part");
   file.skip();
   file.finish();
 }

@@ -132,7 +132,8 @@ RenderState begin_render(const Options& options, const RenderSlice& slice) {
 
 void continue_render(const Scene& scene, const Options& options, RenderState& state,
                      const RenderCallbacks& callbacks, Progress& progress) {
-  continue_render(prepare(scene, options, progress), state, callbacks, progress);
+  continue_render(prepare(scene, options, {nullptr, state.region}, progress), state, callbacks,
+                  progress);
 }
 
 void continue_render(const PreparedRender& prepared, RenderState& state,

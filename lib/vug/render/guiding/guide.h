@@ -26,6 +26,17 @@ class Guide {
   /// Estimates the visibility of the clusters from these samples.
   void update_visibility(const std::vector<VisibilitySample>& visibility_samples);
 
+  /// Calls `each` with every member, for files.
+  template <class Self, class Each>
+  static void visit(Self& self, const Each& each) {
+    each(self.clusters_), each(self.x_), each(self.y_), each(self.z_), each(self.radius_);
+    each(self.power_), each(self.elsewhere_), each(self.bounds_), each(self.visibility_);
+  }
+  /// False if the members contradict each other, as after reading a file that was tampered with.
+  bool is_consistent() const {
+    return clusters_.size() <= ConeMixture::kMax && visibility_.is_consistent();
+  }
+
   bool empty() const { return clusters_.empty(); }
   const std::vector<BrightCluster>& clusters() const { return clusters_; }
 

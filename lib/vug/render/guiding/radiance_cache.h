@@ -25,6 +25,14 @@ class RadianceCache {
   RadianceCache(const std::vector<RadianceSample>& radiance_samples, const Box3f& bounds,
                 float edge);
 
+  /// Calls `each` with every member, for files.
+  template <class Self, class Each>
+  static void visit(Self& self, const Each& each) {
+    each(self.regions_), each(self.stats_), each(self.noise_);
+  }
+  /// False if the members contradict each other, as after reading a file that was tampered with.
+  bool is_consistent() const { return empty() || stats_.size() == kFacings * regions_.count(); }
+
   /// Squared relative mean absolute deviation of single camera paths from the mean of their region,
   /// at most 1. It stands in for the variance, but is robust against single bright paths.
   float noise() const { return noise_; }

@@ -25,6 +25,12 @@ class Regions {
           std::max(1, static_cast<int>(std::ceil(box.size()[axis] * per_metre_)));
   }
 
+  /// Calls `each` with every member, for files.
+  template <class Self, class Each>
+  static void visit(Self& self, const Each& each) {
+    each(self.origin_), each(self.per_metre_), each(self.counts_);
+  }
+
   size_t count() const {
     return static_cast<size_t>(counts_[0]) * static_cast<size_t>(counts_[1]) *
            static_cast<size_t>(counts_[2]);

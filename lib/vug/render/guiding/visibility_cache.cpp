@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/render/guiding/visibility_cache.h>
 
+#include <algorithm>
+
 namespace vug::render {
 namespace {
 
@@ -33,6 +35,13 @@ VisibilityCache::VisibilityCache(const Box3f& bounds, float edge, size_t targets
       roots_[at] =
           std::sqrt((reached[at] + kVisibilityPrior * usual) / (tried[at] + kVisibilityPrior));
   }
+}
+
+bool VisibilityCache::is_consistent() const {
+  if (empty()) return true;
+  const size_t rows = roots_.size() / targets_;
+  return row_of_.size() == regions_.count() && roots_.size() == rows * targets_ &&
+         std::all_of(row_of_.begin(), row_of_.end(), [&](uint32_t row) { return row < rows; });
 }
 
 }  // namespace vug::render

@@ -28,6 +28,14 @@ class VisibilityCache {
   VisibilityCache(const Box3f& bounds, float edge, size_t targets,
                   const std::vector<VisibilitySample>& visibility_samples);
 
+  /// Calls `each` with every member, for files.
+  template <class Self, class Each>
+  static void visit(Self& self, const Each& each) {
+    each(self.regions_), each(self.targets_), each(self.row_of_), each(self.roots_);
+  }
+  /// False if the members contradict each other, as after reading a file that was tampered with.
+  bool is_consistent() const;
+
   bool empty() const { return targets_ == 0; }
   /// sqrt(p) for each target, where p is the probability that it is visible from the point. If a
   /// target is visible with probability p and then contributes E, choosing it in proportion to E

@@ -89,8 +89,8 @@ class PathIntegrator final : public Integrator {
     return out;
   }
 
-  std::shared_ptr<const Integrator> trained(const TrainingContext& context,
-                                            Progress& progress) const override {
+  std::shared_ptr<const GuidingData> learn(const TrainingContext& context,
+                                           Progress& progress) const override {
     if (guided_ == Guided::off || settings_.max_bounces < 1) return nullptr;
     if (guided_ == Guided::automatic && context.samples < kMinSamples) return nullptr;
     const auto share =
@@ -101,20 +101,24 @@ class PathIntegrator final : public Integrator {
                                       {.training = &path_recorder})
                                .radiance);
     };
-    auto with_guiding = std::make_shared<PathIntegrator>(*this);
-    with_guiding->guiding_ =
-        train(context, std::clamp(share, kMinPaths, kMaxPaths), trace, progress);
-    return with_guiding;
+    return std::make_shared<const GuidingData>(
+        train(context, std::clamp(share, kMinPaths, kMaxPaths), trace, progress));
+  }
+  std::shared_ptr<const Integrator> guided_by(
+      std::shared_ptr<const GuidingData> guiding) const override {
+    auto guided = std::make_shared<PathIntegrator>(*this);
+    guided->guiding_ = std::move(guiding);
+    return guided;
   }
   PathResult trace(const PreparedScene& world, const Ray& ray, SampleCursor& numbers,
                    LightPathRecorder* recorder, std::span<const Ray> extra_rays) const override {
-    return trace_path(world, {ray, extra_rays}, settings_, guiding_, numbers, {.light = recorder});
+    return trace_path(world, {ray, extra_rays}, settings_, *guiding_, numbers, {.light = recorder});
   }
 
  private:
   PathSettings settings_;
   Guided guided_;
-  GuidingData guiding_;
+  std::shared_ptr<const GuidingData> guiding_ = std::make_shared<const GuidingData>();
 };
 
 }  // namespace

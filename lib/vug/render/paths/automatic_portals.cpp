@@ -86,7 +86,8 @@ void refine_hits(const TrainingContext& context, const std::vector<PathPoint>& f
 
 }  // namespace
 
-std::vector<LightPtr> find_automatic_portals(const TrainingContext& context, Progress& progress) {
+std::vector<RectangleParams> find_automatic_portals(const TrainingContext& context,
+                                                    Progress& progress) {
   const LightSet& lights = context.world.lights();
   if (!lights.has_sky() || !lights.sky_is_plain()) return {};
   progress.begin("finding openings to the sky", 4);
@@ -95,21 +96,27 @@ std::vector<LightPtr> find_automatic_portals(const TrainingContext& context, Pro
   BoundaryHits hits(context.world.bounds());
   const double out = sample_hemispheres(context, from, hits, progress);
   progress.advance();
-  std::vector<LightPtr> portals;
+  std::vector<RectangleParams> portals;
   if (out > 0 && out < kOpen) {
     for (int round = 0; round < 2; ++round) {
       refine_hits(context, from, hits.rectangles(kMostPortals, 2), hits, progress);
       progress.advance();
     }
-    for (const RectangleParams& r : hits.rectangles(kMostPortals, 0))
-      portals.push_back(make_light("portal", {{"center", r.center},
-                                              {"normal", r.normal},
-                                              {"up", r.up.value()},
-                                              {"width", r.width},
-                                              {"height", r.height}}));
+    portals = hits.rectangles(kMostPortals, 0);
   }
   progress.end();
   return portals;
+}
+
+std::vector<LightPtr> portal_lights(const std::vector<RectangleParams>& portals) {
+  std::vector<LightPtr> lights;
+  for (const RectangleParams& r : portals)
+    lights.push_back(make_light("portal", {{"center", r.center},
+                                           {"normal", r.normal},
+                                           {"up", r.up.value()},
+                                           {"width", r.width},
+                                           {"height", r.height}}));
+  return lights;
 }
 
 }  // namespace vug::render

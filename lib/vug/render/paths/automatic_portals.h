@@ -5,6 +5,7 @@
 #include <vug/base/progress.h>
 #include <vug/render/integrator.h>
 #include <vug/render/light.h>
+#include <vug/render/lighting/rectangle_shape.h>
 
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace vug::render {
 /// if the scene has some already, if enough rays escape for the sky to be found without them, or if
 /// no ray escapes. Portals may miss part of the sky, which paths then find as before: the expected
 /// image is the same. Error(cancelled).
-std::vector<LightPtr> find_automatic_portals(const TrainingContext& context, Progress& progress);
+std::vector<RectangleParams> find_automatic_portals(const TrainingContext& context,
+                                                    Progress& progress);
+/// The portals as lights.
+std::vector<LightPtr> portal_lights(const std::vector<RectangleParams>& portals);
 
 }  // namespace vug::render

@@ -17,6 +17,15 @@ struct GuidingData {
   VisibilityCache
       light_visibility;    ///< Visibility of the branches of lights; empty if there is only one.
   RadianceCache radiance;  ///< Expected light at surfaces, for adjoint-driven Russian roulette.
+
+  /// Calls `each` with every member, for files.
+  template <class Self, class Each>
+  static void visit(Self& self, const Each& each) {
+    each(self.guide), each(self.light_visibility), each(self.radiance);
+  }
+  bool is_consistent() const {
+    return guide.is_consistent() && light_visibility.is_consistent() && radiance.is_consistent();
+  }
 };
 
 /// Traces one training path with the guiding data so far (possibly empty) and records its vertices.
