@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/parallel.h>
 #include <vug/mesh/box_tree.h>
 
 #include <algorithm>
@@ -14,32 +15,35 @@ BoxTree::BoxTree(const std::vector<Box3d>& boxes) : items_(boxes.size()) {
   std::iota(items_.begin(), items_.end(), 0U);
   nodes_.reserve(boxes.size());
   nodes_.push_back({{}, 0, static_cast<uint32_t>(boxes.size())});
-  // Children follow their parents, so the list of nodes serves as work list.
-  for (uint32_t node = 0; node < nodes_.size(); ++node) split(node, boxes);
+  // Level by level: the nodes of a level have separate items, and their children follow in order.
+  for (size_t begin = 0; begin < nodes_.size();) {
+    const size_t end = nodes_.size();
+    parallel_for(end - begin, [&](size_t i) { arrange(nodes_[begin + i], boxes); });
+    for (; begin < end; ++begin) add_children(nodes_[begin]);
+  }
 }
 
-void BoxTree::split(uint32_t index, const std::vector<Box3d>& boxes) {
-  const uint32_t first = nodes_[index].first;
-  const uint32_t count = nodes_[index].count;
-  Box3d around;
+void BoxTree::arrange(Node& node, const std::vector<Box3d>& boxes) {
   Box3d centres;
-  for (uint32_t i = first; i < first + count; ++i) {
-    around.extendBy(boxes[items_[i]]);
+  for (uint32_t i = node.first; i < node.first + node.count; ++i) {
+    node.box.extendBy(boxes[items_[i]]);
     centres.extendBy(boxes[items_[i]].center());
   }
-  nodes_[index].box = around;
-  if (count <= kLeafItems) return;
+  if (node.count <= kLeafItems) return;
   const auto axis = static_cast<int>(centres.majorAxis());
-  const auto begin = items_.begin() + first;
-  const uint32_t half = count / 2;
-  std::nth_element(begin, begin + half, begin + count, [&](uint32_t a, uint32_t b) {
+  const auto begin = items_.begin() + node.first;
+  std::nth_element(begin, begin + node.count / 2, begin + node.count, [&](uint32_t a, uint32_t b) {
     const double at_a = boxes[a].min[axis] + boxes[a].max[axis];
     const double at_b = boxes[b].min[axis] + boxes[b].max[axis];
     return at_a != at_b ? at_a < at_b : a < b;
   });
-  const auto left = static_cast<uint32_t>(nodes_.size());
-  nodes_[index].first = left;
-  nodes_[index].count = 0;
+}
+
+void BoxTree::add_children(Node& node) {
+  if (node.count <= kLeafItems) return;
+  const uint32_t first = node.first, count = node.count, half = count / 2;
+  node.first = static_cast<uint32_t>(nodes_.size());
+  node.count = 0;
   nodes_.push_back({{}, first, half});
   nodes_.push_back({{}, first + half, count - half});
 }

@@ -37,7 +37,9 @@ class BoxTree {
   void visit_overlapping(const Box3d& box, const Visit& visit) const;
 
  private:
-  void split(uint32_t node, const std::vector<Box3d>& boxes);
+  /// Computes the box of a node, and orders its items by the half that they belong to.
+  void arrange(Node& node, const std::vector<Box3d>& boxes);
+  void add_children(Node& node);
 
   std::vector<Node> nodes_;
   std::vector<uint32_t> items_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/maths.h>
 #include <vug/base/parallel.h>
+#include <vug/mesh/fans.h>
 #include <vug/mesh/flat_fans.h>
 
 #include <algorithm>
@@ -9,20 +10,6 @@
 namespace vug::mesh {
 namespace {
 
-/// The triangles at each vertex: faces[first[v] .. first[v + 1]).
-struct Fans {
-  explicit Fans(const Mesh& mesh) : first(mesh.positions.size() + 1, 0) {
-    for (const Triangle& t : mesh.triangles)
-      for (const uint32_t v : t) ++first[v + 1];
-    for (size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-    faces.resize(first.back());
-    std::vector<uint32_t> next(first.begin(), first.end() - 1);
-    for (uint32_t f = 0; f < mesh.triangles.size(); ++f)
-      for (const uint32_t v : mesh.triangles[f]) faces[next[v]++] = f;
-  }
-  std::vector<uint32_t> first, faces;
-};
-
 /// Two unit vectors that are perpendicular to the normal and to each other.
 std::array<Vec3d, 2> tangents(const Vec3d& normal) {
   const Vec3d other = std::fabs(normal.x) < 0.7 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
@@ -30,9 +17,10 @@ std::array<Vec3d, 2> tangents(const Vec3d& normal) {
   return {first, normal.cross(first)};
 }
 
-bool is_flat(const Mesh& mesh, uint32_t v, const uint32_t* faces, size_t count) {
+bool is_flat(const Mesh& mesh, uint32_t v, std::span<const uint32_t> faces) {
   constexpr double kLeastCosine = 0.05;  // Leaves room for rounding.
   constexpr size_t kMostFaces = 32;
+  const size_t count = faces.size();
   if (count < 3 || count > kMostFaces) return false;
   Vec3d normals[kMostFaces];
   Vec3d normal(0);
@@ -64,8 +52,7 @@ std::vector<char> flat_fans(const Mesh& mesh) {
   parallel_for(
       flat.size(),
       [&](size_t v) {
-        flat[v] = is_flat(mesh, static_cast<uint32_t>(v), fans.faces.data() + fans.first[v],
-                          fans.first[v + 1] - fans.first[v]);
+        flat[v] = is_flat(mesh, static_cast<uint32_t>(v), fans.at(static_cast<uint32_t>(v)));
       },
       1024);
   return flat;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/mesh/folds.h>
 #include <vug/metrics/report.h>
 #include <vug/metrics/surface.h>
 
@@ -28,6 +29,7 @@ void for_each(const Report& r, const Row& row) {
   row("nonmanifold_edges", r.nonmanifold_edges, "");
   row("misoriented_edges", r.misoriented_edges, "");
   row("zero_area_triangles", r.zero_area_triangles, "");
+  row("folded_triangles", r.folded_triangles, "");
   row("self_intersections", r.self_intersections, "");
   row("crossing_places", r.crossing_places, "");
   row("small_features", r.small_features, "");
@@ -113,6 +115,7 @@ Report measure(const mesh::Mesh& mesh, const MeasureOptions& options) {
   report.nonmanifold_edges = topology.nonmanifold_edges;
   report.misoriented_edges = topology.misoriented_edges;
   report.zero_area_triangles = topology.degenerate_triangles;
+  report.folded_triangles = mesh::folded_triangles(mesh).size();
   if (options.self_intersections) {
     const std::vector<mesh::FacePair> pairs = mesh::self_intersections(mesh);
     report.self_intersections = pairs.size();

@@ -34,15 +34,17 @@ struct Report {
   size_t nonmanifold_edges = 0;
   size_t misoriented_edges = 0;
   size_t zero_area_triangles = 0;
+  size_t folded_triangles = 0;  ///< Triangles that face against the surface around them.
   std::optional<size_t> self_intersections;  ///< Pairs of triangles; empty if not computed.
   size_t crossing_triangles = 0;             ///< Triangles in these pairs.
   std::vector<CrossingPlace> crossing_places = {};
   std::vector<SmallFeaturePlace> small_features = {};
   Box3d bounds;
 
-  /// The share of the triangles that intersect others or have no area.
+  /// The share of the triangles that intersect others, are folded, or have no area.
   double invalid_share() const {
-    const auto invalid = static_cast<double>(zero_area_triangles + crossing_triangles);
+    const auto invalid =
+        static_cast<double>(zero_area_triangles + folded_triangles + crossing_triangles);
     return triangles == 0 ? 0 : invalid / static_cast<double>(triangles);
   }
 

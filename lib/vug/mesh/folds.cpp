@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/base/parallel.h>
+#include <vug/mesh/folds.h>
+#include <vug/mesh/normals.h>
+
+namespace vug::mesh {
+namespace {
+
+/// The normals at the corners are given by a function of the vertex, of any length.
+template <class Normal>
+bool opposes(const Mesh& mesh, uint32_t face, const Normal& normal_at) {
+  Vec3d around(0);
+  for (const uint32_t v : mesh.triangles[face]) around += normal_at(v).normalized();
+  return double_area_vector(mesh, face).dot(around) < 0;
+}
+
+Vec3d pseudonormal(const Mesh& mesh, const Fans& fans, uint32_t vertex) {
+  Vec3d sum(0);
+  for (const uint32_t face : fans.at(vertex)) {
+    const Triangle& t = mesh.triangles[face];
+    const int k = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
+    sum += double_area_vector(mesh, face).normalized() * corner_angle(corners(mesh, face), k);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<uint32_t> folded_triangles(const Mesh& mesh) {
+  const std::vector<Vec3d> normals = vertex_pseudonormals(mesh);
+  std::vector<char> folded(mesh.triangles.size());
+  parallel_for(
+      folded.size(),
+      [&](size_t face) {
+        folded[face] =
+            opposes(mesh, static_cast<uint32_t>(face), [&](uint32_t v) { return normals[v]; });
+      },
+      1024);
+  std::vector<uint32_t> list;
+  for (uint32_t face = 0; face < folded.size(); ++face)
+    if (folded[face]) list.push_back(face);
+  return list;
+}
+
+bool is_folded(const Mesh& mesh, const Fans& fans, uint32_t face) {
+  return opposes(mesh, face, [&](uint32_t v) { return pseudonormal(mesh, fans, v); });
+}
+
+}  // namespace vug::mesh
