@@ -24,7 +24,7 @@ void require_near(const mesh::Mesh& bare, const mesh::Mesh& moved) {
 
 MeshWithCells apply_cells(const mesh::Mesh& bare, const CellLayer& layer,
                           const shot::CellsPlan& plan, Folds folds, Progress& progress) {
-  MeshWithCells applied{bare, 0, 0};
+  MeshWithCells applied{bare, 0};
   if (bare.triangles.empty()) return applied;
   cells::TransferOptions options;
   options.move = plan.move;
@@ -39,8 +39,6 @@ MeshWithCells apply_cells(const mesh::Mesh& bare, const CellLayer& layer,
     if (error.code() != ErrorCode::bad_input) throw;
     throw error.at(plan.where);
   }
-  if (plan.move)
-    applied.flipped_triangles = mesh::flipped_triangles(bare.positions, applied.mesh).size();
   const mesh::Attribute* gone = mesh::find_attribute(applied.mesh, cells::kTransparent, 1);
   if (plan.holes && gone) applied.mesh = mesh::clip(applied.mesh, gone->values, 0.5F);
   progress.end();

@@ -12,8 +12,8 @@ enum class Folds { prevent, allow };
 /// A mesh after the transfer.
 struct MeshWithCells {
   mesh::Mesh mesh;
-  size_t unfolded_vertices = 0;  ///< Vertices whose displacement was changed to prevent folds.
-  size_t flipped_triangles = 0;  ///< Triangles whose orientation the displacement inverted.
+  size_t unfolded_vertices = 0;  ///< Vertices whose displacement was changed to prevent folds and
+                                 ///< intersections.
 };
 
 /// The mesh with the interpolated attributes of the layer's cells at its vertices (see

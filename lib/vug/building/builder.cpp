@@ -204,14 +204,6 @@ Builder::BuiltMesh Builder::build_with_cells(const shot::MeshPlan& plan, Folds f
     bare = run_stage(progress_, "refining the mesh",
                      [&] { return refine_for_cells(*plan.cells, *bare, memory_budget()); });
   MeshWithCells made = apply_cells(*bare, *layer, *plan.cells, folds, progress_);
-  // A few inverted slivers among many triangles are invisible.
-  if (folds == Folds::prevent && made.flipped_triangles > bare->triangles.size() / 2000)
-    warn(plan.cells->where,
-         fmt::format(
-             "the displacement by cells folds the mesh '{}': {} of its {} triangles are inverted",
-             plan.name, made.flipped_triangles, bare->triangles.size()),
-         "reduce the displacement, or convert the mesh to a volume and back: volume NAME on " +
-             plan.name);
   const auto worn = std::make_shared<const mesh::Mesh>(std::move(made.mesh));
   if (worn->triangles.empty() && !bare->triangles.empty())
     warn(plan.cells->where, fmt::format("nothing remains of the mesh '{}'", plan.name),

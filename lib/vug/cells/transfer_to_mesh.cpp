@@ -171,6 +171,7 @@ std::vector<Vec3f> displacements(const Simulation& simulation) {
 size_t move_vertices(mesh::Mesh& mesh, const std::vector<float>* displacements,
                      const std::vector<float>* height, bool folds) {
   const std::vector<Vec3f> before = mesh::vertex_normals(mesh), from = mesh.positions;
+  size_t changed = 0;
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     Vec3f& p = mesh.positions[v];
     if (displacements)
@@ -179,7 +180,12 @@ size_t move_vertices(mesh::Mesh& mesh, const std::vector<float>* displacements,
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       throw Error(ErrorCode::bad_input, "cells move the surface to positions that are not finite");
   }
-  const size_t changed = folds ? 0 : mesh::prevent_folds(from, mesh, !displacements);
+  if (!folds) {
+    const std::vector<Vec3f> full = mesh.positions;
+    mesh::prevent_folds(from, mesh, !displacements);
+    mesh::prevent_crossings(from, mesh);
+    for (size_t v = 0; v < full.size(); ++v) changed += full[v] != mesh.positions[v];
+  }
   const std::vector<Vec3f> after = mesh::vertex_normals(mesh);
   for (size_t v = 0; v < mesh.normals.size(); ++v) {
     const Vec3f turned = mesh.normals[v] + (after[v] - before[v]);

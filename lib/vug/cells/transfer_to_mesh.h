@@ -14,7 +14,7 @@ inline constexpr std::string_view kHeight = "height";
 
 struct TransferOptions {
   bool move = false;   ///< Move the mesh's vertices according to kPlace and kHeight.
-  bool folds = false;  ///< Allow displacements to fold triangles.
+  bool folds = false;  ///< Allow displacements to fold triangles or to make them intersect.
 };
 
 /// Adds every attribute of the simulation's cells (except "P" and "N") and kTransparent to the
@@ -29,10 +29,10 @@ struct TransferOptions {
 /// error of at most g r.
 ///
 /// Vertices move by the mean displacement of the surrounding cells and by the mean height along
-/// their own normal. Where this would fold triangles, displacements are smoothed (see
-/// mesh/displacement.h), and the number of these vertices is returned; `folds` turns that off.
-/// Normals rotate like the surrounding triangles. Throws Error(bad_input) if the new position of a
-/// vertex would not be finite.
+/// their own normal. Where this would fold triangles, displacements are smoothed, and where sheets
+/// of the surface would intersect, they are shortened (see mesh/displacement.h); the number of
+/// these vertices is returned, and `folds` turns that off. Normals rotate like the surrounding
+/// triangles. Throws Error(bad_input) if the new position of a vertex would not be finite.
 ///
 /// Cells without colour (Cd of 0) contribute the mesh's colour at the vertex.
 size_t transfer_to_mesh(const Simulation& simulation, mesh::Mesh& mesh,

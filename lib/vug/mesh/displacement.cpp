@@ -2,6 +2,8 @@
 #include <vug/base/parallel.h>
 #include <vug/mesh/displacement.h>
 #include <vug/mesh/folds.h>
+#include <vug/mesh/retreat.h>
+#include <vug/mesh/self_intersections.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,6 +102,14 @@ size_t prevent_folds(const std::vector<Vec3f>& before, Mesh& after, bool along_n
   size_t changed = 0;
   for (size_t v = 0; v < full.size(); ++v) changed += full[v] != after.positions[v];
   return changed;
+}
+
+void prevent_crossings(const std::vector<Vec3f>& before, Mesh& after) {
+  if (self_intersections(after).empty()) return;
+  Mesh bare;
+  bare.positions = before;
+  bare.triangles = after.triangles;
+  if (self_intersections(bare).empty()) retreat(before, after);
 }
 
 }  // namespace vug::mesh
