@@ -9,7 +9,11 @@ namespace vug::scan {
 namespace {
 
 constexpr double kReach = 2;  ///< Metres.
-constexpr int kBinsPerTolerance = 5;
+constexpr size_t kBinsPerTolerance = 5;
+constexpr size_t kSlab = 2 * kBinsPerTolerance + 1;
+/// Points of a wall relative to the slab in front of it or behind it: rooms, trees and clouds
+/// without a facade have about as many everywhere.
+constexpr double kMinContrast = 2;
 constexpr double kMinWallShare = 0.1;   ///< Points of a wall relative to those of the plane.
 constexpr double kMinWallHeight = 0.5;  ///< Height of a wall relative to that of the plane.
 constexpr double kMinWallWidth = 1;     ///< Metres.
@@ -19,6 +23,14 @@ struct Histogram {
   double bin = 0;
   std::vector<size_t> counts;
 
+  /// Number of points within the tolerance of bin i; 0 beyond the end.
+  size_t slab(size_t i) const {
+    size_t points = 0;
+    for (size_t k = i < kBinsPerTolerance ? 0 : i - kBinsPerTolerance;
+         k <= i + kBinsPerTolerance && k < counts.size(); ++k)
+      points += counts[k];
+    return points;
+  }
   double center(size_t i) const { return (static_cast<double>(i) + 0.5) * bin - kReach; }
 };
 
@@ -47,11 +59,12 @@ std::vector<double> parallel_walls(const PointCloud& cloud, const PlaneFit& plan
   const Vec2d main = slab(0);
   const Histogram histogram = distances(cloud, plane);
   std::vector<std::pair<size_t, double>> slabs;  // Numbers of points and distances.
-  for (size_t i = kBinsPerTolerance; i + kBinsPerTolerance < histogram.counts.size(); ++i) {
-    size_t points = 0;
-    for (size_t k = i - kBinsPerTolerance; k <= i + kBinsPerTolerance; ++k)
-      points += histogram.counts[k];
-    if (static_cast<double>(points) >= kMinWallShare * static_cast<double>(plane.inliers))
+  for (size_t i = 0; i < histogram.counts.size(); ++i) {
+    const size_t points = histogram.slab(i);
+    const size_t around =
+        std::min(i < kSlab ? 0 : histogram.slab(i - kSlab), histogram.slab(i + kSlab));
+    if (static_cast<double>(points) >= kMinWallShare * static_cast<double>(plane.inliers) &&
+        static_cast<double>(points) >= kMinContrast * static_cast<double>(around))
       slabs.emplace_back(points, histogram.center(i));
   }
   std::stable_sort(slabs.begin(), slabs.end(),

@@ -8,8 +8,8 @@ namespace vug::scan {
 
 /// Distances of the facade's walls in front of the plane, metres, from back to front, 0 among them.
 /// A further wall is a slab as thick as the plane's, at most 2 m from it, that holds at least a
-/// tenth as many points as the plane and whose largest connected group is at least half as high:
-/// panes, signs and parked cars are lower.
+/// tenth as many points as the plane and twice as many as the slab in front of it or behind it, and
+/// whose largest connected group is at least half as high: panes, signs and parked cars are lower.
 std::vector<double> parallel_walls(const PointCloud& cloud, const PlaneFit& plane);
 
 }  // namespace vug::scan

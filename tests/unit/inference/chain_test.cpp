@@ -167,7 +167,7 @@ TEST(Tempering, ABetterStartOfAHotterChainMovesDownTheLadder) {
 }
 
 TEST(Tempering, IsDeterministicForAnyNumberOfThreads) {
-  std::vector<Digits> seen[3];
+  std::vector<Digits> seen[4];
   int run = 0;
   for (const int threads : {1, 2, 5, 8}) {
     with_threads(threads, [&] {
@@ -179,6 +179,7 @@ TEST(Tempering, IsDeterministicForAnyNumberOfThreads) {
   }
   EXPECT_EQ(seen[0], seen[1]);
   EXPECT_EQ(seen[0], seen[2]);
+  EXPECT_EQ(seen[0], seen[3]);
 }
 
 /// A box of whole numbers with a parabola in each direction: the energy distribution of a gas.
