@@ -64,7 +64,7 @@ const METRICS = {
 const FAULTS = {
   boundary_edges: 'Open edges', nonmanifold_edges: 'Non-manifold edges',
   misoriented_edges: 'Misoriented edges', self_intersections: 'Self-intersections',
-  zero_area_triangles: 'Triangles without area',
+  zero_area_triangles: 'Triangles without area', folded_triangles: 'Folded triangles',
 };
 const row = (name, text, look = '') =>
   make('tr', {}, make('td', { textContent: name }), make('td', { class: look, textContent: text }));
@@ -80,9 +80,9 @@ function metrics(data) {
     if (typeof left[key] === 'number') faults.push(row(name, number(left[key]), left[key] ? 'bad' : 'good'));
     delete left[key];
   }
-  for (const { center, pairs } of (left.crossing_places ?? []).slice(0, 5))
-    faults.push(row(`at (${center.map(number).join(', ')})`, `${number(pairs)} pairs`, 'bad'));
-  delete left.crossing_places;
+  for (const { center, count } of (left.invalid_places ?? []).slice(0, 5))
+    faults.push(row(`at (${center.map(number).join(', ')})`, number(count), 'bad'));
+  delete left.invalid_places;
   for (const { kind, center, removed } of (left.small_features ?? []).slice(0, 5))
     faults.push(row(`at (${center.map(number).join(', ')})`, removed ? `${kind}, removed` : kind, removed ? 'good' : 'bad'));
   delete left.small_features;

@@ -105,6 +105,21 @@ class AnswerIsNo(VugTest):
         self.assertEqual(json.loads(self.expect(1, "measure", "open.obj", "--json").out)
                          ["boundary_edges"], 3)
 
+    def test_a_mesh_that_intersects_itself(self):
+        corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        moved = [(x + 0.2, y + 0.2, z + 0.1) for x, y, z in corners]
+        faces = [(1, 3, 2), (1, 2, 4), (1, 4, 3), (2, 3, 4)]
+        self.write("two.obj", "".join(f"v {x} {y} {z}\n" for x, y, z in corners + moved) +
+                   "".join(f"f {a + k} {b + k} {c + k}\n" for k in (0, 4) for a, b, c in faces))
+        report = json.loads(self.expect(1, "measure", "two.obj", "--json").out)
+        self.assertGreater(report["self_intersections"], 0)
+        place, = report["invalid_places"]
+        self.assertEqual(place["count"], report["self_intersections"])
+        for at in place["center"]:
+            self.assertTrue(0 < at < 1)
+        self.assertIn(" at (", self.expect(1, "measure", "two.obj", "--max-invalid", "10%").out)
+        self.expect(0, "measure", "two.obj", "--max-invalid", "100%")
+
     def test_an_unformatted_text(self):
         self.write("ball.vug", BALL.replace(" = ", "="))
         result = self.expect(1, "format", "--check", "ball.vug")

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
 #include <vug/mesh/displacement.h>
-#include <vug/mesh/folds.h>
+#include <vug/mesh/normals.h>
 #include <vug/mesh/retreat.h>
 #include <vug/mesh/self_intersections.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace vug::mesh {
 namespace {
@@ -72,13 +71,16 @@ std::vector<uint32_t> flipped_triangles(const std::vector<Vec3f>& before, const 
 }
 
 std::vector<uint32_t> folded_triangles(const std::vector<Vec3f>& before, const Mesh& after) {
-  const std::vector<uint32_t> flipped = flipped_triangles(before, after);
-  if (flipped.empty()) return flipped;
-  const std::vector<uint32_t> opposed = folded_triangles(after);
-  std::vector<uint32_t> both;
-  std::set_intersection(flipped.begin(), flipped.end(), opposed.begin(), opposed.end(),
-                        std::back_inserter(both));
-  return both;
+  std::vector<uint32_t> folded = flipped_triangles(before, after);
+  if (folded.empty()) return folded;
+  const std::vector<Vec3f> normals = vertex_normals(after);
+  const auto faces_as_the_surface = [&](uint32_t face) {
+    const auto [a, b, c] = after.triangles[face];
+    const Vec3d around(normals[a] + normals[b] + normals[c]);
+    return area_vector(after.positions, after.triangles[face]).dot(around) > 0;
+  };
+  folded.erase(std::remove_if(folded.begin(), folded.end(), faces_as_the_surface), folded.end());
+  return folded;
 }
 
 size_t prevent_folds(const std::vector<Vec3f>& before, Mesh& after, bool along_normals) {

@@ -3,15 +3,19 @@
 #include <vug/mesh/folds.h>
 #include <vug/mesh/normals.h>
 
+#include <algorithm>
+
 namespace vug::mesh {
 namespace {
 
 /// The normals at the corners are given by a function of the vertex, of any length.
 template <class Normal>
 bool opposes(const Mesh& mesh, uint32_t face, const Normal& normal_at) {
-  Vec3d around(0);
-  for (const uint32_t v : mesh.triangles[face]) around += normal_at(v).normalized();
-  return double_area_vector(mesh, face).dot(around) < 0;
+  constexpr double kCosine = -0.5;
+  const Vec3d normal = double_area_vector(mesh, face).normalized();
+  const Triangle& t = mesh.triangles[face];
+  return std::all_of(t.begin(), t.end(),
+                     [&](uint32_t v) { return normal.dot(normal_at(v).normalized()) < kCosine; });
 }
 
 Vec3d pseudonormal(const Mesh& mesh, const Fans& fans, uint32_t vertex) {

@@ -6,9 +6,9 @@
 
 namespace vug::mesh {
 
-/// The triangles whose normal is opposed to the sum of the normals at their corners (see
-/// vertex_normals), ascending. The sides of a sharp tip or edge are not: each of them contributes
-/// to these normals.
+/// The triangles whose normal differs by more than 120 degrees from the normals at all three
+/// corners (see vertex_normals), ascending. The sides of thin blades and of tips are not: each of
+/// them contributes to these normals.
 std::vector<uint32_t> folded_triangles(const Mesh& mesh);
 
 /// Whether one triangle is folded in that sense.

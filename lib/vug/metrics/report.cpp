@@ -31,7 +31,7 @@ void for_each(const Report& r, const Row& row) {
   row("zero_area_triangles", r.zero_area_triangles, "");
   row("folded_triangles", r.folded_triangles, "");
   row("self_intersections", r.self_intersections, "");
-  row("crossing_places", r.crossing_places, "");
+  row("invalid_places", r.invalid_places, "");
   row("small_features", r.small_features, "");
   row("bounds", r.bounds, "m");
 }
@@ -54,12 +54,12 @@ std::string text(const std::vector<SmallFeaturePlace>& features) {
   return list.empty() ? "-" : list;
 }
 /// The places with the most pairs.
-std::string text(const std::vector<CrossingPlace>& places) {
+std::string text(const std::vector<InvalidPlace>& places) {
   constexpr size_t kMost = 5;
   std::string list;
   for (size_t i = 0; i < std::min(kMost, places.size()); ++i)
     list += fmt::format("{}{} within {:.2g} m at ({:.6g}, {:.6g}, {:.6g})", i ? "; " : "",
-                        places[i].pairs, places[i].size, places[i].centre.x, places[i].centre.y,
+                        places[i].count, places[i].size, places[i].centre.x, places[i].centre.y,
                         places[i].centre.z);
   if (places.size() > kMost) list += fmt::format("; and {} others", places.size() - kMost);
   return list.empty() ? "-" : list;
@@ -75,12 +75,12 @@ nlohmann::ordered_json json(const Box3d& box) {
   if (box.isEmpty()) return nullptr;
   return {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
 }
-nlohmann::ordered_json json(const std::vector<CrossingPlace>& places) {
+nlohmann::ordered_json json(const std::vector<InvalidPlace>& places) {
   auto list = nlohmann::ordered_json::array();
-  for (const CrossingPlace& place : places)
+  for (const InvalidPlace& place : places)
     list.push_back({{"center", {place.centre.x, place.centre.y, place.centre.z}},
                     {"size", place.size},
-                    {"pairs", place.pairs}});
+                    {"count", place.count}});
   return list;
 }
 nlohmann::ordered_json json(const std::vector<SmallFeaturePlace>& features) {
@@ -94,6 +94,15 @@ nlohmann::ordered_json json(const std::vector<SmallFeaturePlace>& features) {
 template <class T>
 nlohmann::ordered_json json(const std::optional<T>& value) {
   return value ? json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+/// The triangles that are folded or have no area, each as a pair with itself.
+std::vector<mesh::FacePair> invalid_alone(const mesh::Mesh& mesh) {
+  std::vector<mesh::FacePair> list;
+  for (const uint32_t face : mesh::folded_triangles(mesh)) list.emplace_back(face, face);
+  for (uint32_t face = 0; face < mesh.triangles.size(); ++face)
+    if (mesh::double_area_vector(mesh, face) == Vec3d(0)) list.emplace_back(face, face);
+  return list;
 }
 
 }  // namespace
@@ -115,13 +124,15 @@ Report measure(const mesh::Mesh& mesh, const MeasureOptions& options) {
   report.nonmanifold_edges = topology.nonmanifold_edges;
   report.misoriented_edges = topology.misoriented_edges;
   report.zero_area_triangles = topology.degenerate_triangles;
-  report.folded_triangles = mesh::folded_triangles(mesh).size();
+  std::vector<mesh::FacePair> invalid = invalid_alone(mesh);
+  report.folded_triangles = invalid.size() - report.zero_area_triangles;
   if (options.self_intersections) {
     const std::vector<mesh::FacePair> pairs = mesh::self_intersections(mesh);
     report.self_intersections = pairs.size();
-    report.crossing_triangles = crossing_triangles(pairs);
-    report.crossing_places = crossing_places(mesh, pairs);
+    invalid.insert(invalid.end(), pairs.begin(), pairs.end());
   }
+  report.invalid_triangles = invalid_triangles(invalid);
+  report.invalid_places = invalid_places(mesh, invalid);
   report.bounds = mesh::bounds(mesh);
   return report;
 }

@@ -2,7 +2,7 @@
 // The report of `vug measure` on a solid, as a table and as JSON.
 #pragma once
 
-#include <vug/metrics/crossing_places.h>
+#include <vug/metrics/invalid_places.h>
 
 #include <optional>
 #include <string>
@@ -36,16 +36,15 @@ struct Report {
   size_t zero_area_triangles = 0;
   size_t folded_triangles = 0;  ///< Triangles that face against the surface around them.
   std::optional<size_t> self_intersections;  ///< Pairs of triangles; empty if not computed.
-  size_t crossing_triangles = 0;             ///< Triangles in these pairs.
-  std::vector<CrossingPlace> crossing_places = {};
+  size_t invalid_triangles = 0;  ///< Triangles that intersect others, are folded, or have no area.
+  std::vector<InvalidPlace> invalid_places = {};
   std::vector<SmallFeaturePlace> small_features = {};
   Box3d bounds;
 
-  /// The share of the triangles that intersect others, are folded, or have no area.
+  /// The share of invalid triangles.
   double invalid_share() const {
-    const auto invalid =
-        static_cast<double>(zero_area_triangles + folded_triangles + crossing_triangles);
-    return triangles == 0 ? 0 : invalid / static_cast<double>(triangles);
+    return triangles == 0 ? 0
+                          : static_cast<double>(invalid_triangles) / static_cast<double>(triangles);
   }
 
   /// Whether the mesh bounds a solid: closed, two triangles at each edge, consistently oriented.

@@ -27,7 +27,7 @@ constexpr double kReach = 4;  // Voxels.
 
 int16_t rounded(float value, float units) {
   const float scaled = std::clamp(std::nearbyint(value * units), -32767.0f, 32767.0f);
-  return static_cast<int16_t>(value < 0 ? std::min(scaled, -1.0f) : scaled);
+  return static_cast<int16_t>(value <= 0 ? std::min(scaled, -1.0f) : scaled);
 }
 
 Brick brick_at(const openvdb::FloatGrid& grid, const Coord& origin, float units) {

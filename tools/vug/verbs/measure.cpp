@@ -76,7 +76,7 @@ Verb measure_verb() {
   return {
       "measure",
       "Measures a mesh of a scene, or a .vdb, .obj, .ply or .stl file; exit code 1 if it is not a "
-      "closed solid, or intersects itself.",
+      "closed solid, intersects itself or is folded.",
       [](CLI::App& app) {
         auto options = std::make_shared<Options>();
         options->scene.add_to(app, &options->work);
@@ -85,7 +85,8 @@ Verb measure_verb() {
                        "Measure the cells of this name instead: their regularity and links")
             ->excludes("--mesh");
         app.add_option("--max-invalid", options->max_invalid,
-                       "Share of triangles, e.g. 0.1%, that may intersect others or have no area "
+                       "Share of triangles, e.g. 0.1%, that may intersect others, be folded or "
+                       "have no area "
                        "before the exit code is 1; default 0")
             ->transform(number_in(Dimension::none, 0, 1));
         app.add_flag("--json", options->json, "Machine-readable output");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/mesh/disjoint_sets.h>
-#include <vug/metrics/crossing_places.h>
+#include <vug/metrics/invalid_places.h>
 
 #include <algorithm>
 #include <map>
@@ -19,8 +19,8 @@ std::vector<uint32_t> triangles_of(const std::vector<mesh::FacePair>& pairs) {
 
 }  // namespace
 
-std::vector<CrossingPlace> crossing_places(const mesh::Mesh& mesh,
-                                           const std::vector<mesh::FacePair>& pairs) {
+std::vector<InvalidPlace> invalid_places(const mesh::Mesh& mesh,
+                                         const std::vector<mesh::FacePair>& pairs) {
   const std::vector<uint32_t> faces = triangles_of(pairs);
   const auto index = [&](uint32_t face) {
     return static_cast<uint32_t>(std::lower_bound(faces.begin(), faces.end(), face) -
@@ -37,18 +37,18 @@ std::vector<CrossingPlace> crossing_places(const mesh::Mesh& mesh,
   for (uint32_t i = 0; i < faces.size(); ++i)
     for (const Vec3d& p : mesh::corners(mesh, faces[i])) groups[sets.root(i)].first.extendBy(p);
   for (const auto& [low, high] : pairs) ++groups[sets.root(index(low))].second;
-  std::vector<CrossingPlace> places;
+  std::vector<InvalidPlace> places;
   for (const auto& [root, group] : groups) {
     const Vec3d size = group.first.size();
     places.push_back({(group.first.min + group.first.max) / 2.0, std::max({size.x, size.y, size.z}),
                       group.second});
   }
   std::stable_sort(places.begin(), places.end(),
-                   [](const auto& a, const auto& b) { return a.pairs > b.pairs; });
+                   [](const auto& a, const auto& b) { return a.count > b.count; });
   return places;
 }
 
-size_t crossing_triangles(const std::vector<mesh::FacePair>& pairs) {
+size_t invalid_triangles(const std::vector<mesh::FacePair>& pairs) {
   return triangles_of(pairs).size();
 }
 
