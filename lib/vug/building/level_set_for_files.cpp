@@ -31,6 +31,7 @@ volume::LevelSet exact(Builder& builder, const shot::VolumePtr& plan) {
                      meshing_bytes(static_cast<double>(size.active_voxels), 2 * plan->half_width),
                  builder.memory_budget(), fmt::format("the exact distances of '{}'", plan->name),
                  "use a larger voxel, or 'distance: bound' in its level_set");
+  const Progress::Product product(builder.progress(), plan->name);
   try {
     return meshing::exact_distances(bounds, sampled, builder.progress());
   } catch (Error& error) {

@@ -24,7 +24,7 @@ Json vector(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
 const char* color_of(OpeningKind kind) { return kind == OpeningKind::door ? "#d9822b" : "#2b6cb0"; }
 
-/// Of each wall: its mean distance in front of the plane, the area of its pixels, and its
+/// The mean distance of each wall in front of the plane, the area of its pixels, and its
 /// roughness.
 Json walls_json(const RangeImage& range, const SurfaceMap& map) {
   Json out = Json::array();
