@@ -29,7 +29,12 @@ SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surfac
   meshing::PolygonizeOptions polygonize;
   polygonize.adaptivity = plan.adaptivity;
   polygonize.polish = plan.polish;
-  const field::Field* exact = plan.volume->source_mesh ? nullptr : &plan.volume->field;
+  const shot::VolumePlan& volume = *plan.volume;
+  // With the faces of the region, so that the polish keeps them flat.
+  const field::Field field =
+      volume.source_mesh ? field::Field()
+                         : volume::field_in_region(volume.field, voxelize_options(volume, memory));
+  const field::Field* exact = volume.source_mesh ? nullptr : &field;
   const auto active = static_cast<double>(surface.statistics().active_voxels);
   require_memory(meshing_bytes(active, 2 * plan.volume->half_width), memory, "the mesh");
   progress.begin("small features");
