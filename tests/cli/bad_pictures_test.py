@@ -135,10 +135,12 @@ class BadPictures(VugTest):
         self.write("room.vug", 'volume rock = level_set(mesh(file: "flat.obj"), voxel: 10cm)\n')
         self.expect(2, "check", "room.vug")
 
-    def test_a_camera_in_rock_causes_a_warning(self):
+    def test_a_camera_in_rock_is_refused(self):
         self.write("room.vug", ROOM.replace("eye (0, 0, 4)", "eye (0, 0, 0.5)"))
-        said = self.expect(0, "render", "room.vug", "-o", "room.exr").err
-        self.assertIn("warning: the camera is inside the solid of 'skin'", said)
+        said = self.expect(2, "render", "room.vug", "-o", "room.exr").err
+        self.assertIn("error: the camera 'main' at (0, 0, 0.5) is in rock, 0.50 m inside 'skin'", said)
+        self.assertFalse((self.folder / "room.exr").exists())
+        self.expect(0, "render", "room.vug", "-o", "room.exr", "--anyway")
 
 
 if __name__ == "__main__":

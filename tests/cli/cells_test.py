@@ -77,13 +77,14 @@ class Cells(VugTest):
             self.write("s.vug", SCENE % ("wall", GOOD) + 'render more { layers ["beauty", "attribute_%s"] }\n' % name)
             self.assertEqual(f"warning: unknown attribute '{name}'" in self.expect(0, "check", "s.vug").err, told, name)
 
-    def test_a_folded_surface_causes_a_warning(self):
+    def test_cells_do_not_make_a_mesh_intersect_itself(self):
         # Two balls grow into each other at their intersection.
-        for height, folds in ((0.5, True), (-0.05, False)):
+        for height in (0.5, -0.05):
             scene = SCENE.replace("sphere(1m)", "sphere(1m) + sphere(1m).translate((1.4, 0, 0))")
             self.write("s.vug", scene % ("wall", f'spacing 10cm  steps 1  run set(attribute: "height", to: {height})'))
-            error = self.expect(0, "build", "s.vug", "-o", "out").err
-            self.assertEqual("warning: the displacement by cells folds the mesh 'skin'" in error, folds, error)
+            report = json.loads(self.expect(0, "measure", "s.vug", "--json").out)
+            for fault in ("self_intersections", "folded_triangles", "zero_area_triangles"):
+                self.assertEqual(report[fault], 0, (height, fault))
 
     def test_a_diverging_surface_is_rejected(self):
         self.refused('spacing 20cm  steps 1  run set(attribute: "height", to: 1000000)', 7, "cells displace the surface by up to 1e+06 m",

@@ -117,8 +117,8 @@ class AnswerIsNo(VugTest):
         self.assertEqual(place["count"], report["self_intersections"])
         for at in place["center"]:
             self.assertTrue(0 < at < 1)
-        self.assertIn(" at (", self.expect(1, "measure", "two.obj", "--max-invalid", "10%").out)
-        self.expect(0, "measure", "two.obj", "--max-invalid", "100%")
+        self.assertIn(" at (", self.expect(1, "measure", "two.obj", "--max-invalid", "0.1").out)
+        self.expect(0, "measure", "two.obj", "--max-invalid", "1")
 
     def test_an_unformatted_text(self):
         self.write("ball.vug", BALL.replace(" = ", "="))

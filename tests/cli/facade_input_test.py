@@ -64,7 +64,7 @@ class FacadeInput(VugTest):
         self.refused("'flat.png' has only one colour", "flat.png")
         write_png(self.folder / "tower.png", [[(i % 250, j, 9) for j in range(20)] for i in range(400)])
         self.assertIn("hint: give its width or its height", self.refused("12 m wide is 240 m high", "tower.png"))
-        self.assertIn("Facade(0, 0, 3, 60", self.fit("tower.png", "--width", "3m", code=0).out)
+        self.assertIn("facade    3 x 60 m\n", self.fit("tower.png", "--width", "3m", code=0).out)
 
     def test_invalid_depths(self):
         for bad in (math.nan, math.inf, -math.inf):
@@ -74,7 +74,7 @@ class FacadeInput(VugTest):
             for y in range(40, 60):
                 holes[y][3:60] = [bad] * 57
             write_exr(self.folder / "holes.exr", {"depth": holes})
-            self.assertIn("window(", self.fit("holes.exr", code=0).out)
+            self.assertRegex(self.fit("holes.exr", code=0).out, r"elements +\d+ windows?\n")
         write_png(self.folder / "photo.png", photo())
         self.refused("'photo.png' has no depth channel", "photo.png", "--depth", "photo.png")
         write_exr(self.folder / "small.exr", {"depth": [[0.0] * 30] * 20})
@@ -89,11 +89,11 @@ class FacadeInput(VugTest):
         for more, size in (((), (12, 16)), (("--rows", 37), (12, 16)), (("--height", "8m"), (6, 8)),
                            (("--width", "3m", "--height", "8m"), (3, 8)), (("--width", "9m"), (9, 12))):
             said = self.fit("photo.png", *more, code=0)
-            self.assertTrue(said.out.startswith(f"Facade(0, 0, {size[0]}, {size[1]}"), said.out)
+            self.assertTrue(said.out.startswith(f"facade    {size[0]} x {size[1]} m"), said.out)
             self.assertEqual("assumed size 12 x 16 m" in said.err, "m" not in str(more), said.err)
         self.expect(0, "facade", "rectify", "photo.png", "--corners", "0,0", "90,0", "90,120", "0,120", "--size", "6mx8m",
                     "-o", "square.exr")
-        self.assertTrue(self.fit("square.exr", code=0).out.startswith("Facade(0, 0, 6, 8"))
+        self.assertTrue(self.fit("square.exr", code=0).out.startswith("facade    6 x 8 m"))
         self.write("scan.txt", "\n".join(f"{0.1 * i} 0 {0.1 * j}" for i in range(60) for j in range(40)))
         self.refused("do not apply to a scan", "--cloud", "scan.txt", "--width", "3m")
 
@@ -187,7 +187,7 @@ class Memory(VugTest):
         write_png(self.folder / "large.png", large)
         told = self.refused("fit", "large.png", "-o", "out", "--max-memory", "100M")
         self.assertIn("2700 x 2400 pixels", told)
-        self.assertLess(peak("large.png") - peak("small.png"), 1.1 * 2700 * 2400 * 6 * 4)
+        self.assertLess(peak("large.png") - peak("small.png"), 1.15 * 2700 * 2400 * 6 * 4)
 
 
 class Kept(VugTest):
@@ -211,7 +211,7 @@ class Kept(VugTest):
             code, out = running.stop(how)
             self.assertEqual(code, 3, running.said)
             self.assertIn("stopped: this is the best tree so far", running.said)
-            self.assertTrue(out.startswith("Facade(0, 0, 12, 16"), out)
+            self.assertTrue(out.startswith("facade    12 x 16 m"), out)
             tree = self.outcome()
             self.assertTrue(any(one["kind"] == "window" for one in tree["elements"]), out)
             (self.folder / "out/photo.json").unlink()

@@ -78,6 +78,8 @@ out["surface"] = plain(theirs)
 step = max(1, len(theirs["middles"]) // 200)
 agree = []
 for i in range(0, len(theirs["middles"]), step):
+    if numpy.linalg.norm(theirs["across"][i]) < 1e-10:  # its vertices coincide at a sample on the surface
+        continue
     near = ((ours["middles"] - theirs["middles"][i]) ** 2).sum(1).argmin()
     pair = theirs["across"][i], ours["across"][near]
     agree.append(float(pair[0] @ pair[1] / numpy.sqrt((pair[0] @ pair[0]) * (pair[1] @ pair[1]) + 1e-30)))

@@ -21,11 +21,11 @@ GOOD = {
     "lib/vug/field/primitives/box.cpp": '#include <vug/base/vec.h>\n// s.cite("lorensen1987")\n',
     "lib/vug/field/primitives/sphere.cpp": "#include <vug/mesh/mesh.h>\n",
     "lib/vug/volume/CMakeLists.txt": "vug_module(volume DEPENDS field)\n",
-    "lib/vug/volume/grid.cpp": "#include <openvdb/openvdb.h>\n",
+    "lib/vug/volume/grid.cpp": "// Grids.\n#include <openvdb/openvdb.h>\n",
     "lib/vug/session/CMakeLists.txt": "vug_module(session DEPENDS volume)\n",
     "docs/references.bib": "@article{lorensen1987, title = {Marching Cubes}}\n",
     "docs/tour.md": "# The tour\n\n[there](theory.md#two-words) and [here](#the-tour): `zero` in `mesh/zero.cpp`\n",
-    "lib/vug/mesh/zero.cpp": "int zero() { return 0; }\n",
+    "lib/vug/mesh/zero.cpp": "// Nothing.\nint zero() { return 0; }\n",
     "docs/theory.md": "# Theory\n\n## Two words\n\nSee [@lorensen1987].\n",
     "data/cave.vug": "seed 1\n",
     "tools/dev/phrases.txt": (ROOT / "tools/dev/phrases.txt").read_text(),
@@ -196,12 +196,13 @@ class CheckTest(unittest.TestCase):
         page = ("# Architecture\n\n`field/primitives/`\n\n## Index of the sources\n\n"
                 "The first sentence of each file of the library. Folders of kinds contain one file per kind. "
                 "`tools/dev/source_index`\nwrites this list.\n\n### base\n\n- `base/vec.h`: Vectors.\n\n"
-                "### mesh\n\n- `mesh/mesh.h`: Triangles.\n")
+                "### mesh\n\n- `mesh/mesh.h`: Triangles.\n- `mesh/zero.cpp`: Nothing.\n")
         # Modules without headers are not in the index.
         self.passes("source_index", {"docs/architecture.md": page})
         self.finds("source_index", {"docs/architecture.md": page.replace("Triangles", "Polygons")}, "out of date")
         self.finds("source_index", {"docs/architecture.md": page, "lib/vug/mesh/weld.h": "// Welding.\n"},
                    "out of date")
+        self.finds("source_index", {"lib/vug/mesh/weld.cpp": BODY}, "needs a header comment")
 
     def test_kinds_are_listed_once_and_in_order(self):
         name = "lib/vug/field/CMakeLists.txt"

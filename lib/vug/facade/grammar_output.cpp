@@ -96,7 +96,8 @@ class Writer {
       std::string text = (this->*form)(i);
       if (!text.empty()) return text;
     }
-    if (std::string text = in_columns(i); !text.empty()) return text;
+    if (options_.columns)
+      if (std::string text = in_columns(i); !text.empty()) return text;
     return free_items(i, node(i).children);
   }
 

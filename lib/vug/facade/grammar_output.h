@@ -12,6 +12,9 @@ namespace vug::facade {
 struct GrammarTextOptions {
   std::string name;      ///< Name of the grammar; empty: the tree's name.
   double thickness = 0;  ///< Thickness of the wall, metres; 0: the default.
+  /// Write uneven grids as columns with symbols of their own, which are easier to edit. Otherwise
+  /// rules have the structure of the tree, which modeller::tree_to_edits can find again.
+  bool columns = true;
 };
 
 /// `grammar NAME: facade { ... }` with all sizes, in millimetres. Its derivation has the same

@@ -124,7 +124,7 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   if (picture.depth && !options.classifier) how.pixel_weight = 0.03;
   if (options.trust > 0) how.pixel_weight = options.trust;
   how.sampler = options.sampler;
-  how.limits = limits_of(picture, size.y);
+  if (options.doors_at_ground) how.limits = limits_of(picture, size.y);
   out.reading = fit::fit_facade(evidence, rules, how, key.at("chains"), progress);
   const fit::Model model(rules, how.limits, picture.width, picture.height);
   fit::TreeState state = model.make_state(out.reading.tree);

@@ -26,6 +26,8 @@ struct FacadeFitOptions {
   /// Size of the facade in metres. If one is 0, it follows from the aspect ratio of the picture; if
   /// both are 0, from the pixel size of the picture, else from kDefaultWidth.
   double width = 0, height = 0;
+  /// Only accept doors and shops at the foot of the facade, and no door above 4.5 m.
+  bool doors_at_ground = true;
   fit::SamplerOptions sampler;
   uint64_t seed = 0;
 };

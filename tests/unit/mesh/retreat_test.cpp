@@ -90,7 +90,7 @@ TEST(Folds, AreTrianglesThatFaceAgainstTheSurface) {
   EXPECT_TRUE(folded_triangles(box_mesh(Box3d(Vec3d(0), Vec3d(1, 1, 0.01)))).empty());
   // A vertex that moves past its neighbours.
   const Vec3f from = ball.positions[100];
-  ball.positions[100] = (from + Vec3f(0.3F, -0.2F, 0.25F)).normalized();
+  ball.positions[100] = (from + Vec3f(0.9F, -0.6F, 0.75F)).normalized();
   const std::vector<uint32_t> folded = folded_triangles(ball);
   EXPECT_FALSE(folded.empty());
   const Fans fans(ball);

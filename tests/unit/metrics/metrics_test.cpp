@@ -94,7 +94,9 @@ TEST(Report, JsonHasTheKeysInOrderAndNullForTheUnknown) {
   EXPECT_EQ(keys, (std::vector<std::string>{
                       "area", "volume", "volume_cells", "cf", "cf_area", "vertices", "triangles",
                       "productions", "build_seconds", "components", "genus", "boundary_edges",
-                      "nonmanifold_edges", "misoriented_edges", "self_intersections", "bounds"}));
+                      "nonmanifold_edges", "misoriented_edges", "zero_area_triangles",
+                      "folded_triangles", "self_intersections", "invalid_places",
+                      "small_features", "bounds"}));
   EXPECT_EQ(json["area"], 6.0);
   EXPECT_EQ(json["cf"], 100.0);
   EXPECT_TRUE(json["productions"].is_null());

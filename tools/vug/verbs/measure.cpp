@@ -85,7 +85,7 @@ Verb measure_verb() {
                        "Measure the cells of this name instead: their regularity and links")
             ->excludes("--mesh");
         app.add_option("--max-invalid", options->max_invalid,
-                       "Share of triangles, e.g. 0.1%, that may intersect others, be folded or "
+                       "Share of triangles, e.g. 0.001, that may intersect others, be folded or "
                        "have no area "
                        "before the exit code is 1; default 0")
             ->transform(number_in(Dimension::none, 0, 1));
