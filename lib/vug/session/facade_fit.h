@@ -33,7 +33,7 @@ struct FacadeFitOptions {
 };
 
 /// The classifier for photos of streets that is distributed with the data, trained by
-/// tools/train_looks on painted facades; empty if the data is not installed.
+/// tools/dev/train_looks on painted facades; empty if the data is not installed.
 std::filesystem::path default_looks();
 
 struct FacadeFit {

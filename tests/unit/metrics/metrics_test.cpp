@@ -91,12 +91,26 @@ TEST(Report, JsonHasTheKeysInOrderAndNullForTheUnknown) {
   const auto json = nlohmann::ordered_json::parse(to_json(report));
   std::vector<std::string> keys;
   for (const auto& item : json.items()) keys.push_back(item.key());
-  EXPECT_EQ(keys, (std::vector<std::string>{
-                      "area", "volume", "volume_cells", "cf", "cf_area", "vertices", "triangles",
-                      "productions", "build_seconds", "components", "genus", "boundary_edges",
-                      "nonmanifold_edges", "misoriented_edges", "zero_area_triangles",
-                      "folded_triangles", "self_intersections", "invalid_places",
-                      "small_features", "bounds"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{"area",
+                                            "volume",
+                                            "volume_cells",
+                                            "cf",
+                                            "cf_area",
+                                            "vertices",
+                                            "triangles",
+                                            "productions",
+                                            "build_seconds",
+                                            "components",
+                                            "genus",
+                                            "boundary_edges",
+                                            "nonmanifold_edges",
+                                            "misoriented_edges",
+                                            "zero_area_triangles",
+                                            "folded_triangles",
+                                            "self_intersections",
+                                            "invalid_places",
+                                            "small_features",
+                                            "bounds"}));
   EXPECT_EQ(json["area"], 6.0);
   EXPECT_EQ(json["cf"], 100.0);
   EXPECT_TRUE(json["productions"].is_null());

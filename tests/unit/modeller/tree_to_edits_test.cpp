@@ -67,7 +67,8 @@ TEST(TreeToEdits, AcceptsTheGrammarWrittenFromTheTree) {
       after(blank(), {"apply 0 rows heights=3", "apply 0.0 repeat count=3 widths=2.5,4",
                       "apply 0.0.0 window", "apply 0.0.1 door", "apply 0.0.2 window",
                       "act 0.1 Grid columns=3 rows=2 dx=2,5"});
-  const StylePtr own = style_of(facade::grammar_text(state.tree(), {.name = "own", .columns = false}));
+  const StylePtr own =
+      style_of(facade::grammar_text(state.tree(), {.name = "own", .columns = false}));
   const TreeEdits result = tree_to_edits(FacadeState(own, state.canvas()), state.tree());
   EXPECT_EQ(result.elements, facade::element_instances(state.tree()).size());
   EXPECT_EQ(result.displaced + result.missing, 0u) << result.max_distance;

@@ -70,8 +70,8 @@ TEST(Warning, AnEmptyGrid) {
             "hint: its solid lies outside of 'from' and 'to'\n");
   const std::string thin = "hint: its solid is empty or thinner than a voxel\n";
   EXPECT_EQ(hint("level_set(sphere(1m).offset(-2m), voxel: 1m)"), thin);
-  const std::string plate =
-      messages("volume rock = level_set(box(size: (2, 2, 0.01)).translate((0, 0, 0.05)), voxel: 20cm)\n");
+  const std::string plate = messages(
+      "volume rock = level_set(box(size: (2, 2, 0.01)).translate((0, 0, 0.05)), voxel: 20cm)\n");
   EXPECT_NE(plate.find("the volume 'rock' is empty"), std::string::npos);
   EXPECT_NE(plate.find("the box in the volume 'rock' is 0.01 m thick at (0, 0, 0.05)"),
             std::string::npos);
