@@ -30,7 +30,9 @@ constexpr size_t kProbes = 4;
 
 class Collector {
  public:
-  Collector(const std::vector<render::Object>& objects, AssemblyResult& out) : out_(out) {
+  explicit Collector(AssemblyResult& out) : out_(out) {}
+
+  void collect(const std::vector<render::Object>& objects) {
     for (const render::Object& object : objects)
       if (varies_by_instance(object)) ++counts_[key_of(object)];
     for (const render::Object& object : objects) add(object);
@@ -210,7 +212,7 @@ AssemblyResult build_assembly(building::Builder& builder) {
   building::FlatScene flat = building::flatten_scene(builder);
   building::add_default_light(flat, shot.medium.get());
   for (render::Object& object : flat.objects) object.name = shown_name(shot, object.name);
-  Collector(flat.objects, out);
+  Collector(out).collect(flat.objects);
   add_cameras(shot, out);
   add_lights(shot, flat.lights, out);
   return out;

@@ -19,7 +19,8 @@ constexpr int kSteps = 7, kSamples = 1 + kSteps * kSteps * kSteps;
 /// The centre of the box, then the centres of its parts.
 Vec3d sample_of(const Box3d& box, int n) {
   const int i = n == 0 ? (kSamples - 1) / 2 : n - 1;
-  const Vec3d share = Vec3d(i / (kSteps * kSteps), i / kSteps % kSteps, i % kSteps) + Vec3d(0.5);
+  const int slice = i / (kSteps * kSteps), row = i / kSteps % kSteps;
+  const Vec3d share = Vec3d(slice, row, i % kSteps) + Vec3d(0.5);
   return box.min + box.size() * share * (1.0 / kSteps);
 }
 

@@ -17,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vug::session {
 namespace {
@@ -118,7 +119,9 @@ Json rendered_picture(building::Builder& builder, const shot::RenderSettings& se
                       const ScratchFolder& scratch) {
   constexpr int kWidth = 960, kSamples = 32;
   const double shrink = std::min(1.0, double(kWidth) / settings.size[0]);
-  const auto shrunk = [&](int side) { return std::max(1, static_cast<int>(side * shrink + 0.5)); };
+  const auto shrunk = [&](int side) {
+    return std::max(1, static_cast<int>(std::lround(side * shrink)));
+  };
   const int width = shrunk(settings.size[0]), height = shrunk(settings.size[1]);
   const int spp = std::min(settings.spp, kSamples);
   picture::PictureOptions options;

@@ -89,7 +89,7 @@ std::vector<Coord> small_set(const Sides& sides, const Coord& seed) {
   for (size_t i = 0; i < set.size(); ++i)
     for (int side = 0; side < 6; ++side) {
       Coord next = set[i];
-      next[side / 2] += side % 2 ? 1 : -1;
+      next[static_cast<size_t>(side / 2)] += side % 2 ? 1 : -1;
       if (sides.inside(next) != inside || std::count(set.begin(), set.end(), next)) continue;
       box.expand(next);
       if (box.extents()[box.maxExtent()] > 2) return {};
@@ -134,7 +134,7 @@ int handle_reach(const Sides& sides, const Coord& at) {
 bool is_at_surface(const SignCube& cube, const Offset& at) {
   for (size_t side = 0; side < 6; ++side) {
     Offset next = at;
-    next[side / 2] += side % 2 ? 1 : -1;
+    next[static_cast<size_t>(side / 2)] += side % 2 ? 1 : -1;
     if (cube.inside(next) != cube.inside(at)) return true;
   }
   return false;
@@ -265,7 +265,8 @@ class Search {
         constexpr int kStep = 6;
         const Coord at = now->samples.front().offsetBy((n / 9 - 1) * kStep, (n / 3 % 3 - 1) * kStep,
                                                        (n % 3 - 1) * kStep);
-        if (grid_.tree().probeConstLeaf(at)) near.insert(at & ~(Tree::LeafNodeType::DIM - 1));
+        if (grid_.tree().probeConstLeaf(at))
+          near.insert(at & ~static_cast<int>(Tree::LeafNodeType::DIM - 1));
       }
     }
     return {near.begin(), near.end()};

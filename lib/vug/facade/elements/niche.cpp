@@ -30,7 +30,7 @@ struct Niche : Opening {
   std::string fault() const { return opening_fault(); }
 
   Solids solids(double width, double height) const {
-    Opening edge(static_cast<const Opening&>(*this));
+    Opening edge = *this;
     edge.head = Head::round;
     edge.rise = 0;
     Solids out = edge.around(width, height, std::max(0.02, std::min(reveal, 0.04)));

@@ -59,7 +59,7 @@ class Warping {
  private:
   using Layers = Fractal<Plain>;
   static Layers layer(const Warp& w, int axis) {
-    OctaveParams params(static_cast<const OctaveParams&>(w));
+    OctaveParams params = w;
     params.seed = 3 * w.seed + axis;
     return Layers(params);
   }

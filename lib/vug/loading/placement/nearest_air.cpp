@@ -42,7 +42,8 @@ std::optional<NearestAir> nearest_air(const Set& set, const Vec3d& p, IsOpen is_
   double limit = kFarthest;
   for (int code = 0; code < 27; ++code) {
     if (code == 13) continue;  // no direction
-    const Vec3d along = Vec3d(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1).normalized();
+    const int row = code / 3 % 3, slice = code / 9;
+    const Vec3d along = Vec3d(code % 3 - 1, row - 1, slice - 1).normalized();
     for (double t = 0; t < limit;) {
       const double depth = rock_depth(set, p + along * t, is_open, accuracy);
       if (depth > 0) {

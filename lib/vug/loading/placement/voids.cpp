@@ -54,8 +54,8 @@ Content content_of(const Void& one, const Box3d& box, int count, double slack, A
   Content content = Content::unknown;
   const Vec3d size = box.size();
   for (int i = 0; i < count * count * count; ++i) {
-    const Vec3d share((i % count + 0.5) / count, (i / count % count + 0.5) / count,
-                      (i / count / count + 0.5) / count);
+    const int row = i / count % count, slice = i / count / count;
+    const Vec3d share((i % count + 0.5) / count, (row + 0.5) / count, (slice + 0.5) / count);
     const Vec3d p = box.min + size * share;
     if (!(field::bounds_at(removed, p).hi < -slack)) continue;
     const double rock =
