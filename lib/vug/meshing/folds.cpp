@@ -18,8 +18,8 @@ Vec3d corner_centroid(const Face& face, uint32_t k, const std::vector<Vec3d>& po
 
 bool faces_backwards(const Face& face, uint32_t k, const std::vector<Vec3d>& points,
                      const SurfacePoint& middle, double voxel) {
-  constexpr double kNearSurface = 0.1;  // Voxels; further away the gradient is not reliable.
-  return middle.residual < kNearSurface * voxel &&
+  constexpr double kReliable = 0.1;  // Voxels; further away the gradient is not reliable.
+  return middle.residual < kReliable * voxel &&
          corner_normal(face, k, points).dot(middle.normal) <= 0;
 }
 
