@@ -195,8 +195,9 @@ class CheckTest(unittest.TestCase):
     def test_index_of_the_sources(self):
         page = ("# Architecture\n\n`field/primitives/`\n\n## Index of the sources\n\n"
                 "The first sentence of each file of the library. Folders of kinds contain one file per kind. "
-                "`tools/dev/source_index`\nwrites this list.\n\n### base\n\n- `base/vec.h`: Vectors.\n\n"
-                "### mesh\n\n- `mesh/mesh.h`: Triangles.\n- `mesh/zero.cpp`: Nothing.\n")
+                "Headers\nwithout a source are marked *header only*. `tools/dev/source_index` writes this list.\n\n"
+                "### base\n\n- `base/vec.h` *(header only)*: Vectors.\n\n"
+                "### mesh\n\n- `mesh/mesh.h` *(header only)*: Triangles.\n- `mesh/zero.cpp`: Nothing.\n")
         # Modules without headers are not in the index.
         self.passes("source_index", {"docs/architecture.md": page})
         self.finds("source_index", {"docs/architecture.md": page.replace("Triangles", "Polygons")}, "out of date")

@@ -39,16 +39,23 @@ endfunction()
 
 # The headers of a module that are installed: all but those whose first comment starts with "Internal to" or "Inside"
 # a module (tools/dev/check layers verifies that public headers do not include them). The target
-# TARGET_verify_interface_header_sets compiles each of them alone.
+# TARGET_verify_interface_header_sets compiles each of them alone, except the definitions of templates in *_inl.h, which
+# their headers include.
 function(vug_public_headers target)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
   set(public "")
+  set(inline "")
   foreach(header ${headers})
     file(STRINGS ${header} first LIMIT_COUNT 2)
-    if(NOT first MATCHES "(^|;)// (Internal|Inside) ")
+    if(first MATCHES "(^|;)// (Internal|Inside) ")
+      continue()
+    elseif(header MATCHES "_inl\\.h$")
+      list(APPEND inline ${header})
+    else()
       list(APPEND public ${header})
     endif()
   endforeach()
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/lib FILES ${public})
-  set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
+  target_sources(${target} PUBLIC FILE_SET inline TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/lib FILES ${inline})
+  set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON INTERFACE_HEADER_SETS_TO_VERIFY HEADERS)
 endfunction()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Building blocks of elements, in an element's frame.
+// Building blocks of elements (boxes, arched heads, openings with surround), in an element's frame.
 #pragma once
 
 #include <vug/facade/element.h>

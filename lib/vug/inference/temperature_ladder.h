@@ -2,6 +2,7 @@
 // Temperature ladder for parallel tempering.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -20,10 +20,10 @@ const Density& rough() {
     VoxelizeOptions options;
     options.voxel = 0.02;
     return Density(resampled(fog(voxelize(sphere_at({0.3, 0, 0}, 1), options)), [](const Vec3f& p) {
-      RandomStream random(RandomKey(3)
-                              .at(std::lround(p.x * 50))
-                              .at(std::lround(p.y * 50))
-                              .at(std::lround(p.z * 50)));
+      RandomKey key(3);
+      for (int axis = 0; axis < 3; ++axis)
+        key = key.at(static_cast<uint64_t>(std::lround(p[axis] * 50)));
+      RandomStream random(key);
       return static_cast<float>(random.uniform());
     }));
   }();

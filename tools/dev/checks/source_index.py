@@ -30,7 +30,7 @@ def index(tree):
     """One list for each module: its headers, and sources without a header, by the first sentence of their comments."""
     modules = dict.fromkeys(module_of(name) for name in tree.select(".h", under="lib/vug/"))
     lines = ["\nThe first sentence of each file of the library. Folders of kinds contain one file per kind. "
-             "`tools/dev/source_index`\nwrites this list.\n"]
+             "Headers\nwithout a source are marked *header only*. `tools/dev/source_index` writes this list.\n"]
     for module in modules:
         folder = f"lib/vug/{module}/"
         kinds = kinds_of(tree, folder)
@@ -41,7 +41,8 @@ def index(tree):
             if stem not in kinds:
                 files[stem] = name  # the header, which follows its source in alphabetical order
         for stem, name in sorted(files.items()):
-            lines.append(f"- `{name[len('lib/vug/'):]}`: {first_sentence(tree.text(name))}\n")
+            alone = " *(header only)*" if f"{folder}{stem}.cpp" not in tree.files and name.endswith(".h") else ""
+            lines.append(f"- `{name[len('lib/vug/'):]}`{alone}: {first_sentence(tree.text(name))}\n")
         for place in dict.fromkeys(kind.partition("/")[0] for kind in sorted(kinds)):
             names = ", ".join(kind.partition("/")[2] for kind in sorted(kinds) if kind.startswith(place + "/"))
             lines.append(f"- `{module}/{place}/`: {names}\n")

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vug/render/light.h>
+#include <vug/render/lighting/light_tree.h>
 
 #include <algorithm>
 #include <array>
