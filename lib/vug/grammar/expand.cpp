@@ -12,11 +12,11 @@ double weight_at(const Production& production, const Node& node, uint64_t index)
   const auto arity = static_cast<int64_t>(node.symbol.content.params.size());
   if (production.arity >= 0 && production.arity != arity) return 0;
   if (production.guard &&
-      !production.guard({node.symbol, node.key.at("guard").at(index), node.depth}))
+      !production.guard({node.symbol, node.key.at("guard").at(index), node.key, node.depth}))
     return 0;
   if (!production.weight) return 1;
   const double weight =
-      production.weight({node.symbol, node.key.at("weight").at(index), node.depth});
+      production.weight({node.symbol, node.key.at("weight").at(index), node.key, node.depth});
   if (!(weight >= 0) || std::isinf(weight))
     throw Error(ErrorCode::bad_input,
                 "the weight of '" + to_string(production) + "' is " +
@@ -34,8 +34,8 @@ std::vector<Node> apply(const std::vector<SuccessorItem>& parts, const Node& nod
     int64_t& ordinal = ordinals[part.symbol];
     int64_t count = 1;
     if (part.count)
-      count = part.count(
-          {node.symbol, named.at("count").at(static_cast<uint64_t>(ordinal)), node.depth});
+      count = part.count({node.symbol, named.at("count").at(static_cast<uint64_t>(ordinal)),
+                          node.key, node.depth});
     if (count < 0)
       throw Error(ErrorCode::bad_input,
                   "'" + part.symbol + "' cannot be repeated " + std::to_string(count) + " times",
@@ -53,7 +53,7 @@ std::vector<Node> apply(const std::vector<SuccessorItem>& parts, const Node& nod
       child.terminal = part.terminal;
       if (part.content)
         child.symbol.content =
-            part.content({node.symbol, child.key.at("content"), node.depth, i, count});
+            part.content({node.symbol, child.key.at("content"), node.key, node.depth, i, count});
       children.push_back(std::move(child));
     }
   }

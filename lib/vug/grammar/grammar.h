@@ -36,6 +36,7 @@ std::string to_string(const Symbol& symbol);
 struct RewriteSite {        // NOLINT(cppcoreguidelines-pro-type-member-init): key has no default
   const Symbol& symbol;     ///< The occurrence that is being rewritten.
   RandomKey key;            ///< Source of this call's random numbers.
+  RandomKey node_key;       ///< That of the occurrence, the same in all calls for it.
   int depth = 0;            ///< The occurrence's distance from the tree's root.
   int64_t repetition = 0;   ///< For content: the 0-based index of the repetition.
   int64_t repetitions = 1;  ///< For content: the number of repetitions.

@@ -41,6 +41,25 @@ struct ItemClauses {
   std::string reach;
 };
 
+/// The local names of a rule that is applied to a symbol: its parameters, then those of `where`.
+class RuleScope {
+ public:
+  RuleScope(const scene::Rule& rule, const grammar::RewriteSite& site)
+      : locals_(rule.locals, site.node_key.at("where")) {
+    for (size_t i = 0; i < rule.formals.size(); ++i)
+      scope_.names.emplace_back(rule.formals[i].name, site.symbol.content.params.at(i));
+    scope_.locals = &locals_;
+  }
+  RuleScope(const RuleScope&) = delete;
+  RuleScope& operator=(const RuleScope&) = delete;
+
+  operator const scene::Scope&() const { return scope_; }  // NOLINT
+
+ private:
+  scene::Locals locals_;
+  scene::Scope scope_;
+};
+
 class Binder {
  public:
   Binder(const scene::Grammar& grammar, ReadContext& context)
@@ -57,8 +76,8 @@ class Binder {
   sgm::Options options();
 
  private:
-  grammar::SuccessorItem part(const scene::Item& item, const std::vector<scene::Formal>& formals);
-  grammar::Content step(const scene::Item& item, const std::vector<scene::Formal>& formals,
+  grammar::SuccessorItem part(const scene::Item& item, const scene::Rule& rule);
+  grammar::Content step(const scene::Item& item, const scene::Rule& rule,
                         const grammar::RewriteSite& site);
   std::vector<sgm::Piece> pieces(const scene::Item& item, int count, const scene::Scope& scope,
                                  RandomKey key);
@@ -84,14 +103,6 @@ class Binder {
       throw;
     }
   }
-  static scene::Scope scope_of(const std::vector<scene::Formal>& formals,
-                               const grammar::RewriteSite& site) {
-    scene::Scope scope;
-    for (size_t i = 0; i < formals.size(); ++i)
-      scope.names.emplace_back(formals[i].name, site.symbol.content.params.at(i));
-    return scope;
-  }
-
   const scene::Grammar& source_;
   scene::Evaluator& evaluator_;
   Resolver& resolver_;
@@ -195,11 +206,12 @@ std::vector<sgm::Piece> Binder::pieces(const scene::Item& item, int count,
   return out;
 }
 
-grammar::Content Binder::step(const scene::Item& item, const std::vector<scene::Formal>& formals,
+grammar::Content Binder::step(const scene::Item& item, const scene::Rule& rule,
                               const grammar::RewriteSite& site) {
   const scene::FrameScope frame(
       resolver_.frames(), fmt::format("rule '{}'", grammar::to_string(site.symbol)), item.where);
-  const scene::Scope scope = scope_of(formals, site);
+  const RuleScope local(rule, site);
+  const scene::Scope& scope = local;
   ItemClauses clauses;
   for (const scene::Entry& option : source_.options) {
     const bool is_clause =
@@ -234,25 +246,26 @@ grammar::Content Binder::step(const scene::Item& item, const std::vector<scene::
   return content;
 }
 
-grammar::SuccessorItem Binder::part(const scene::Item& item,
-                                    const std::vector<scene::Formal>& formals) {
+grammar::SuccessorItem Binder::part(const scene::Item& item, const scene::Rule& rule) {
   grammar::SuccessorItem part;
   part.where = item.where;
   part.terminal = !item.op.empty();
   part.symbol = part.terminal ? item.op : item.symbol();
   if (item.count)
-    part.count = [this, &item, &formals](const grammar::RewriteSite& site) {
+    part.count = [this, &item, &rule](const grammar::RewriteSite& site) {
       return growing(site, [&]() -> int64_t {
-        const scene::Scope scope = scope_of(formals, site);
+        const RuleScope local(rule, site);
+        const scene::Scope& scope = local;
         const std::optional<int> count = evaluator_.count(*item.count, site.key, &scope);
         if (!count) throw AlreadyReported{};
         return *count;
       });
     };
-  part.content = [this, &item, &formals](const grammar::RewriteSite& site) {
+  part.content = [this, &item, &rule](const grammar::RewriteSite& site) {
     return growing(site, [&]() -> grammar::Content {
-      if (!item.op.empty()) return step(item, formals, site);
-      const scene::Scope scope = scope_of(formals, site);
+      if (!item.op.empty()) return step(item, rule, site);
+      const RuleScope local(rule, site);
+      const scene::Scope& scope = local;
       grammar::Content content;
       for (Argument& argument : evaluator_.arguments(*item.shape, site.key, &scope)) {
         if (argument.value.empty()) throw AlreadyReported{};
@@ -265,7 +278,7 @@ grammar::SuccessorItem Binder::part(const scene::Item& item,
 }
 
 grammar::Grammar Binder::bind() {
-  static const std::vector<scene::Formal> none;
+  static const scene::Rule none;
   grammar::Grammar out;
   out.name = source_.name;
   out.where = source_.where;
@@ -278,7 +291,7 @@ grammar::Grammar Binder::bind() {
     if (rule.guard)
       production.guard = [this, &rule](const grammar::RewriteSite& site) {
         return growing(site, [&] {
-          const Value holds = value(*rule.guard, site.key, scope_of(rule.formals, site));
+          const Value holds = value(*rule.guard, site.key, RuleScope(rule, site));
           if (const bool* truth = holds.get<bool>()) return *truth;
           fail(rule.guard->where,
                fmt::format("a guard must be true or false, not {}", holds.type_name()));
@@ -287,15 +300,14 @@ grammar::Grammar Binder::bind() {
     if (rule.weight)
       production.weight = [this, &rule](const grammar::RewriteSite& site) {
         return growing(site, [&] {
-          const double weight = number(*rule.weight, site.key, scope_of(rule.formals, site));
+          const double weight = number(*rule.weight, site.key, RuleScope(rule, site));
           if (!(weight >= 0) || !std::isfinite(weight))
             fail(rule.weight->where,
                  fmt::format("a weight must be a number of at least 0, not {}", weight));
           return weight;
         });
       };
-    for (const scene::Item& item : rule.items)
-      production.successor.push_back(part(item, rule.formals));
+    for (const scene::Item& item : rule.items) production.successor.push_back(part(item, rule));
     out.productions.push_back(std::move(production));
   }
   return out;

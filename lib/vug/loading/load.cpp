@@ -27,7 +27,7 @@ const DeclarationKind* find_declaration_kind(const std::string& word) {
 }
 
 std::vector<std::string> declaration_words() {
-  std::vector<std::string> words = {"param", "let", "seed", "include", "grammar"};
+  std::vector<std::string> words = {"param", "let", "def", "seed", "include", "grammar"};
   for (const DeclarationKind* kind : declaration_kinds()) words.push_back(kind->info.name);
   return words;
 }
@@ -104,6 +104,60 @@ class DeclarationCache {
   shot::Shot::Snapshot snapshot_;  ///< After the additions of the last evaluated declaration.
 };
 
+/// Reads a declaration with the variables of its loop, if it has one, as local names.
+Value read_declaration(const scene::Declaration& declaration, const DeclarationKind& kind,
+                       const scene::Scope* variables, ReadContext& context) {
+  const scene::Evaluator::DeclarationScope scope(context.evaluator, variables);
+  Value value = kind.read(declaration, context);
+  return declaration.incomplete ? Value() : value;
+}
+
+/// The values of `KIND NAME[i in LIST] ...`, one for each element. Their names are NAME[0], ...
+Value read_loop(const scene::Declaration& declaration, const DeclarationKind& kind,
+                ReadContext& context, DeclarationCache& cached) {
+  const uint64_t uses = context.resolver.frame_uses();
+  const scene::Expr& loop = *declaration.loop;
+  const Value elements = context.evaluator.eval(loop, context.evaluator.key(declaration).at("for"));
+  if (elements.empty()) return Value();
+  const bool animated = context.resolver.frame_uses() > uses;
+  List values;
+  for (const Value& element : *elements.get<List>()) {
+    const List& variables = *element.get<List>();
+    scene::Scope scope;
+    for (const scene::Operand& name : loop.operands.back().value->operands)
+      scope.names.emplace_back(name.value->text, variables[scope.names.size()]);
+    scene::Declaration made = declaration;
+    made.name = fmt::format("{}[{}]", declaration.name, values.size());
+    values.push_back(cached(made.kind, made.name, [&] {
+      if (animated) context.resolver.use_frame();
+      return read_declaration(made, kind, &scope, context);
+    }));
+  }
+  const bool faulty =
+      std::any_of(values.begin(), values.end(), [](const Value& each) { return each.empty(); });
+  return faulty ? Value() : Value(std::move(values));
+}
+
+void declare_loop(const scene::Declaration& declaration, const DeclarationKind& kind,
+                  ReadContext& context, DeclarationCache& cached) {
+  if (!kind.in_loops) {
+    std::vector<std::string> allowed;
+    for (const DeclarationKind* each : declaration_kinds())
+      if (each->in_loops) allowed.push_back(each->info.name);
+    context.diagnostics.error(
+        declaration.loop->where,
+        fmt::format("a {} cannot be declared for each element of a list", declaration.kind),
+        fmt::format("possible for: {}; a solid can be a union of a list: union([for ...])",
+                    fmt::join(allowed, ", ")));
+    context.resolver.declare(declaration.kind, declaration.name, [] { return Value(); });
+    return;
+  }
+  context.resolver.declare(declaration.kind, declaration.name,
+                           [&declaration, &kind, &context, &cached] {
+                             return read_loop(declaration, kind, context, cached);
+                           });
+}
+
 void register_declarations(const scene::Document& document, ReadContext& context,
                            DeclarationCache& cached) {
   for (const scene::Declaration& declaration : document.declarations) {
@@ -118,9 +172,12 @@ void register_declarations(const scene::Document& document, ReadContext& context
       continue;
     }
     check_target(declaration, *kind, context.diagnostics);
+    if (declaration.loop) {
+      declare_loop(declaration, *kind, context, cached);
+      continue;
+    }
     const auto make = [&declaration, kind, &context] {
-      Value value = kind->read(declaration, context);
-      return declaration.incomplete ? Value() : value;
+      return read_declaration(declaration, *kind, nullptr, context);
     };
     context.resolver.declare(declaration.kind, declaration.name, [&declaration, &cached, make] {
       return cached(declaration.kind, declaration.name, make);

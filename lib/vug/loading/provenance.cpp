@@ -36,7 +36,8 @@ ProvenanceTable::ProvenanceTable(const scene::Document& document) {
 }
 
 const ProvenanceTable::Declared* ProvenanceTable::find(const std::string& kind,
-                                                       const std::string& name) const {
+                                                       const std::string& element) const {
+  const std::string name = element.substr(0, element.find('['));  // of a declaration with a loop
   for (const Declared& each : declared_)
     if (each.kind == kind && each.name == name) return &each;
   return nullptr;

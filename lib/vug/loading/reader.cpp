@@ -122,11 +122,12 @@ Value report_unknown(const KindRegistry& registry, const std::string& name,
 
 Value kind_value(const KindRegistry& registry, const scene::Expr& expr, RandomKey key,
                  ReadContext& context) {
-  const bool called = expr.kind == scene::ExprKind::call && !expr.method;
+  const bool called =
+      expr.kind == scene::ExprKind::call && !expr.method && !context.evaluator.find_def(expr.text);
   if ((called || expr.kind == scene::ExprKind::name) && registry.find(expr.text))
     return *make(registry, expr.text, called ? context.evaluator.arguments(expr, key) : Arguments{},
                  expr.where, context);
-  Value value = context.evaluator.eval(expr, key);
+  Value value = context.evaluator.eval_as(registry.type, expr, key);
   if (value.get<Value::Name>())
     return report_unknown(registry, expr.text, expr.where, context.diagnostics);
   return value;
@@ -177,16 +178,17 @@ Value read_kind_declaration(const std::string& type, const std::string& fallback
   if (!declaration.value) return read_kind_block(registry, fallback, declaration, context);
   const scene::Expr& expr = *declaration.value;
   const RandomKey key = context.evaluator.key(declaration);
-  if (expr.kind == scene::ExprKind::call && !expr.method && registry.find(expr.text)) {
+  const bool called =
+      expr.kind == scene::ExprKind::call && !expr.method && !context.evaluator.find_def(expr.text);
+  if (called && registry.find(expr.text)) {
     const Arguments arguments = context.evaluator.arguments(expr, key);
     return *make(registry, expr.text, arguments, expr.where, context);
   }
-  Value value = context.evaluator.eval(expr, key);
+  Value value = context.evaluator.eval_as(type, expr, key);
   if (value.empty()) return value;
   const Object* object = value.get<Object>();
   if (object && object->type == type) return value;
-  if (expr.kind == scene::ExprKind::call && !expr.method)
-    return report_unknown(registry, expr.text, expr.where, context.diagnostics);
+  if (called) return report_unknown(registry, expr.text, expr.where, context.diagnostics);
   Diagnostics own;
   own.error(expr.where,
             fmt::format("'{}' expects a {}, not {}", declaration.name, type, value.type_name()));

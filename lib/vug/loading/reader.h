@@ -26,6 +26,7 @@ struct DeclarationKind {
   std::function<Value(const scene::Declaration&, ReadContext&)> read;
   std::string target_type = {};  ///< Type after `on`: "volume", "mesh"; empty: no `on`.
   bool several_targets = false;  ///< Whether `on` takes several, separated by commas.
+  bool in_loops = false;         ///< Whether `KIND NAME[i in LIST]` declares one for each element.
 };
 
 const std::vector<const DeclarationKind*>& declaration_kinds();

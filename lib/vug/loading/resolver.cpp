@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace vug::loading {
 ValidArguments::ValidArguments(const Arguments& given) {
   bool placed = true;  // the positions after a lost argument are unknown
@@ -104,12 +106,40 @@ void Resolver::record(const Value& value, const SourceLocation& where) {
     provenance_.record(made->node(), {where, frames()});
 }
 
+namespace {
+
+/// Whether the kind has parameters for all named arguments.
+bool accepts(const KindInfo& kind, const Arguments& arguments) {
+  return std::all_of(arguments.begin(), arguments.end(), [&](const Argument& given) {
+    return given.name.empty() ||
+           std::any_of(kind.params.begin(), kind.params.end(),
+                       [&](const ParamInfo& param) { return param.name == given.name; });
+  });
+}
+
+/// The registry of a kind whose name several may have: that of the expected type, else the first
+/// one whose parameters fit, else the first one; null if there is none.
+const KindRegistry* choose_registry(const std::string& name, const Arguments& arguments,
+                                    std::string_view expected) {
+  const KindRegistry* first = nullptr;
+  const KindRegistry* fitting = nullptr;
+  for (const KindRegistry& registry : kind_registries()) {
+    const RegisteredKind* kind = registry.find(name);
+    if (!kind) continue;
+    if (registry.type == expected) return &registry;
+    if (!first) first = &registry;
+    if (!fitting && accepts(*kind->info, arguments)) fitting = &registry;
+  }
+  return fitting ? fitting : first;
+}
+
+}  // namespace
+
 std::optional<Value> Resolver::call(const std::string& name, const Arguments& arguments,
-                                    const SourceLocation& where, RandomKey,
+                                    const SourceLocation& where, const CallContext& context,
                                     Diagnostics& diagnostics) {
-  for (const KindRegistry& registry : kind_registries())
-    if (auto value = make(registry, name, arguments, where, diagnostics)) return value;
-  return std::nullopt;
+  const KindRegistry* registry = choose_registry(name, arguments, context.expected);
+  return registry ? make(*registry, name, arguments, where, diagnostics) : std::nullopt;
 }
 
 bool Resolver::is_choice(const std::string& call, size_t position, const std::string& argument,

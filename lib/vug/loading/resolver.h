@@ -53,7 +53,7 @@ class Resolver final : public scene::Resolver {
   std::optional<Value> name(const std::string& name, const SourceLocation& where,
                             Diagnostics& diagnostics) override;
   std::optional<Value> call(const std::string& name, const Arguments& arguments,
-                            const SourceLocation& where, RandomKey key,
+                            const SourceLocation& where, const CallContext& context,
                             Diagnostics& diagnostics) override;
   bool is_choice(const std::string& call, size_t position, const std::string& argument,
                  const std::string& word) const override;

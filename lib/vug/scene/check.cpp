@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/scene/check.h>
+#include <vug/scene/def_check.h>
 #include <vug/scene/lsystem_check.h>
 #include <vug/scene/units.h>
 
@@ -13,8 +14,8 @@ namespace vug::scene {
 
 namespace {
 
-constexpr const char* kReserved[] = {"and", "or",   "not",   "if", "in",
-                                     "on",  "true", "false", "pi", "frame"};
+constexpr const char* kReserved[] = {"and",  "or",    "not", "if",    "in", "on",
+                                     "true", "false", "pi",  "frame", "for"};
 
 bool is_reserved(const std::string& name) {
   return std::find(std::begin(kReserved), std::end(kReserved), name) != std::end(kReserved);
@@ -35,6 +36,8 @@ class NameChecker {
       const size_t first = rank[a.where->file], second = rank[b.where->file];
       return first != second ? first < second : a.where->line < b.where->line;
     });
+    for (Def& one : document.defs) def(one, document.skipped);
+    check_calls(document, diagnostics_);
     for (const Global& one : all)
       if (!declare_global(one.what, *one.name, *one.where))
         document.skipped.doubtful.insert(*one.name);
@@ -97,6 +100,28 @@ class NameChecker {
     return hidden == globals_.end();
   }
 
+  /// The names of functions are only used in calls: they are a namespace of their own.
+  void def(const Def& def, SkippedNames& skipped) {
+    if (!allowed(def.name, def.where)) return;
+    const auto [place, fresh] = defs_.emplace(def.name, def.where);
+    if (!fresh) report_duplicate("def", def.name, def.where, place->second);
+    if (!fresh) skipped.doubtful.insert(def.name);
+    std::set<std::string> names;
+    for (const Formal& formal : def.formals)
+      if (allowed(formal.name, formal.where) && !names.insert(formal.name).second)
+        diagnostics_.error(formal.where,
+                           fmt::format("duplicate parameter '{}' of '{}'", formal.name, def.name));
+    locals(def.locals, names, def.name);
+  }
+
+  void locals(const std::vector<Let>& locals, std::set<std::string> names,
+              const std::string& whose) {
+    for (const Let& local : locals)
+      if (allowed(local.name, local.where) && !names.insert(local.name).second)
+        diagnostics_.error(local.where,
+                           fmt::format("duplicate name '{}' in '{}'", local.name, whose));
+  }
+
   void grammar(const Grammar& grammar) {
     if (!grammar.axiom_where.known() && !grammar.broken)
       diagnostics_.error(grammar.where, fmt::format("grammar '{}' has no axiom", grammar.name),
@@ -116,6 +141,11 @@ class NameChecker {
         if (allowed(formal.name, formal.where) && !names.insert(formal.name).second)
           diagnostics_.error(formal.where, fmt::format("duplicate parameter '{}' of '{}'",
                                                        formal.name, rule.head));
+      locals(rule.locals, names, rule.head);
+      if (!rule.locals.empty() && grammar.kind != "shape")
+        diagnostics_.error(rule.locals[0].where,
+                           fmt::format("'where' is not available in a {}", grammar.kind),
+                           "it is available in functions and in the rules of shape grammars");
     }
     for (const std::string& head : grammar.broken_rules) arities.erase(head);
     if (grammar.kind == "facade") return;  // symbols may be arguments, too: see facade/rules.h
@@ -144,61 +174,9 @@ class NameChecker {
   }
 
   Diagnostics& diagnostics_;
+  std::map<std::string, SourceLocation> defs_;
   std::map<std::string, SourceLocation> globals_;
   std::map<std::string, SourceLocation> declared_;
-};
-
-/// Collects all names used in expressions except formal parameters.
-class NameCollector {
- public:
-  void add(const ExprPtr& expr) {
-    if (!expr) return;
-    if (expr->kind == ExprKind::name && !hidden_.count(expr->text)) names.insert(expr->text);
-    for (const Operand& part : expr->operands) add(part.value);
-  }
-  void add(const std::vector<Entry>& entries) {
-    for (const Entry& entry : entries)
-      for (const ExprPtr& value : entry.values) add(value);
-  }
-  void add(const std::vector<Item>& items) {
-    for (const Item& item : items) {
-      for (const ExprPtr& expr : {item.amount, item.shape, item.count}) add(expr);
-      add(item.clauses);
-    }
-  }
-  void add(const Rule& rule) {
-    for (const Formal& formal : rule.formals) hidden_.insert(formal.name);
-    add(rule.weight);
-    add(rule.guard);
-    add(rule.items);
-    hidden_.clear();
-  }
-  void add(const LSystem& system) {
-    const auto add_word = [&](const ModuleString& word) {
-      for (const Module& module : word)
-        for (const ExprPtr& argument : module.arguments) add(argument);
-    };
-    add_word(system.axiom);
-    for (const ScheduleTurn& turn : system.schedule) add(turn.count);
-    add(system.decompose.depth);
-    add(system.interpret.depth);
-    for_each_production(system, [&](const Production& one) {
-      const auto hide = [&](const Pattern& pattern) {
-        for (const Formal& formal : pattern.formals) hidden_.insert(formal.name);
-      };
-      std::for_each(one.left.begin(), one.left.end(), hide);
-      hide(one.head);
-      std::for_each(one.right.begin(), one.right.end(), hide);
-      for (const ExprPtr& expr : {one.weight, one.guard, one.after}) add(expr);
-      add_word(one.word);
-      hidden_.clear();
-    });
-  }
-
-  std::set<std::string> names;
-
- private:
-  std::set<std::string> hidden_;
 };
 
 }  // namespace
@@ -207,35 +185,6 @@ bool may_name(const std::string& name) { return !is_unit(name) && !is_reserved(n
 
 void check_names(Document& document, Diagnostics& diagnostics) {
   NameChecker(diagnostics).run(document);
-}
-
-void check_unused_names(const Document& document, Diagnostics& diagnostics) {
-  NameCollector reader;
-  reader.add(document.seed);
-  for (const Param& param : document.params)
-    for (const ExprPtr& expr : {param.value, param.low, param.high}) reader.add(expr);
-  for (const Let& let : document.lets) reader.add(let.value);
-  for (const Declaration& made : document.declarations) {
-    reader.add(made.value);
-    reader.add(made.target);
-    for (const ExprPtr& target : made.more_targets) reader.add(target);
-    reader.add(made.entries);
-  }
-  for (const Grammar& grammar : document.grammars) {
-    reader.add(grammar.axiom);
-    reader.add(grammar.options);
-    for (const Rule& rule : grammar.rules) reader.add(rule);
-    if (grammar.lsystem) reader.add(*grammar.lsystem);
-  }
-  const auto check = [&](const char* word, const std::string& name, const SourceLocation& where) {
-    const bool included = !document.sources.empty() && where.file != document.sources[0]->file;
-    if (!included && !reader.names.count(name) && !document.skipped.may_mention(name) &&
-        !document.skipped.doubtful.count(name))
-      diagnostics.warning(where, fmt::format("{} '{}' is never used", word, name),
-                          "use it in an expression or remove it");
-  };
-  for (const Param& param : document.params) check("param", param.name, param.where);
-  for (const Let& let : document.lets) check("let", let.name, let.where);
 }
 
 }  // namespace vug::scene

@@ -17,8 +17,8 @@ bool may_name(const std::string& name);
 /// erroneous grammars as broken. Called by `parse`.
 void check_names(Document& document, Diagnostics& diagnostics);
 
-/// Warns of each `param` and `let` of the scene file that occurs neither in an expression of the
-/// document nor in skipped text. Included files may declare names for other scenes.
+/// Warns of each `param`, `let` and `def` of the scene file that occurs neither in an expression of
+/// the document nor in skipped text. Included files may declare names for other scenes.
 void check_unused_names(const Document& document, Diagnostics& diagnostics);
 
 }  // namespace vug::scene

@@ -163,8 +163,13 @@ bool Cursor::starts_statement(size_t at) const {
     return at + ahead < tokens_.size() ? tokens_[at + ahead].kind : TokenKind::end;
   };
   if (tokens_[at].is_name("include") && kind(1) == TokenKind::text) return true;
-  if (kind(1) != TokenKind::name || kind(2) == TokenKind::end) return false;
+  if (kind(1) != TokenKind::name || kind(2) == TokenKind::end || tokens_[at].is_name("where"))
+    return false;
   const Token& third = tokens_[at + 2];
+  if (third.is("(") && tokens_[at].is_name("def")) return true;
+  if (third.is("[") && third.touches && kind(3) == TokenKind::name && kind(4) != TokenKind::end &&
+      (tokens_[at + 4].is_name("in") || tokens_[at + 4].is(",")))
+    return true;
   return third.is("=") || third.is("{") ||
          (third.is(":") && tokens_[at].is_name("grammar") && kind(3) == TokenKind::name);
 }

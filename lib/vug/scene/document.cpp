@@ -20,6 +20,12 @@ const Param* Document::find_param(const std::string& name) const {
 
 const Let* Document::find_let(const std::string& name) const { return find_named(lets, name); }
 
+const Def* Document::find_def(const std::string& name) const { return find_named(defs, name); }
+
+const Formal* Def::find_formal(const std::string& formal) const {
+  return find_named(formals, formal);
+}
+
 const Declaration* Document::find(const std::string& name, const std::string& kind) const {
   for (const Declaration& one : declarations)
     if (one.name == name && (kind.empty() || one.kind == kind)) return &one;

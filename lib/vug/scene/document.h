@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The syntax tree of a scene text: parameters, lets, declarations, whose kinds are not interpreted
-// here, and grammar blocks. In every element, `extent` is the range of its whole text, and `where`
-// that of its name.
+// The syntax tree of a scene text: parameters, lets, functions, declarations, whose kinds are not
+// interpreted here, and grammar blocks. In every element, `extent` is the range of its whole text,
+// and `where` that of its name.
 #pragma once
 
 #include <vug/scene/expr.h>
@@ -39,6 +39,21 @@ struct Let {
   ExprPtr value;
 };
 
+/// `def NAME(formals) "doc" = body where name = value, ...`
+struct Def {
+  std::string name;
+  SourceLocation where;
+  SourceLocation extent;
+  std::vector<Formal> formals;
+  std::string doc;
+  ExprPtr body;
+  std::vector<Let> locals;
+  /// The number of calls and loop iterations that one call makes as far as the text determines it.
+  double work = 1;
+
+  const Formal* find_formal(const std::string& formal) const;
+};
+
 /// `key value, value ...` inside braces; also an option of a grammar and a clause of an item.
 struct Entry {
   std::string key;
@@ -59,7 +74,10 @@ struct Declaration {
   ExprPtr target;                     ///< The expression after `on`; null without `on`.
   std::vector<ExprPtr> more_targets;  ///< Further targets after commas.
   SourceLocation on_where;            ///< Location of the word `on`.
-  std::vector<Entry> entries;         ///< Empty in the `=` form.
+  /// `NAME[i in LIST]`: a comprehension of the bound names, a declaration for each element; or
+  /// null.
+  ExprPtr loop;
+  std::vector<Entry> entries;  ///< Empty in the `=` form.
   bool broken = false;
   bool incomplete = false;
 
@@ -89,12 +107,8 @@ struct Item {
   const std::string& symbol() const { return shape->text; }
 };
 
-struct Formal {
-  std::string name;
-  SourceLocation where;
-};
-
-/// `head(formals) @ weight if guard -> items`; weight and guard may be null.
+/// `head(formals) @ weight if guard -> items where name = value, ...`; weight and guard may be
+/// null.
 struct Rule {
   std::string head;
   SourceLocation where;
@@ -103,6 +117,7 @@ struct Rule {
   ExprPtr weight;
   ExprPtr guard;
   std::vector<Item> items;  ///< Empty for `-> nothing`.
+  std::vector<Let> locals;
 };
 
 struct LSystem;  ///< See lsystem_document.h.
@@ -139,6 +154,7 @@ struct Document {
   ExprPtr seed;  ///< Null if the text has no seed.
   std::vector<Param> params;
   std::vector<Let> lets;
+  std::vector<Def> defs;
   std::vector<Declaration> declarations;
   std::vector<Grammar> grammars;
   SkippedNames skipped;  ///< Empty in a text without faults.
@@ -147,6 +163,7 @@ struct Document {
 
   const Param* find_param(const std::string& name) const;
   const Let* find_let(const std::string& name) const;
+  const Def* find_def(const std::string& name) const;
   /// The first declaration with that name, of the given kind or (empty) of any kind.
   const Declaration* find(const std::string& name, const std::string& kind = {}) const;
 };

@@ -40,6 +40,7 @@ void write_parts(const Expr& expr, std::string& out) {
     if (!first) out += ", ";
     first = false;
     if (!part.name.empty()) out += part.name + ": ";
+    for (const Formal& bound : part.binds) out += bound.name + ' ';
     write(*part.value, out);
   }
 }
@@ -78,6 +79,16 @@ void write(const Expr& expr, std::string& out) {
       write(*expr.operands[1].value, out);
       out += ')';
       return;
+    case ExprKind::index:
+      out += "index(";
+      write_parts(expr, out);
+      out += ')';
+      return;
+    case ExprKind::comprehension:
+      out += fmt::format("[#{:x} ", expr.path);
+      write_parts(expr, out);
+      out += ']';
+      return;
     case ExprKind::broken:
       out += '?';
       return;
@@ -90,6 +101,20 @@ void write(const Expr& expr, std::string& out) {
 }
 
 std::string dump(const ExprPtr& expr) { return expr ? scene::dump(*expr) : "-"; }
+
+std::string dump(const std::vector<Let>& locals) {
+  std::string out;
+  for (const Let& local : locals)
+    out += fmt::format("    where {} = {}\n", local.name, dump(local.value));
+  return out;
+}
+
+std::string dump(const Def& def) {
+  std::string out = fmt::format("def {} {}\n", def.name, quoted(def.doc));
+  for (const Formal& formal : def.formals)
+    out += fmt::format("    {} = {} {}\n", formal.name, dump(formal.fallback), quoted(formal.doc));
+  return out + fmt::format("    = {}\n", dump(def.body)) + dump(def.locals);
+}
 
 std::string dump(const Entry& entry) {
   std::string out = entry.key;
@@ -116,7 +141,7 @@ std::string dump(const Grammar& grammar) {
     out += "  rule " + rule.head + '(';
     for (const Formal& formal : rule.formals) out += formal.name + ',';
     out += fmt::format(") @ {} if {}\n", dump(rule.weight), dump(rule.guard));
-    out += dump(rule.items);
+    out += dump(rule.items) + dump(rule.locals);
   }
   if (grammar.lsystem) out += scene::dump(*grammar.lsystem);
   return out;
@@ -137,9 +162,11 @@ std::string dump(const Document& document) {
                        dump(param.low), dump(param.high), quoted(param.doc));
   for (const Let& let : document.lets)
     out += fmt::format("let {} = {}\n", let.name, dump(let.value));
+  for (const Def& def : document.defs) out += dump(def);
   for (const Declaration& made : document.declarations) {
     out +=
         fmt::format("{} {} = {} on {}", made.kind, made.name, dump(made.value), dump(made.target));
+    if (made.loop) out += " for " + dump(made.loop);
     for (const ExprPtr& target : made.more_targets) out += ", " + dump(target);
     out += '\n';
     for (const Entry& entry : made.entries) out += "  " + dump(entry) + '\n';

@@ -64,6 +64,10 @@ Value Evaluator::evaluate(const Expr& expr, const Context& context) {
       return range(expr, context);
     case ExprKind::call:
       return call(expr, context);
+    case ExprKind::index:
+      return element(expr, context);
+    case ExprKind::comprehension:
+      return comprehension(expr, context);
     case ExprKind::broken:
       break;
   }
@@ -71,8 +75,7 @@ Value Evaluator::evaluate(const Expr& expr, const Context& context) {
 }
 
 Value Evaluator::name(const Expr& expr, const Context& context) {
-  if (context.scope)
-    if (const Value* value = context.scope->find(expr.text)) return *value;
+  if (auto value = find_local(expr, context.scope)) return *std::move(value);
   if (const auto known = globals_.find(expr.text); known != globals_.end())
     return global(expr.text, known->second, expr.where);
   if (expr.text == "pi") return kPi;
@@ -82,7 +85,7 @@ Value Evaluator::name(const Expr& expr, const Context& context) {
   }
   if (const auto unit = with_unit(1, expr.text)) return *unit;
   const int deepest = deepest_;  // declarations have their own limits
-  auto declared = resolver_.name(expr.text, expr.where, diagnostics_);
+  auto declared = resolver_.name(expr.text, expr.where, *diagnostics_);
   deepest_ = deepest;
   if (declared) return *std::move(declared);
   if (document_.skipped.may_declare(expr.text)) return {};
@@ -119,12 +122,7 @@ Value Evaluator::parts(const Expr& expr, const Context& context) {
     if (list.back().empty()) sound = false;
   }
   if (!sound) return {};
-  if (expr.kind == ExprKind::list) {
-    Value value(std::move(list));
-    if (element_count(value) > kMaxElements)
-      return site(expr).fault(fmt::format("the list has more than {} elements", kMaxElements));
-    return value;
-  }
+  if (expr.kind == ExprKind::list) return checked_size(std::move(list), expr);
   std::vector<Number> numbers;
   for (size_t i = 0; i < list.size(); ++i) {
     const Expr& part = *expr.operands[i].value;
@@ -136,6 +134,15 @@ Value Evaluator::parts(const Expr& expr, const Context& context) {
     numbers.push_back(*n);
   }
   return vector_of(std::move(numbers), site(expr));
+}
+
+/// The list as a value, unless it has too many elements.
+Value Evaluator::checked_size(List list, const Expr& expr) {
+  Value value(std::move(list));
+  const size_t count = element_count(value);
+  if (count <= kMaxElements) return value;
+  return site(expr).fault(fmt::format("the list would have {} elements", count),
+                          fmt::format("at most {} are allowed", kMaxElements));
 }
 
 Value Evaluator::unary(const Expr& expr, const Context& context) {
@@ -157,7 +164,7 @@ Value Evaluator::unary(const Expr& expr, const Context& context) {
   if (!is_known(value, inner)) return {};
   if (auto result = negate(op, value)) return *std::move(result);
   if (value.get<Object>())
-    if (auto result = resolver_.unary(op, value, expr.where, diagnostics_))
+    if (auto result = resolver_.unary(op, value, expr.where, *diagnostics_))
       return *std::move(result);
   return site(expr).fault(fmt::format("cannot apply '{}' to {}", op, value.type_name()));
 }
@@ -177,7 +184,7 @@ Value Evaluator::binary(const Expr& expr, const Context& context) {
   const bool left_known = is_known(a, left), right_known = is_known(b, right);
   if (!left_known || !right_known) return {};
   if (!comparison && (a.get<Object>() || b.get<Object>()))
-    if (auto result = resolver_.binary(expr.text[0], a, b, expr.where, diagnostics_))
+    if (auto result = resolver_.binary(expr.text[0], a, b, expr.where, *diagnostics_))
       return *std::move(result);
   return site(expr).fault(
       fmt::format("cannot apply '{}' to {} and {}", expr.text, a.type_name(), b.type_name()));
@@ -267,8 +274,8 @@ Arguments Evaluator::arguments(const Expr& call, RandomKey key, const Scope* sco
     const Operand& part = call.operands[i];
     const bool choice = part.value->kind == ExprKind::name &&
                         resolver_.is_choice(call.text, i, part.name, part.value->text);
-    Value value =
-        choice ? Value(Value::Name{part.value->text}) : evaluate(*part.value, {key, scope});
+    Value value = choice ? Value(Value::Name{part.value->text})
+                         : evaluate(*part.value, {key, scope_or_default(scope), {}});
     arguments.push_back({part.name, std::move(value), part.where});
   }
   return arguments;
@@ -280,16 +287,17 @@ void Evaluator::report(const Diagnostics& found, const Arguments& given) {
       if (const auto* unknown = argument.value.get<Value::Name>();
           unknown && one.hint.empty() && argument.where == one.where)
         one.hint = name_hint(unknown->text);
-    one.severity == Severity::error ? diagnostics_.error(one.where, one.message, one.hint)
-                                    : diagnostics_.warning(one.where, one.message, one.hint);
+    one.severity == Severity::error ? diagnostics_->error(one.where, one.message, one.hint)
+                                    : diagnostics_->warning(one.where, one.message, one.hint);
   }
 }
 
-std::optional<Value> Evaluator::resolved(const Expr& call, const Arguments& given, RandomKey key) {
+std::optional<Value> Evaluator::resolved(const Expr& call, const Arguments& given, RandomKey key,
+                                         std::string_view expected) {
   Diagnostics found;
   std::optional<Value> result;
   try {
-    result = resolver_.call(call.text, given, call.where, key, found);
+    result = resolver_.call(call.text, given, call.where, {key, expected}, found);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input) throw;
     found.error(error.where().known() ? error.where() : call.where, error.what(), error.hint());
@@ -303,6 +311,8 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   if (expr.text == "if") return choose(expr, context);
   if (expr.text == "pick") return pick(expr, context);
   if (expr.text == "keys") return keys(expr, context);
+  if (const auto def = defs_.find(expr.text); def != defs_.end())
+    return call_def(def->second, expr, context);
   const Arguments given = arguments(expr, context.key, context.scope);
   const bool reported = std::any_of(given.begin(), given.end(),
                                     [](const Argument& each) { return each.value.empty(); });
@@ -310,7 +320,7 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   if (builtin && reported) return {};
   if (builtin)
     if (auto result = builtin->apply(given, site(expr))) return *std::move(result);
-  if (auto result = resolved(expr, given, context.key.at(expr.path)))
+  if (auto result = resolved(expr, given, context.key.at(expr.path), context.expected))
     return reported ? Value() : *std::move(result);
   for (size_t i = 0; builtin && i < given.size(); ++i)
     if (!is_known(given[i].value, *expr.operands[i].value)) return {};
@@ -320,10 +330,11 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
                     given.size() == 1 ? ", not " + given[0].value.type_name() : ""));
   std::vector<std::string> names = resolver_.known_calls();
   for (const Function& function : functions()) names.emplace_back(function.name);
+  for (const auto& [name, def] : defs_) names.push_back(name);
   names.insert(names.end(), {"if", "pick", "keys"});
-  diagnostics_.error(word_at(expr.where, expr.text),
-                     fmt::format("unknown function '{}'", expr.text),
-                     did_you_mean(expr.text, names));
+  diagnostics_->error(word_at(expr.where, expr.text),
+                      fmt::format("unknown function '{}'", expr.text),
+                      did_you_mean(expr.text, names));
   return {};
 }
 

@@ -17,18 +17,11 @@ constexpr double kMaxSeed = 0x1p53;
 
 }  // namespace
 
-const Value* Scope::find(const std::string& name) const {
-  for (const Scope* scope = this; scope; scope = scope->outer)
-    for (const auto& [known, value] : scope->names)
-      if (known == name) return &value;
-  return nullptr;
-}
-
 Evaluator::Evaluator(const Document& document, Resolver& resolver, Diagnostics& diagnostics,
                      EvaluatorOptions options)
     : document_(document),
       resolver_(resolver),
-      diagnostics_(diagnostics),
+      diagnostics_(&diagnostics),
       options_(std::move(options)) {
   params_.resize(document.params.size());
   for (size_t i = 0; i < params_.size(); ++i) {
@@ -36,6 +29,7 @@ Evaluator::Evaluator(const Document& document, Resolver& resolver, Diagnostics& 
     globals_[document.params[i].name].param = &params_[i];
   }
   for (const Let& let : document.lets) globals_[let.name].let = &let;
+  for (const Def& def : document.defs) defs_[def.name] = {&def, info_of(def)};
   read_overrides();
   read_seed();
 }
@@ -48,15 +42,15 @@ void Evaluator::read_overrides() {
       std::vector<std::string> names;
       for (const Param& param : document_.params) names.push_back(param.name);
       const std::string near = did_you_mean(given.name, names);
-      diagnostics_.error({file, 0, 0}, fmt::format("the scene has no param '{}'", given.name),
-                         names.empty()
-                             ? "it declares no parameters; add one with e.g. 'param R = 1m'"
-                             : fmt::format("{}{}its params: {}", near, near.empty() ? "" : " ",
-                                           fmt::join(names, ", ")));
+      diagnostics_->error({file, 0, 0}, fmt::format("the scene has no param '{}'", given.name),
+                          names.empty()
+                              ? "it declares no parameters; add one with e.g. 'param R = 1m'"
+                              : fmt::format("{}{}its params: {}", near, near.empty() ? "" : " ",
+                                            fmt::join(names, ", ")));
       continue;
     }
     sources_.push_back(std::make_shared<const Source>(Source{file, given.text}));
-    if (ExprPtr expr = parse_expression(given.text, file, diagnostics_))
+    if (ExprPtr expr = parse_expression(given.text, file, *diagnostics_))
       overrides_[given.name] = std::move(expr);
   }
 }
@@ -76,13 +70,19 @@ void Evaluator::read_seed() {
       n->value <= kMaxSeed)
     seed_ = static_cast<uint64_t>(n->value);
   else
-    diagnostics_.error(document_.seed->where,
-                       fmt::format("a seed must be a whole number from 0 to 2^53, not {}",
-                                   n ? to_string(value) : value.type_name()));
+    diagnostics_->error(document_.seed->where,
+                        fmt::format("a seed must be a whole number from 0 to 2^53, not {}",
+                                    n ? to_string(value) : value.type_name()));
 }
 
 Value Evaluator::eval(const Expr& expr, RandomKey key, const Scope* scope) {
-  return evaluate(expr, {key, scope});
+  if (depth_ == 0) done_ = 0;
+  return evaluate(expr, {key, scope_or_default(scope), {}});
+}
+
+Value Evaluator::eval_as(std::string_view type, const Expr& expr, RandomKey key) {
+  if (depth_ == 0) done_ = 0;
+  return evaluate(expr, {key, declaration_scope_, type});
 }
 
 std::vector<Value> Evaluator::eval(const Entry& entry, RandomKey key, const Scope* scope) {
@@ -93,7 +93,7 @@ std::vector<Value> Evaluator::eval(const Entry& entry, RandomKey key, const Scop
 }
 
 std::optional<int> Evaluator::count(const Expr& expr, RandomKey key, const Scope* scope) {
-  const Context context{key, scope};
+  const Context context{key, scope_or_default(scope), {}};
   const auto whole = [&](const Expr& from) -> std::optional<int> {
     const Value value = evaluate(from, context);
     if (value.empty() || !is_known(value, from)) return std::nullopt;
@@ -121,48 +121,52 @@ std::optional<int> Evaluator::count(const Expr& expr, RandomKey key, const Scope
 Value Evaluator::global(const std::string& name, Global& global, const SourceLocation& where) {
   if (global.value) {
     if (global.animated) resolver_.use_frame();
-    return use_global(global, where);
+    return use(*global.value, global.height, where);
   }
   const auto first = std::find(pending_.begin(), pending_.end(), name);
   if (first != pending_.end()) {
     const std::vector<std::string> cycle(first, pending_.end());
-    return FaultSite{where, diagnostics_}.fault(
+    return FaultSite{where, *diagnostics_}.fault(
         fmt::format("'{}' depends on itself", name),
         fmt::format("{} -> {}", fmt::join(cycle, " -> "), name));
   }
   if (pending_.size() >= Resolver::kMaxPending)
-    return FaultSite{where, diagnostics_}.fault(
+    return FaultSite{where, *diagnostics_}.fault(
         fmt::format("more than {} names depend on each other in a chain", Resolver::kMaxPending));
   pending_.push_back(name);
   const FrameScope frame(resolver_.frames(),
                          fmt::format("{} '{}'", global.param ? "param" : "let", name), where);
   const uint64_t uses = resolver_.frame_uses();
   const int deepest = std::exchange(deepest_, depth_);
-  Value value = global.param ? param(*global.param, root().at("param").at(name))
-                             : evaluate(*global.let->value, {root().at("let").at(name), nullptr});
+  const double planned = std::exchange(planned_, 1), done = std::exchange(done_, 0);
+  Value value = global.param
+                    ? param(*global.param, root().at("param").at(name))
+                    : evaluate(*global.let->value, {root().at("let").at(name), nullptr, {}});
   pending_.pop_back();
   if (value.get<Object>() || value.get<List>()) global.height = deepest_ - depth_;
   deepest_ = deepest;
+  planned_ = planned;
+  done_ = done;
   if (document_.skipped.doubtful.count(name)) value = {};
   global.value = value;
   global.animated = resolver_.frame_uses() > uses;
-  return use_global(global, where);
+  return use(*global.value, global.height, where);
 }
 
 /// Checks the nesting depth that a use of the value adds: each level takes stack space.
-Value Evaluator::use_global(const Global& global, const SourceLocation& where) {
+Value Evaluator::use(const Value& value, int nesting, const SourceLocation& where) {
   constexpr int kMaxHeight = 10000;
-  const int height = depth_ + global.height;
+  const int height = depth_ + nesting;
   if (height > kMaxHeight)
-    return FaultSite{where, diagnostics_}.fault(
+    return FaultSite{where, *diagnostics_}.fault(
         fmt::format("more than {} nested operations", kMaxHeight),
         "combine independent solids in one list: union([a, b, c])");
   deepest_ = std::max(deepest_, height);
-  return *global.value;
+  return value;
 }
 
 Value Evaluator::param(ParamValue& param, RandomKey key) {
-  const Context context{key, nullptr};
+  const Context context{key, nullptr, {}};
   const Param& declared = *param.param;
   if (declared.low) {
     param.low = evaluate(*declared.low, context);
@@ -173,17 +177,18 @@ Value Evaluator::param(ParamValue& param, RandomKey key) {
   const auto given = overrides_.find(declared.name);
   if (given == overrides_.end()) return param.value = param.fallback;
   const SourceLocation& where = given->second->where;
-  param.value = match_type(param.fallback, evaluate(*given->second, context), declared.name, where);
+  param.value = match_type(param.fallback, evaluate(*given->second, context),
+                           fmt::format("param '{}'", declared.name), where);
   if (!in_range(param, param.value, where)) param.value = {};
   return param.value;
 }
 
-/// An override must have the type of the fallback; a plain number takes its dimension, so that
-/// -D SIZE=2 means metres where the scene says SIZE = 30cm.
-Value Evaluator::match_type(const Value& fallback, Value given, const std::string& name,
+/// An override or argument must have the type of the default; a plain number takes its dimension,
+/// so that -D SIZE=2 means metres where the scene says SIZE = 30cm.
+Value Evaluator::match_type(const Value& fallback, Value given, const std::string& what,
                             const SourceLocation& where) {
   if (fallback.empty() || given.empty()) return {};
-  const FaultSite there{where, diagnostics_};
+  const FaultSite there{where, *diagnostics_};
   const Number* model = fallback.get<Number>();
   const Number* number = given.get<Number>();
   const bool names = fallback.get<Value::Name>() && given.get<Value::Name>();
@@ -193,13 +198,12 @@ Value Evaluator::match_type(const Value& fallback, Value given, const std::strin
   if (model && number && (is_bare(*number) || number->dimension == model->dimension)) {
     Number value = *number, wanted = *model;
     if (is_bare(wanted)) return value;
-    if (!unify_dimensions(value, wanted, fmt::format("param '{}' cannot mix", name), there))
-      return {};
+    if (!unify_dimensions(value, wanted, what + " cannot mix", there)) return {};
     return value;
   }
   if (names || (!model && given.type_name() == fallback.type_name())) return given;
   return there.fault(
-      fmt::format("param '{}' is {}, not {}", name, fallback.type_name(), given.type_name()));
+      fmt::format("{} is {}, not {}", what, fallback.type_name(), given.type_name()));
 }
 
 bool Evaluator::in_range(const ParamValue& param, Value& value, const SourceLocation& where) {
@@ -209,12 +213,12 @@ bool Evaluator::in_range(const ParamValue& param, Value& value, const SourceLoca
   const Number* high = param.high.get<Number>();
   const Number* n = value.get<Number>();
   if (!low || !high || !n) {
-    FaultSite{where, diagnostics_}.fault(
+    FaultSite{where, *diagnostics_}.fault(
         fmt::format("only numbers can have a range; param '{}' is {}", name, value.type_name()));
     return false;
   }
   Number least = *low, most = *high, given = *n;
-  const FaultSite there{where, diagnostics_};
+  const FaultSite there{where, *diagnostics_};
   if (!unify_dimensions(least, most, "the ends of a range are", there) ||
       !unify_dimensions(given, least, fmt::format("param '{}' cannot mix", name), there) ||
       !unify_dimensions(given, most, fmt::format("param '{}' cannot mix", name), there))

@@ -6,23 +6,21 @@
 #include <vug/scene/arithmetic.h>
 #include <vug/scene/document.h>
 #include <vug/scene/resolver.h>
+#include <vug/scene/scope.h>
 
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace vug::scene {
 
-/// Local names such as the formal parameters of a rule; an inner scope hides an outer one.
-struct Scope {
-  std::vector<std::pair<std::string, Value>> names;
-  const Scope* outer = nullptr;
-
-  const Value* find(const std::string& name) const;
-};
+/// The parameters of a function as those of a kind, without types.
+KindInfo info_of(const Def& def);
 
 /// `-D NAME=EXPR` of a command line.
 struct Override {
@@ -57,6 +55,9 @@ class Evaluator {
   /// `key` determines the random choices: the same expression with the same key draws the same
   /// numbers, so each application of a rule needs its own key.
   Value eval(const Expr& expr, RandomKey key, const Scope* scope = nullptr);
+  /// For an expression whose value must be an object of a type such as "light": a name that several
+  /// kinds share, such as `sphere`, then means the kind of this type.
+  Value eval_as(std::string_view type, const Expr& expr, RandomKey key);
 
   /// The arguments of a call expression (none for a name), e.g. of a grammar's symbol.
   Arguments arguments(const Expr& call, RandomKey key, const Scope* scope = nullptr);
@@ -82,7 +83,25 @@ class Evaluator {
   /// Evaluates every let and parameter to report their errors even if nothing uses them.
   void check_all();
 
-  Diagnostics& diagnostics() { return diagnostics_; }
+  Diagnostics& diagnostics() { return *diagnostics_; }
+
+  /// The function of the text with that name; null if there is none.
+  const Def* find_def(const std::string& name) const;
+
+  /// Sets the scope of expressions that are evaluated without one, for its lifetime: the loop
+  /// variables of a declaration.
+  class DeclarationScope {
+   public:
+    DeclarationScope(Evaluator& evaluator, const Scope* scope)
+        : evaluator_(evaluator), outer_(std::exchange(evaluator.declaration_scope_, scope)) {}
+    ~DeclarationScope() { evaluator_.declaration_scope_ = outer_; }
+    DeclarationScope(const DeclarationScope&) = delete;
+    DeclarationScope& operator=(const DeclarationScope&) = delete;
+
+   private:
+    Evaluator& evaluator_;
+    const Scope* outer_;
+  };
 
   /// Adds the diagnostics of a kind about its arguments. If an argument is an undeclared name, the
   /// nearest declared name becomes the hint.
@@ -96,6 +115,7 @@ class Evaluator {
   struct Context {
     RandomKey key;
     const Scope* scope;
+    std::string_view expected;  ///< The type of object that the value must have; empty: any.
   };
   /// A parameter or let, evaluated on first use.
   struct Global {
@@ -107,6 +127,12 @@ class Evaluator {
     /// number or a text, which does not refer to its inputs.
     int height = 0;
   };
+
+  struct DefEntry {
+    const Def* def = nullptr;
+    KindInfo info;
+  };
+  struct LoopResult;
 
   void read_overrides();
   void read_seed();
@@ -121,28 +147,52 @@ class Evaluator {
   Value choose(const Expr& expr, const Context& context);
   Value pick(const Expr& expr, const Context& context);
   Value keys(const Expr& expr, const Context& context);
+  Value call_def(const DefEntry& entry, const Expr& expr, const Context& context);
+  bool bind(const DefEntry& entry, const Expr& expr, std::vector<Binding>& given, RandomKey key,
+            Scope& scope);
+  Binding measured(const std::string& name, const Expr& expr, const Context& context);
+  std::optional<Value> find_local(const Expr& expr, const Scope* scope);
+  Value local(const Let& let, const Scope& scope, const SourceLocation& where);
+  Value comprehension(const Expr& expr, const Context& context);
+  bool run_loop(const Expr& expr, size_t clause, const Context& context, LoopResult& result);
+  Binding elements(const Expr& expr, const Context& context);
+  std::optional<List> whole_numbers(const Expr& range, const Context& context);
+  bool bind(const Operand& clause, const Value& element, int height, Scope& scope);
+  bool sort(const std::vector<Value>& keys, std::vector<size_t>& order, const Expr& by);
+  Value element(const Expr& expr, const Context& context);
+  Value checked_size(List list, const Expr& expr);
+  bool admit(double work, const char* what, const SourceLocation& where);
   std::optional<bool> truth(const Expr& expr, const Context& context);
   Value global(const std::string& name, Global& global, const SourceLocation& where);
-  Value use_global(const Global& global, const SourceLocation& where);
+  Value use(const Value& value, int height, const SourceLocation& where);
   Value param(ParamValue& param, RandomKey key);
-  Value match_type(const Value& fallback, Value given, const std::string& name,
+  Value match_type(const Value& fallback, Value given, const std::string& what,
                    const SourceLocation& where);
   bool in_range(const ParamValue& param, Value& value, const SourceLocation& where);
   std::string name_hint(const std::string& name) const;
-  std::optional<Value> resolved(const Expr& call, const Arguments& given, RandomKey key);
+  std::optional<Value> resolved(const Expr& call, const Arguments& given, RandomKey key,
+                                std::string_view expected);
   bool is_known(const Value& value, const Expr& expr);
-  FaultSite site(const Expr& expr) const { return {expr.where, diagnostics_}; }
+  FaultSite site(const Expr& expr) const { return {expr.where, *diagnostics_}; }
+  const Scope* scope_or_default(const Scope* scope) const {
+    return scope ? scope : declaration_scope_;
+  }
 
   const Document& document_;
   Resolver& resolver_;
-  Diagnostics& diagnostics_;
+  Diagnostics* diagnostics_;  ///< Never null.
   EvaluatorOptions options_;
   uint64_t seed_ = 0;
   std::vector<ParamValue> params_;
   std::map<std::string, Global> globals_;
+  std::map<std::string, DefEntry> defs_;
+  std::set<std::string> reported_in_defs_;  ///< Faults in functions: each is reported once.
+  const Scope* declaration_scope_ = nullptr;
   std::map<std::string, ExprPtr> overrides_;
   std::vector<std::shared_ptr<const Source>> sources_;
   std::vector<std::string> pending_;  ///< Globals being evaluated, to detect cycles.
+  double planned_ = 1;                ///< Product of the lengths of the loops that are running.
+  double done_ = 0;  ///< Calls of functions and loop iterations of this expression so far.
   int depth_ = 0;
   int deepest_ = 0;  ///< Maximum of depth_ including the heights of the names used there.
 };

@@ -23,17 +23,31 @@ enum class ExprKind {
   binary,  ///< `text` is + - & * / ^ < <= > >= == != and or; 2 operands
   range,   ///< lo..hi, a uniform random draw; 2 operands
   call,    ///< `text` is the function; operands are its arguments
-  broken   ///< Has a reported syntax error and no value.
+  index,   ///< list[index]; 2 operands
+  /// [for ... : value]: the clauses in the order of the text, then the value.
+  comprehension,
+  broken  ///< Has a reported syntax error and no value.
 };
 
 struct Expr;
 using ExprPtr = std::shared_ptr<const Expr>;
 
+/// A name that a function, a rule or a loop binds.
+struct Formal {
+  std::string name;
+  SourceLocation where;
+  ExprPtr fallback = nullptr;  ///< The default of a function's parameter; null: required.
+  std::string doc = {};        ///< Parameters of functions only.
+};
+
 /// An operand or argument of an expression; `name` is set for arguments given by name.
 struct Operand {
-  std::string name;
+  std::string name;      ///< In a comprehension: "for", "if" or "sort"; the value has none.
   SourceLocation where;  ///< From the name, if any, to the end of the value.
   ExprPtr value;
+  /// The names that a "for" binds to each element; two or more take a list apart. They are visible
+  /// in the operands after this one.
+  std::vector<Formal> binds = {};
 };
 
 struct Expr {
@@ -45,9 +59,10 @@ struct Expr {
   std::vector<Operand> operands;
   /// Calls: true if written as receiver.f(...); the receiver is the first operand.
   bool method = false;
-  /// Ranges and calls: identity within the statement for seeded random choices. It depends on the
-  /// names of the enclosing calls and arguments and on the number of equal paths before it, so that
-  /// siblings with other names can be added or removed without changing its random numbers.
+  /// Ranges, calls and comprehensions: identity within the statement for seeded random choices. It
+  /// depends on the names of the enclosing calls and arguments and on the number of equal paths
+  /// before it, so that siblings with other names can be added or removed without changing its
+  /// random numbers.
   uint64_t path = 0;
   /// Height of the tree including this node; the parser limits it.
   int depth = 1;

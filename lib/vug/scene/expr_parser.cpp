@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/rng.h>
 #include <vug/scene/expr_parser.h>
+#include <vug/scene/path_scope.h>
 
 #include <fmt/format.h>
 
@@ -35,22 +36,6 @@ Expr make_expr(ExprKind kind, std::string text = {}) {
   expr.text = std::move(text);
   return expr;
 }
-
-/// Restores the path at the end of a call or argument, also after an error.
-class PathScope {
- public:
-  PathScope(std::string& path, std::string_view name) : path_(path), size_(path.size()) {
-    path_ += '/';
-    path_ += name;
-  }
-  ~PathScope() { path_.resize(size_); }
-  PathScope(const PathScope&) = delete;
-  PathScope& operator=(const PathScope&) = delete;
-
- private:
-  std::string& path_;
-  size_t size_;
-};
 
 }  // namespace
 
@@ -156,7 +141,12 @@ ExprPtr ExprParser::prefix() {
 ExprPtr ExprParser::postfix() {
   const Token& first = cursor_.peek();
   ExprPtr expr = primary();
-  while (operator_ahead().is(".")) {
+  for (;;) {
+    if (cursor_.peek().is("[") && cursor_.peek().touches) {
+      expr = index(expr, first);
+      continue;
+    }
+    if (!operator_ahead().is(".")) return expr;
     cursor_.skip_newlines();
     cursor_.take();
     const Token& name = cursor_.expect_name("the name of a method after '.'");
@@ -164,7 +154,6 @@ ExprPtr ExprParser::postfix() {
       cursor_.unexpected(fmt::format("'(' after '.{}'", name.text));
     expr = call(name, expr, first);
   }
-  return expr;
 }
 
 ExprPtr ExprParser::primary() {
@@ -227,6 +216,8 @@ ExprPtr ExprParser::bracketed() {
 ExprPtr ExprParser::list() {
   const Token& open = cursor_.take();
   const Cursor::BracketScope brackets(cursor_);
+  if (cursor_.peek().is_name("for") && cursor_.peek(1).kind == TokenKind::name)
+    return comprehension(open);
   Expr expr = make_expr(ExprKind::list);
   while (!cursor_.peek().is("]")) {
     const ExprPtr part = binary(1);
@@ -235,6 +226,20 @@ ExprPtr ExprParser::list() {
   }
   cursor_.expect("]", fmt::format(" to close '[' of line {}", open.line));
   return finish(std::move(expr), open);
+}
+
+/// `base[index]`; the bracket touches the base.
+ExprPtr ExprParser::index(ExprPtr base, const Token& first) {
+  const Token& open = cursor_.take();
+  const Cursor::BracketScope brackets(cursor_);
+  const Cursor::NestingGuard nest(cursor_);
+  Expr expr = make_expr(ExprKind::index);
+  expr.operands.push_back({"", base->where, base});
+  if (cursor_.peek().is("]")) cursor_.unexpected("an index, counted from 0");
+  const ExprPtr number = binary(1);
+  expr.operands.push_back({"", number->where, number});
+  cursor_.expect("]", fmt::format(" to close '[' of line {}", open.line));
+  return finish(std::move(expr), first);
 }
 
 ExprPtr ExprParser::call(const Token& name, ExprPtr receiver, const Token& first) {

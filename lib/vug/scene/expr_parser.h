@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parser of expressions; docs/reference/language.md has the EBNF.
+// Parser of expressions (also in binding_parser.cpp); docs/reference/language.md has the EBNF.
 #pragma once
 
 #include <vug/scene/cursor.h>
@@ -20,6 +20,13 @@ class ExprParser {
   ExprPtr tight();
   /// A name, call or bracketed expression with its method chain: the shape of an item.
   ExprPtr shape();
+  /// `[NAMES in LIST if CONDITION]` after the name of a declaration, as a comprehension whose
+  /// elements are the lists of the variables.
+  ExprPtr declared_loop();
+  /// `name = default "text", ...` up to ")", which is consumed.
+  std::vector<Formal> formals();
+  /// `where name = value, ...`, here or on the next line; empty if there is no `where`.
+  std::vector<Let> locals();
   /// `lo..hi` as its two ends.
   void bounds(ExprPtr& low, ExprPtr& high);
 
@@ -33,6 +40,11 @@ class ExprParser {
   ExprPtr primary();
   ExprPtr bracketed();
   ExprPtr list();
+  ExprPtr comprehension(const Token& open);
+  void loop_clauses(Expr& comprehension);
+  void bound_names(Operand& clause);
+  void loop_clause(Operand clause, const Token& first, Expr& comprehension);
+  ExprPtr index(ExprPtr base, const Token& first);
   ExprPtr call(const Token& name, ExprPtr receiver, const Token& first);
   void operand(Expr& call, bool& named);
   const Token& operator_ahead() const;

@@ -91,7 +91,7 @@ class Formatter {
     if (marks_[begin].inside && !in_brackets())
       return inside() + (marks_[begin].goes_on || hanging_ ? 4 : 0);
     const bool goes_on = is_arithmetic(first) || first.is(".") || first.is("->") ||
-                         is_word(first) || first.is(",") ||
+                         is_word(first) || first.is(",") || is_where(first) ||
                          (in_grammar() && ((items_ && is_clause(first)) || is_symbol(begin)));
     return inside() + ((goes_on || hanging_) && !in_brackets() ? 4 : 0);
   }
@@ -119,6 +119,11 @@ class Formatter {
     }
   }
 
+  /// At the start of a line: the local names of a function or a rule.
+  bool is_where(const Token& first) const {
+    return first.is_name("where") && (open_.empty() || in_grammar()) && !heads_.count("where");
+  }
+
   bool is_symbol(size_t begin) const {
     return heads_.count(tokens_[begin].text) > 0 && !is_rule(begin);
   }
@@ -144,7 +149,9 @@ class Formatter {
           row.cells.resize(cell(row, i) + 1);
         } else {
           const bool wide = starts_entry && ends_operand(tokens_[i - 1]);
-          row.cells.back().append(wide ? 2 : static_cast<size_t>(gap(begin, i)), ' ');
+          const bool index = !key && is_index(i);
+          const int space = wide ? 2 : index ? 0 : gap(begin, i);
+          row.cells.back().append(static_cast<size_t>(space), ' ');
         }
       }
       row.cells.back() += token.text;
@@ -233,6 +240,12 @@ class Formatter {
     if (now == 1 && t.is_name("in")) return 2;
     const bool doc = t.kind == TokenKind::text && ends_operand(tokens_[i - 1]);
     return doc && now >= 1 && now < 3 ? 3 : now;
+  }
+
+  /// The bracket of `list[index]` or of a declaration's loop.
+  bool is_index(size_t i) const {
+    const Token& t = tokens_[i];
+    return t.is("[") && t.touches && !marks_[i].module && ends_operand(tokens_[i - 1]);
   }
 
   /// Number of spaces before token `i`, which is not the first of its line.

@@ -135,8 +135,18 @@ Rule GrammarParser::rule() {
     cursor_.take();
   else
     rule.items = items(fmt::format("the rule of '{}'", rule.head));
+  rule.locals = locals();
   rule.extent = cursor_.since(head);
   return rule;
+}
+
+/// Whether the names of a rule follow. A symbol may be called 'where' as well.
+bool GrammarParser::is_where(const Token& token) const {
+  return token.is_name("where") && !heads_.count("where");
+}
+
+std::vector<Let> GrammarParser::locals() {
+  return is_where(cursor_.beyond_newlines()) ? exprs_.locals() : std::vector<Let>{};
 }
 
 std::vector<Formal> GrammarParser::formals() {
@@ -156,6 +166,7 @@ std::vector<Formal> GrammarParser::formals() {
 /// line starts with an operation or with a symbol that does not start a rule.
 bool GrammarParser::continues() const {
   const Token& token = cursor_.peek();
+  if (is_where(token)) return false;
   if (token.kind != TokenKind::newline) return !cursor_.at_line_end();
   const size_t next = beyond_newlines(0);
   const Token& first = cursor_.peek(next);
@@ -237,7 +248,7 @@ void GrammarParser::clauses(Item& item) {
     if (cursor_.peek().kind == TokenKind::newline && is_clause_word(cursor_.beyond_newlines()))
       cursor_.skip_newlines();
     const Token& key = cursor_.peek();
-    if (key.kind != TokenKind::name || heads_.count(std::string(key.text))) return;
+    if (key.kind != TokenKind::name || heads_.count(std::string(key.text)) || is_where(key)) return;
     if (cursor_.peek(1).is("(") && cursor_.peek(1).touches) return;  // an unknown symbol
     cursor_.take();
     const Token& value = cursor_.peek();

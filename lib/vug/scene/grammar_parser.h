@@ -22,6 +22,8 @@ class GrammarParser {
   void entry(Grammar& grammar);
   Rule rule();
   std::vector<Formal> formals();
+  std::vector<Let> locals();
+  bool is_where(const Token& token) const;
   std::vector<Item> items(const std::string& whose);
   Item item();
   void morph_amount(Item& item);

@@ -76,7 +76,7 @@ Value Evaluator::keys(const Expr& expr, const Context& context) {
   bool sound = true;
   for (size_t i = 0; i < expr.operands.size(); ++i) {
     const Operand& part = expr.operands[i];
-    const FaultSite here{part.where, diagnostics_};
+    const FaultSite here{part.where, *diagnostics_};
     if (const auto named = part.name.empty() && i == 0 ? read_ease(*part.value) : std::nullopt) {
       ease = *named;
       continue;

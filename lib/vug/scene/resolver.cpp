@@ -8,7 +8,7 @@ std::optional<Value> Resolver::name(const std::string&, const SourceLocation&, D
 }
 
 std::optional<Value> Resolver::call(const std::string&, const Arguments&, const SourceLocation&,
-                                    RandomKey, Diagnostics&) {
+                                    const CallContext&, Diagnostics&) {
   return std::nullopt;
 }
 

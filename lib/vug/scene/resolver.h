@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vug::scene {
@@ -25,9 +26,14 @@ class Resolver {
   /// such as `triangle`, directions such as `+X`).
   virtual std::optional<Value> name(const std::string& name, const SourceLocation& where,
                                     Diagnostics& diagnostics);
-  /// A function that is not built in. `key` determines the random choices of this call.
+  /// The circumstances of a call.
+  struct CallContext {
+    RandomKey key;              ///< Determines the random choices of this call.
+    std::string_view expected;  ///< The type of object that the value must have; empty: any.
+  };
+  /// A function that is not built in.
   virtual std::optional<Value> call(const std::string& name, const Arguments& arguments,
-                                    const SourceLocation& where, RandomKey key,
+                                    const SourceLocation& where, const CallContext& context,
                                     Diagnostics& diagnostics);
   /// True if the word is a valid choice for the argument of a call, given by name or (if the name
   /// is empty) by position. The word is then not looked up among the declarations.

@@ -9,6 +9,8 @@ namespace vug::scene {
 
 namespace {
 
+const std::vector<std::string> kWords = {"seed", "param", "let", "def", "include", "grammar"};
+
 class StatementParser {
  public:
   StatementParser(Cursor& cursor, Document& document, const Includer& include)
@@ -41,11 +43,11 @@ class StatementParser {
 
  private:
   struct Counts {
-    size_t params, lets, declarations, grammars;
+    size_t params, lets, defs, declarations, grammars;
   };
   Counts counts() const {
-    return {document_.params.size(), document_.lets.size(), document_.declarations.size(),
-            document_.grammars.size()};
+    return {document_.params.size(), document_.lets.size(), document_.defs.size(),
+            document_.declarations.size(), document_.grammars.size()};
   }
 
   static ExprPtr broken(const SourceLocation& where) {
@@ -64,6 +66,7 @@ class StatementParser {
     };
     set(document_.params, before.params);
     set(document_.lets, before.lets);
+    set(document_.defs, before.defs);
     set(document_.declarations, before.declarations);
     set(document_.grammars, before.grammars);
   }
@@ -84,14 +87,17 @@ class StatementParser {
     }
     for (size_t i = before.lets; i < now.lets; ++i)
       document_.lets[i].value = broken(document_.lets[i].where);
+    for (size_t i = before.defs; i < now.defs; ++i)
+      document_.defs[i].body = broken(document_.defs[i].where);
     for (size_t i = before.declarations; i < now.declarations; ++i) {
       Declaration& made = document_.declarations[i];
       made.broken = made.broken || made.value;
       made.incomplete = true;
     }
     for (size_t i = before.grammars; i < now.grammars; ++i) document_.grammars[i].broken = true;
-    const bool named = now.params + now.lets + now.declarations + now.grammars >
-                       before.params + before.lets + before.declarations + before.grammars;
+    const bool named =
+        now.params + now.lets + now.defs + now.declarations + now.grammars >
+        before.params + before.lets + before.defs + before.declarations + before.grammars;
     if (!named) cursor_.add_names_since(start, skipped.declared);
   }
 
@@ -102,6 +108,7 @@ class StatementParser {
     if (word.text == "seed") return seed(word);
     if (word.text == "param") return param();
     if (word.text == "let") return let();
+    if (word.text == "def") return def();
     if (word.text == "include") return include();
     if (word.text == "grammar") {
       const Token& name = cursor_.expect_name("the grammar's name");
@@ -163,6 +170,27 @@ class StatementParser {
     let.value = assigned(let.name);
   }
 
+  void def() {
+    const Token& name = cursor_.expect_name("the name of the function");
+    Def& def = document_.defs.emplace_back();
+    def.name = std::string(name.text);
+    def.where = cursor_.where(name);
+    {
+      cursor_.expect("(", fmt::format(" and the parameters after '{}'", def.name));
+      const Cursor::BracketScope brackets(cursor_);
+      def.formals = exprs_.formals();
+    }
+    if (cursor_.beyond_newlines().kind == TokenKind::text) {
+      cursor_.skip_newlines();
+      def.doc = unquote(cursor_.take().text);
+    }
+    if (!cursor_.accept_beyond_newlines("="))
+      cursor_.unexpected(fmt::format("'=' and the value of '{}'", def.name));
+    cursor_.skip_newlines();
+    def.body = exprs_.whole();
+    def.locals = exprs_.locals();
+  }
+
   void include() {
     const Token& path = cursor_.peek();
     if (path.kind != TokenKind::text) cursor_.unexpected("the path of a file in quotes");
@@ -179,9 +207,8 @@ class StatementParser {
       cursor_.fail(name, fmt::format("a declaration of kind '{}' without a name", kind.text),
                    fmt::format("write '{} main {{ ... }}'", kind.text));
     if (name.kind != TokenKind::name)
-      cursor_.fail(
-          kind, fmt::format("unknown statement '{}'", kind.text),
-          suggestion(std::string(kind.text), {"seed", "param", "let", "include", "grammar"}));
+      cursor_.fail(kind, fmt::format("unknown statement '{}'", kind.text),
+                   suggestion(std::string(kind.text), kWords));
     cursor_.take();
     const int faults = cursor_.faults();
     Declaration& made = document_.declarations.emplace_back();
@@ -190,6 +217,7 @@ class StatementParser {
     made.kind_where = cursor_.where(kind);
     made.name = std::string(name.text);
     made.where = cursor_.where(name);
+    if (cursor_.peek().is("[") && cursor_.peek().touches) made.loop = exprs_.declared_loop();
     if (cursor_.accept("=")) {
       cursor_.skip_newlines();
       made.value = exprs_.whole();
@@ -204,8 +232,7 @@ class StatementParser {
         }
       }
       if (!cursor_.accept_beyond_newlines("{")) {
-        const std::string hint =
-            did_you_mean(made.kind, {"seed", "param", "let", "include", "grammar"});
+        const std::string hint = did_you_mean(made.kind, kWords);
         if (hint.empty()) cursor_.unexpected("'=' or '{'");
         cursor_.fail(kind, fmt::format("unknown statement '{}'", kind.text), hint);
       }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vug/scene/evaluator.h>
+#include <vug/scene/parser.h>
 
 #include <algorithm>
 
@@ -11,10 +12,10 @@ namespace vug::scene {
 class FakeResolver : public Resolver {
  public:
   std::optional<Value> call(const std::string& name, const Arguments&, const SourceLocation&,
-                            RandomKey key, Diagnostics&) override {
+                            const CallContext& context, Diagnostics&) override {
     const auto calls = known_calls();
     if (std::find(calls.begin(), calls.end(), name) == calls.end()) return std::nullopt;
-    return Object{"field", name + "#" + std::to_string(key.state())};
+    return Object{"field", name + "#" + std::to_string(context.key.state())};
   }
   std::optional<Value> binary(char op, const Value& a, const Value& b, const SourceLocation&,
                               Diagnostics&) override {
@@ -34,5 +35,20 @@ inline void evaluate_all(Evaluator& evaluator, const Document& document) {
     for (const Entry& entry : made.entries) evaluator.eval(entry, key);
   }
 }
+
+/// The value of `let x` in a text, as text; errors as "! message".
+inline std::string value_of(const std::string& text, EvaluatorOptions options = {}) {
+  Diagnostics diagnostics;
+  const Document document = parse(text, "t.vug", diagnostics);
+  FakeResolver resolver;
+  Evaluator evaluator(document, resolver, diagnostics, std::move(options));
+  std::string out;
+  if (const Let* x = document.find_let("x"))
+    out = to_string(evaluator.eval(*x->value, evaluator.root()));
+  for (const Diagnostic& one : diagnostics.all()) out += "! " + one.message;
+  return out;
+}
+
+inline std::string x(const std::string& expression) { return value_of("let x = " + expression); }
 
 }  // namespace vug::scene
