@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Every ```python example of docs/guides/python.md runs, in the order of the page, as one session."""
+"""Every example of docs/guides/python.md runs, in the order of the page, as one session."""
 import doctest
 import os
 import re

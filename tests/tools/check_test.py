@@ -194,16 +194,34 @@ class CheckTest(unittest.TestCase):
 
     def test_index_of_the_sources(self):
         page = ("# Architecture\n\n`field/primitives/`\n\n## Index of the sources\n\n"
-                "The first sentence of each file of the library. Folders of kinds contain one file per kind. "
-                "Headers\nwithout a source are marked *header only*. `tools/dev/source_index` writes this list.\n\n"
-                "### base\n\n- `base/vec.h` *(header only)*: Vectors.\n\n"
-                "### mesh\n\n- `mesh/mesh.h` *(header only)*: Triangles.\n- `mesh/zero.cpp`: Nothing.\n")
+                "The first sentence of each file of the library, and of the programs and tests that have one. Folders "
+                "of\nkinds contain one file per kind. A header without a source of its name is followed by the sources "
+                "that\ndefine its functions. `tools/dev/source_index` writes this list.\n\n"
+                "### base\n\n- `base/vec.h`: Vectors.\n\n"
+                "### mesh\n\n- `mesh/mesh.h`: Triangles.\n- `mesh/zero.cpp`: Nothing.\n")
         # Modules without headers are not in the index.
         self.passes("source_index", {"docs/architecture.md": page})
         self.finds("source_index", {"docs/architecture.md": page.replace("Triangles", "Polygons")}, "out of date")
         self.finds("source_index", {"docs/architecture.md": page, "lib/vug/mesh/weld.h": "// Welding.\n"},
                    "out of date")
         self.finds("source_index", {"lib/vug/mesh/weld.cpp": BODY}, "needs a header comment")
+        for name, text in (("run", "#!/usr/bin/env bash\n# SPDX-License-Identifier: Apache-2.0\n"
+                                   "# tools/dev/run [--all]\n# Runs it. Or not.\n\n# More.\n"),
+                           ("run.py", "#!/usr/bin/env python3\n# SPDX-License-Identifier: Apache-2.0\n"
+                                      '"""Runs\nit.\n\nOr not."""\n')):
+            index = page + f"\n### tools/dev\n\n- `tools/dev/{name}`: Runs it.\n"
+            self.passes("source_index", {"docs/architecture.md": index, f"tools/dev/{name}": text})
+        header = {"lib/vug/mesh/weld.h": "// SPDX-License-Identifier: Apache-2.0\n// Welding.\n#pragma once\n"
+                                         "struct Welder {\n  Welder();\n  int count() const { return sum(3); }\n};\n"
+                                         "int weld(int mesh = {});\n"}
+        for body, source in (("int weld(int mesh) { return mesh; }\n", " (in `mesh/join.cpp`)"),
+                             ("Welder::Welder() {}\n", " (in `mesh/join.cpp`)"),
+                             ("int twice() { return weld(2); }\nOther::weld() {}\nint sum(int n) { return n; }\n", "")):
+            other = "// SPDX-License-Identifier: Apache-2.0\n// Joins.\n#include <vug/mesh/weld.h>\n" + body
+            lines = (f"### mesh\n\n- `mesh/join.cpp`: Joins.\n- `mesh/mesh.h`: Triangles.\n"
+                     f"- `mesh/weld.h`{source}: Welding.\n")
+            index = page.replace("### mesh\n\n- `mesh/mesh.h`: Triangles.\n", lines)
+            self.passes("source_index", {"docs/architecture.md": index, "lib/vug/mesh/join.cpp": other} | header)
 
     def test_kinds_are_listed_once_and_in_order(self):
         name = "lib/vug/field/CMakeLists.txt"

@@ -7,7 +7,13 @@ from .tree import Finding, module_of
 PAGE = "docs/architecture.md"
 HEAD = "## Index of the sources\n"
 
-
+# The folders of programs and tests that follow the modules, without their subfolders.
+PROGRAMS = ("tools/vug", "tools/vug/facade", "tools", "tools/docs.d", "tools/cmake", "tools/dev", "tools/dev/checks",
+            "plugins/python", "plugins/blender/vug_addon", "plugins/preview",
+            "tests/cli", "tests/dcc", "tests/plugins", "tests/python", "tests/scenes", "tests/tools")
+# A function that a header declares without a body.
+DECLARATION = re.compile(r"(?:[;{}]|(?<!:):)\s*(?!(?:return|delete|throw|else|using|static_assert)\b)"
+                         r"(?:\w[\w:<>,&*\s\[\]]*[\s&*])?(\w+)\([^;{}]*\)(?:\s(?:const|noexcept))*\s*(?=;)")
 ABBREVIATION = r"(?<!\be\.g\.)(?<!\bi\.e\.)(?<!\beq\.)(?<!\bal\.)(?<!\bvs\.)"
 
 
@@ -29,8 +35,9 @@ def with_index(tree):
 def index(tree):
     """One list for each module: its headers, and sources without a header, by the first sentence of their comments."""
     modules = dict.fromkeys(module_of(name) for name in tree.select(".h", under="lib/vug/"))
-    lines = ["\nThe first sentence of each file of the library. Folders of kinds contain one file per kind. "
-             "Headers\nwithout a source are marked *header only*. `tools/dev/source_index` writes this list.\n"]
+    lines = ["\nThe first sentence of each file of the library, and of the programs and tests that have one. Folders of\n"
+             "kinds contain one file per kind. A header without a source of its name is followed by the sources that\n"
+             "define its functions. `tools/dev/source_index` writes this list.\n"]
     for module in modules:
         folder = f"lib/vug/{module}/"
         kinds = kinds_of(tree, folder)
@@ -41,12 +48,60 @@ def index(tree):
             if stem not in kinds:
                 files[stem] = name  # the header, which follows its source in alphabetical order
         for stem, name in sorted(files.items()):
-            alone = " *(header only)*" if f"{folder}{stem}.cpp" not in tree.files and name.endswith(".h") else ""
-            lines.append(f"- `{name[len('lib/vug/'):]}`{alone}: {first_sentence(tree.text(name))}\n")
+            alone = name.endswith(".h") and f"{folder}{stem}.cpp" not in tree.files
+            elsewhere = [f"`{source[len('lib/vug/'):]}`" for source in sources_of(tree, name)] if alone else []
+            note = f" (in {', '.join(elsewhere)})" if elsewhere else ""
+            lines.append(f"- `{name[len('lib/vug/'):]}`{note}: {first_sentence(tree.text(name))}\n")
         for place in dict.fromkeys(kind.partition("/")[0] for kind in sorted(kinds)):
             names = ", ".join(kind.partition("/")[2] for kind in sorted(kinds) if kind.startswith(place + "/"))
             lines.append(f"- `{module}/{place}/`: {names}\n")
+    for folder in PROGRAMS:
+        files = {name.rpartition(".")[0] or name: name for name in tree.files
+                 if name.rpartition("/")[0] == folder and not name.endswith(".txt")}
+        entries = [(name, program_sentence(tree, name)) for name in sorted(files.values())]
+        if any(sentence for _, sentence in entries):
+            lines.append(f"\n### {folder}\n\n")
+            lines.extend(f"- `{name}`: {sentence}\n" for name, sentence in entries if sentence)
     return "".join(lines)
+
+
+def program_sentence(tree, name):
+    """The first sentence of the comment or docstring at the beginning of a file, without the usage before it."""
+    text = re.sub(r"\A(?:#!.*\n)?(?:(?://|#) SPDX.*\n)?(?:# shellcheck .*\n)*", "", tree.text(name))
+    match = (re.match(r'"""(.*?)"""', text, re.S) if name.endswith(".py") or "#!/usr/bin/env python" in tree.text(name)
+             else re.match(r"((?:(?:#|//)(?: .*)?\n)+)", text))
+    words = re.sub(r"^(?:#|//) ?", "", match.group(1), flags=re.M) if match else ""
+    base = re.escape(name.rpartition("/")[2])
+    usage = re.match(rf"\S*{base}(?: \[[^\n]*\]\S*)?(?: [A-Z]+)*(?:: |\n)", words)
+    if usage:
+        words = words[usage.end():][:1].upper() + words[usage.end() + 1:]
+    return sentence_of(words)
+
+
+def sources_of(tree, header):
+    """The sources of the module that include a header, directly or not, and define functions that it declares."""
+    folder = f"lib/vug/{module_of(header)}/"
+    code = re.sub(r"^\s*#.*$|=\s*[\w:]*\{\}", "", tree.code(header), flags=re.M)
+    names = "|".join(sorted(set(DECLARATION.findall(code))))
+    if not names:
+        return []
+    classes = "|".join(re.findall(r"\b(?:class|struct) (\w+)", code)) or r"\b\B"
+    definition = re.compile(rf"^(?=[\w:])(?:[^\n;=(]*[\s*&])?(?:(?:{classes})::)?(?:{names})"
+                            r"\([^;{}]*\)[^;{}]*\{", re.M)
+    return [name for name in tree.select(".cpp", under=folder)
+            if header in included(tree, name) and definition.search(tree.code(name))]
+
+
+def included(tree, name):
+    """The headers of its own module that a file includes, directly or not."""
+    found, waiting = set(), [name]
+    while waiting:
+        for _, path, _ in tree.includes(waiting.pop()):
+            header = "lib/" + path
+            if header not in found and module_of(path) == module_of(name) and header in tree.files:
+                found.add(header)
+                waiting.append(header)
+    return found
 
 
 def kinds_of(tree, folder):
@@ -58,5 +113,8 @@ def kinds_of(tree, folder):
 def first_sentence(text):
     comment = re.match(r"// SPDX[^\n]*\n((?:// ?[^\n]*\n)*)", text)
     words = re.sub(r"\s*\n//\s*", " ", "\n" + comment.group(1).rstrip()) if comment else ""
-    words = re.sub(r"^ Internal to [\w/]+: ", " ", words).strip()
-    return re.split(rf"(?<=[^.]\.){ABBREVIATION}\s", words)[0]
+    return sentence_of(re.sub(r"^ Internal to [\w/]+: ", " ", words))
+
+
+def sentence_of(words):
+    return re.split(rf"(?<=[^.]\.){ABBREVIATION}\s", " ".join(words.split()))[0]
