@@ -194,8 +194,8 @@ class CheckTest(unittest.TestCase):
 
     def test_index_of_the_sources(self):
         page = ("# Architecture\n\n`field/primitives/`\n\n## Index of the sources\n\n"
-                "The first sentence of each file of the library, and of the programs and tests that have one. Folders "
-                "of\nkinds contain one file per kind. A header without a source of its name is followed by the sources "
+                "The first sentence of each file of the library, and of the programs and tests that have one. Folders\n"
+                "of kinds contain one file per kind. A header without a source of its name is followed by the sources "
                 "that\ndefine its functions. `tools/dev/source_index` writes this list.\n\n"
                 "### base\n\n- `base/vec.h`: Vectors.\n\n"
                 "### mesh\n\n- `mesh/mesh.h`: Triangles.\n- `mesh/zero.cpp`: Nothing.\n")

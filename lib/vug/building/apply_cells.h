@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transfers the cells' attributes and displacement to a mesh.
+// Applies a cell layer to a mesh: calls cells/transfer_to_mesh.h, rejects huge displacements and
+// cuts holes.
 #pragma once
 
 #include <vug/building/cell_layer.h>

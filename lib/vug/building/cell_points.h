@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversion of cells to grids of points, and back.
+// Grids of points with the attributes that a plan of cells requests, and initial states from such
+// grids.
 #pragma once
 
 #include <vug/building/cell_layer.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sources of instance transforms: a pose, a list, a file, a scatter.
+// The type of instance sources, which the kinds in loading/places/ create, and the transform of a
+// pose.
 #pragma once
 
 #include <vug/base/rng.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds the mesh of a plan from a level set or from a file.
+// Builds the mesh of a plan from a level set or from a file: polygonization, removal of small
+// components, vertex colours.
 #pragma once
 
 #include <vug/base/progress.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Warnings about parts of a volume that its voxels do not resolve.
+// The text of warnings about parts of a volume that its voxels do not resolve; field/thin_parts.h
+// finds them.
 #pragma once
 
 #include <vug/base/diagnostics.h>

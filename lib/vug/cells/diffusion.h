@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diffusion of moisture through rock in one step: iterations of explicit diffusion, each
-// numerically stable.
+// Parameters and number of iterations for the diffusion of moisture in one step.
 #pragma once
 
 #include <vug/base/schema.h>

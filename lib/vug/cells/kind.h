@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Definitions for the source file of a grid.
+// Definitions for the source file of a grid in grids/.
 #pragma once
 
 #include <vug/base/kind.h>

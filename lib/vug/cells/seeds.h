@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seeds of growth: a random density of cells per square metre, independent of the spacing of cells.
+// Parameters and random choice of the cells from which a growth starts, and its response to
+// moisture and light.
 #pragma once
 
 #include <vug/base/schema.h>

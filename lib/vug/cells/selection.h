@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random selection of a fraction of the cells.
+// Parameters of rules that affect a random fraction of the cells.
 #pragma once
 
 #include <vug/base/schema.h>

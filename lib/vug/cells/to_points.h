@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversion of cells to points with attributes, and back.
+// Conversion of the attributes and states of cells to points, and back.
 #pragma once
 
 #include <vug/cells/simulation.h>

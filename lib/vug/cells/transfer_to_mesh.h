@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transfer of cell attributes to the vertices of a mesh by smooth interpolation.
+// Interpolates cell attributes at the vertices of a mesh, and moves the vertices.
 #pragma once
 
 #include <vug/base/progress.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Converts volumes to the grids that other programs expect.
+// Selects and converts the grids of a volume for other programs; volume/converted.h changes their
+// coordinates.
 #pragma once
 
 #include <vug/building/builder.h>

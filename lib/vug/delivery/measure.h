@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Metrics of the meshes of a scene or of a file.
+// Collects the meshes of a scene or of a file for the report of metrics/report.h.
 #pragma once
 
 #include <vug/building/builder.h>

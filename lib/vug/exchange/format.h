@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// File formats for a whole assembly. Each is a kind, named by its extension.
+// Interface of the file formats of whole assemblies. Each is a kind, named by its extension.
 #pragma once
 
 #include <vug/base/kind.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements of facades: windows, doors and other solids in a rectangle that is not split further.
+// Interface of the elements of facades: windows, doors and other solids in a rectangle that is not
+// split further.
 #pragma once
 
 #include <vug/base/kind.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splits: subdivision of a rectangle into parts.
+// Interface of splits, which divide a rectangle into parts.
 #pragma once
 
 #include <vug/base/kind.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stack of layered rock, shared by the noise `beds` and the detail `strata`.
+// Parameters and layers of bedded rock, shared by the noise `beds` and the detail `strata`.
 #pragma once
 
 #include <vug/field/noise.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes that transform the point before they evaluate the child: f(p) = scale * child(map(p)).
+// The node that all deformers share: it transforms the point before it evaluates the child, f(p) =
+// scale * child(map(p)).
 #pragma once
 
 #include <vug/field/kind.h>

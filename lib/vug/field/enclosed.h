@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounds around deformed solids, shared by twist, taper and bend.
+// Intersects a deformed solid with a box or hull that its deformer (twist, taper, bend) has
+// computed.
 #pragma once
 
 #include <vug/field/deformer.h>

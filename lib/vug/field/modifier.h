@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes that modify a child's value at each point: offset, shell, complement, displacement.
+// The node shared by offset, shell, complement and displacement, which modify a child's value at
+// each point.
 #pragma once
 
 #include <vug/field/kind.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Noise: a bounded scalar function of space for displacement, warping and colour.
+// The type of noises and their look-up by name; the formulas are in noise/.
 #pragma once
 
 #include <vug/field/kind.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spatial distributions of plants in a plot: point processes in the plane.
+// Interface of spatial distributions of plants in a plot, which are point processes in the plane.
 #pragma once
 
 #include <vug/base/kind.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parametric meshes: leaves and sprays.
+// Interface of parametric meshes, such as leaves and sprays.
 #pragma once
 
 #include <vug/base/kind.h>

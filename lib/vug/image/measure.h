@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures of the difference between two images, as a number and as a map.
+// Interface of measures of the difference between two images, as a number and as a map.
 #pragma once
 
 #include <vug/base/schema.h>

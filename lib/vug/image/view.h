@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversion from scene-linear light to display values.
+// Conversion from scene-linear light to display values by exposure and tone curve.
 #pragma once
 
 #include <vug/image/colour_space.h>

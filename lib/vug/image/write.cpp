@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writing of EXR files through a temporary file.
+// Writes EXR files through a temporary file; oiio/write.cpp encodes them.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/image/backend.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Folders of the scene libraries that are installed with Vug.
+// The folders in which includes are searched: $VUG_DATA and the scene libraries that are installed
+// with Vug.
 #pragma once
 
 #include <filesystem>

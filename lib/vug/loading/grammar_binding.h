@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derives a grammar block of a scene into a field.
+// Binds a `grammar NAME { ... }` of shapes, which is derived at once into a field.
 #pragma once
 
 #include <vug/loading/reader.h>

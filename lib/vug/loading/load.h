@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads a scene file and evaluates it to a shot.
+// Loads a scene file and evaluates it to a shot, with the cache of values that do not depend on the
+// frame.
 #pragma once
 
 #include <vug/loading/provenance.h>

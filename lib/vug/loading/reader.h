@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Interface of the readers of declarations; each kind has one file in declarations/.
+// Steps shared by the readers of declarations: calls of kinds, `on`, blocks and their errors; each
+// keyword has one file in declarations/.
 #pragma once
 
 #include <vug/loading/load.h>

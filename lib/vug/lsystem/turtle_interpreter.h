@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to the turtle: interprets a word module by module.
+// Internal to the turtle: interprets a word module by module (turtle.cpp, turtle_path.cpp) and
+// reports brackets and polygons that do not match.
 #pragma once
 
 #include <vug/lsystem/drawing_builder.h>

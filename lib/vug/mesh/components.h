@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Removes small connected components from a mesh.
+// Removes connected components below a given size from a mesh.
 #pragma once
 
 #include <vug/mesh/mesh.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Displacements of the vertices of a mesh: their size, and how they are kept from folding it.
+// Measures the displacements of the vertices of a mesh, such as those by cells, and changes those
+// that fold it.
 #pragma once
 
 #include <vug/mesh/mesh.h>

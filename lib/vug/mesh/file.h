@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writing a file in chunks.
+// Writes the bytes of a mesh file in chunks.
 #pragma once
 
 #include <vug/mesh/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Folded triangles: those that face against the surface around them.
+// Detects folded triangles: those that face against the surface around them.
 #pragma once
 
 #include <vug/mesh/fans.h>

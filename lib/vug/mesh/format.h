@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mesh file formats. Coordinates in files are in metres. Data that a format cannot hold is dropped
-// on writing (see the documentation of each format). The error for an unknown extension lists the
-// known extensions.
+// Interface of mesh file formats, and their choice by extension. Coordinates in files are in
+// metres. Data that a format cannot hold is dropped on writing (see the documentation of each
+// format). The error for an unknown extension lists the known extensions.
 #pragma once
 
 #include <vug/base/schema.h>

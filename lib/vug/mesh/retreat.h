@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shortens moves of vertices where they make triangles intersect or fold.
+// Shortens moves of vertices until no triangles intersect or fold, for displacement.h and
+// meshing/remove_crossings.h.
 #pragma once
 
 #include <vug/mesh/mesh.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frame ranges and file names of image sequences.
+// Frame ranges and file names of image sequences, and the frames that are already finished.
 #pragma once
 
 #include <vug/picture/picture_plan.h>

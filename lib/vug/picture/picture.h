@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prepares a shot for the renderer.
+// Converts a shot and the plan of a picture to the scene and options of the renderer.
 #pragma once
 
 #include <vug/building/flat_scene.h>

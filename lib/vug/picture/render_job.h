@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rendering with checkpoints, previews and partial renders for a farm.
+// Renders a picture at once or in parts: handles `--checkpoint`, `--resume` and `--part` with their
+// files, and previews.
 #pragma once
 
 #include <vug/picture/picture.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene that is prepared for rendering any tile of its picture.
+// Prepares a scene for rendering any tile of its picture: prepared scene, portals, guiding data and
+// bright edges.
 #pragma once
 
 #include <vug/base/progress.h>

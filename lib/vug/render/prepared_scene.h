@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene prepared for ray tracing: acceleration structures and light selection.
+// The result of the preparation for ray tracing: acceleration structures and light selection.
 #pragma once
 
 #include <vug/render/lighting/light_set.h>

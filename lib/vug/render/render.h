@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders a scene to a picture.
+// Renders a scene to a picture at once; checkpoints and partial renders use film/render_state.h.
 #pragma once
 
 #include <vug/base/progress.h>

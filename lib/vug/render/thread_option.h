@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The option `threads` of a render.
+// Runs work with the number of threads in a render's options.
 #pragma once
 
 #include <vug/base/parallel.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that need the whole document.
+// Checks that need the whole document: duplicate, reserved and unused names, and the symbols of
+// grammars.
 #pragma once
 
 #include <vug/base/diagnostics.h>

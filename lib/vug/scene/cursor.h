@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parser's position in the tokens of one file, error reporting and error recovery.
+// The parser's position in the tokens of one file, errors of the form "expected X, found Y", and
+// error recovery.
 #pragma once
 
 #include <vug/scene/lexer.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recursive evaluation of expressions.
+// Evaluates expressions: operators, calls, lists and vectors, seeded ranges and choices, and the
+// hints for unknown names and functions.
 #include <vug/scene/evaluator.h>
 #include <vug/scene/functions.h>
 #include <vug/scene/units.h>

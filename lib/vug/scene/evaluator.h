@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluation of expressions: parameters, lets and seeded random choices; objects are provided by a
-// Resolver.
+// The evaluator of a document: parameters with their ranges and `-D` overrides, lets and the seed
+// (evaluator.cpp); objects are provided by a Resolver.
 #pragma once
 
 #include <vug/scene/arithmetic.h>

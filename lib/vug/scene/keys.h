@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keyframe interpolation of parameters.
+// Interpolates between the keyframes of a parameter.
 #pragma once
 
 #include <vector>

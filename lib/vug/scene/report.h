@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formatting of diagnostics for users.
+// Formats diagnostics for users, with the underlined line and its caret.
 #pragma once
 
 #include <vug/base/diagnostics.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parser of the statements of one file.
+// Parser of the statements of one file, with the entries of their blocks in "{" and "}".
 #pragma once
 
 #include <vug/scene/expr_parser.h>

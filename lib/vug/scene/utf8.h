@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// UTF-8 helpers for columns and carets.
+// Counting and checking of UTF-8 characters.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of facades modelled by hand: the grammars of modelling sessions, and scenes of carved
-// walls.
+// Finds the grammars of modelling sessions, and writes scenes of carved walls.
 #pragma once
 
 #include <vug/modeller/session.h>

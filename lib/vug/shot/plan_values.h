@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Value conversions for the plans of volumes and meshes in scene expressions.
+// Conversion between scene values and plans of volumes and meshes.
 #pragma once
 
 #include <vug/base/kind.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kinds of volumes, as listed in CMakeLists.txt.
+// The kinds of volumes and the parameters that they share.
 #pragma once
 
 #include <vug/shot/plan_values.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversion of grids to the coordinates of other programs.
+// Transforms grids to the coordinates of another program.
 #pragma once
 
 #include <vug/base/transform.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The remedy for level sets that need too much memory.
+// The hint for level sets that need too much memory: a voxel size that fits.
 #pragma once
 
 #include <cstdint>

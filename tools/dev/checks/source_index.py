@@ -35,8 +35,8 @@ def with_index(tree):
 def index(tree):
     """One list for each module: its headers, and sources without a header, by the first sentence of their comments."""
     modules = dict.fromkeys(module_of(name) for name in tree.select(".h", under="lib/vug/"))
-    lines = ["\nThe first sentence of each file of the library, and of the programs and tests that have one. Folders of\n"
-             "kinds contain one file per kind. A header without a source of its name is followed by the sources that\n"
+    lines = ["\nThe first sentence of each file of the library, and of the programs and tests that have one. Folders\n"
+             "of kinds contain one file per kind. A header without a source of its name is followed by the sources that\n"
              "define its functions. `tools/dev/source_index` writes this list.\n"]
     for module in modules:
         folder = f"lib/vug/{module}/"
@@ -113,7 +113,8 @@ def kinds_of(tree, folder):
 def first_sentence(text):
     comment = re.match(r"// SPDX[^\n]*\n((?:// ?[^\n]*\n)*)", text)
     words = re.sub(r"\s*\n//\s*", " ", "\n" + comment.group(1).rstrip()) if comment else ""
-    return sentence_of(re.sub(r"^ Internal to [\w/]+: ", " ", words))
+    words = re.sub(r"^ (?:Internal to|Inside) [\w/]+(?: only)?: ", " ", words).strip()
+    return sentence_of(words[:1].upper() + words[1:])
 
 
 def sentence_of(words):

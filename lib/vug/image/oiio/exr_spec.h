@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to image/: headers and output shared by all EXR writers. Includes OpenImageIO.
+// Internal to image/oiio: headers (compression, windows, primaries) and output shared by all EXR
+// writers. Includes OpenImageIO.
 #pragma once
 
 #include <vug/image/io.h>

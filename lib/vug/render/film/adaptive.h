@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adaptive sampling: decides where a picture has enough samples.
+// Marks the tiles of a picture that have enough samples, from the noise of their pixels.
 #pragma once
 
 #include <vug/render/film/render_state.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Partial renders as files: render farms write them and `merge` combines them; interrupted renders
-// resume from them (checkpoints).
+// The file format of partial renders and checkpoints.
 #pragma once
 
 #include <vug/render/film/render_state.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of a render in progress: its sums and how much is done. A render can be interrupted and
-// resumed, and slices of one picture can be rendered separately and merged.
+// The state of a render in progress, its continuation, and the decision when it is saved
+// (AccumulatingSink). A render can be interrupted and resumed, and slices of one picture can be
+// rendered separately and merged.
 #pragma once
 
 #include <vug/base/progress.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Check that emissive objects do not move.
+// Rejects emissive objects that move.
 #pragma once
 
 #include <vug/render/scene.h>

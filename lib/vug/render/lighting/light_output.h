@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Brightness and colour of a light: the parameters that all lights of finite size share.
+// Brightness, colour and linking of a light: the parameters that all lights of finite size share.
 #pragma once
 
 #include <vug/base/schema.h>

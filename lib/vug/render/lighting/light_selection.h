@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters and result of the choice of lights for next-event estimation.
+// Parameters and result of the choice of lights, which light_set.h makes.
 #pragma once
 
 #include <vug/render/light.h>

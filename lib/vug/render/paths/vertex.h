@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Path vertices, and the MIS-weighted emission that the next ray of a path hits.
+// Path vertices, and the MIS weights (balance heuristic) of the emission that the next ray of a
+// path hits.
 #pragma once
 
 #include <vug/render/prepared_scene.h>
