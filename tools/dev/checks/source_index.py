@@ -113,7 +113,7 @@ def kinds_of(tree, folder):
 def first_sentence(text):
     comment = re.match(r"// SPDX[^\n]*\n((?:// ?[^\n]*\n)*)", text)
     words = re.sub(r"\s*\n//\s*", " ", "\n" + comment.group(1).rstrip()) if comment else ""
-    words = re.sub(r"^ (?:Internal to|Inside) [\w/]+(?: only)?: ", " ", words).strip()
+    words = re.sub(r"^ (?:Internal to(?: the)?|Inside) [\w/]+(?: only)?: ", " ", words).strip()
     return sentence_of(words[:1].upper() + words[1:])
 
 
