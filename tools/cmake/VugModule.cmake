@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+# vug_module, which defines the library of a module from its folder.
 include(VugKinds)
 
 # vug_module(NAME [FOLDERS folders...] [DEPENDS modules...] [PUBLIC libs...] [PRIVATE libs...]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parsing of limits for image measures.
+// Parsing of the limits for image measures that `vug diff` and image tests take.
 #pragma once
 
 #include <vug/image/diff.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Printing of errors and warnings.
+// Printing of errors and warnings, and the exit code of an error.
 #pragma once
 
 #include <vug/base/error.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options shared by all verbs that take a scene.
+// Options shared by verbs: of the scene (-D, --seed, --frame, --quality) and of the work
+// (--threads, --max-memory, --quiet).
 #pragma once
 
 #include "progress_bar.h"

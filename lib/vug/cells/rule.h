@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A rule: the transition from the current state of a cell and its neighbours to its next state. All
-// cells are updated synchronously; values written are read in the next pass.
+// Interface of rules: the transition from the current state of a cell and its neighbours to its
+// next state. All cells are updated synchronously; values written are read in the next pass.
 #pragma once
 
 #include <vug/base/kind.h>

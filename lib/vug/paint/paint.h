@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Procedural masks and paints: functions of position, normal, fields and attributes, without UVs. A
-// mask returns a number between 0 and 1, a paint a linear Rec.709 colour (an albedo).
+// Interface of procedural masks and paints: functions of position, normal, fields and attributes,
+// without UVs. A mask returns a number between 0 and 1, a paint a linear Rec.709 colour (an
+// albedo).
 #pragma once
 
 #include <vug/base/error.h>

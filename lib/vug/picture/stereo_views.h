@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Renders the views of a picture: one view, or both views of a stereo camera.
+// Renders the views of a picture, one or both of a stereo camera, and warns about its exposure.
 #pragma once
 
 #include <vug/picture/render_job.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A self-contained HTML page that displays a scene in a browser.
+// Writes the page of `vug preview`: the model, cameras and lights of a scene in the template that
+// plugins/preview builds.
 #pragma once
 
 #include <vug/building/builder.h>

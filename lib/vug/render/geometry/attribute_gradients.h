@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gradients of mesh attributes, for bump mapping.
+// Gradients of mesh attributes; materials/surface.cpp perturbs normals with them (bump mapping).
 #pragma once
 
 #include <vug/mesh/mesh.h>
