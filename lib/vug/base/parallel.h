@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parallel loops and reductions on TBB with results that do not depend on the number of threads.
+// Parallel loops and reductions on TBB with results that do not depend on the number of threads,
+// and that number.
 #pragma once
 
 #ifdef __SANITIZE_THREAD__

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The schema of a kind: name, documentation, source and parameters. Everything that refers to kinds
-// (binding of a scene's arguments, diagnostics, `vug list`, manuals, sweep tests) reads it;
-// base/kind.h makes a kind from it.
+// The schema of a kind: name, documentation, source and parameters; reports arguments that are
+// unknown, of the wrong type or out of range. Everything that refers to kinds (binding of a scene's
+// arguments, diagnostics, `vug list`, manuals, sweep tests) reads it; base/kind.h makes a kind from
+// it.
 #pragma once
 
 #include <vug/base/diagnostics.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Template definitions of schema.h.
+// Template definitions of schema.h, such as `bind`, which fills a parameter struct from arguments.
 #pragma once
 
 namespace vug {

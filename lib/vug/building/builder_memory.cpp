@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The memory that the products of a Builder need, before they are made.
+// The memory that the products of a Builder need, before they are made, and the refusal of too
+// large ones.
 #include <vug/base/memory.h>
 #include <vug/building/builder.h>
 #include <vug/building/cell_layer.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Flattens a shot into a list of objects and lights, with the contents of placed scenes as
-// instances.
+// instances, and adds the light of scenes without lights.
 #pragma once
 
 #include <vug/building/builder.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Level sets with the values that files contain.
+// Level sets with the distances that a plan requests for its files.
 #pragma once
 
 #include <vug/building/builder.h>

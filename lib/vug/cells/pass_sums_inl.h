@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pass::run_on_sums. Neighbours are scattered in memory, and two attributes of a cell are in two
-// places. Therefore a block copies its surroundings as pairs that fit into the second-level cache,
-// and sums those.
+// Pass::run_on_sums, which sums the values of neighbours in blocks that fit into the cache.
+// Neighbours are scattered in memory, and two attributes of a cell are in two places. Therefore a
+// block copies its surroundings as pairs that fit into the second-level cache, and sums those.
 #pragma once
 
 #include <vug/cells/pass_inl.h>

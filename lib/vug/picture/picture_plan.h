@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The choice of a picture and its settings, resolved once before the work starts.
+// The choice of a picture, its camera and its settings, resolved once before the work starts.
 #pragma once
 
 #include <vug/image/io.h>

@@ -113,8 +113,8 @@ def kinds_of(tree, folder):
 def first_sentence(text):
     comment = re.match(r"// SPDX[^\n]*\n((?:// ?[^\n]*\n)*)", text)
     words = re.sub(r"\s*\n//\s*", " ", "\n" + comment.group(1).rstrip()) if comment else ""
-    words = re.sub(r"^ (?:Internal to(?: the)?|Inside) [\w/]+(?: only)?: ", " ", words).strip()
-    return sentence_of(words[:1].upper() + words[1:])
+    return sentence_of(re.sub(r"^ (?:Internal to(?: the)?|Inside) [\w/]+(?: only)?: ([a-z]+\b)?",
+                              lambda match: (match.group(1) or "").capitalize(), words))
 
 
 def sentence_of(words):

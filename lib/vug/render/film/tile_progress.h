@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the tiles of a picture are rendered.
+// The size of the tiles of a picture, and how far they are rendered.
 #pragma once
 
 #include <vug/render/film/region.h>
