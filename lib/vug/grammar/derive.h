@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derivation of grammars: sequentially, depth first, or in parallel, generation by generation.
+// Derivation of grammars within limits: sequentially, depth first, or in parallel, generation by
+// generation.
 //
 // Random choices are keyed by path: an occurrence's key is derived from its parent's key, its own
 // name and its ordinal among its parent's children of that name. Therefore a branch does not depend

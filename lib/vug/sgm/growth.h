@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The base shape under a sequence of productions.
+// The base shape under a sequence of productions, with the default overlap of each operation.
 #pragma once
 
 #include <vug/base/diagnostics.h>

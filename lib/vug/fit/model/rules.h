@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A facade grammar as the sampler sees it: productions whose sizes and counts are free.
+// A facade grammar as the sampler sees it, whose sizes and counts are free, and the limits of
+// sizes, counts and window kinds.
 #pragma once
 
 #include <limits>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Markov chain Monte Carlo over facade trees.
+// Markov chain Monte Carlo over facade trees, with the default number of chains, steps and
+// temperatures.
 #pragma once
 
 #include <vug/base/progress.h>
