@@ -84,7 +84,7 @@ TEST(Rules, DistributeMorphicProductionsAmongTheClassicOnes) {
     std::string out;
     for (const grammar::SuccessorItem& part : grammar_of(rules).axiom) {
       grammar::Symbol symbol;
-      const int64_t n = part.count({symbol, RandomKey(1)});
+      const int64_t n = part.count({symbol, RandomKey(1), RandomKey(1)});
       for (int64_t i = 0; i < n; ++i) out += part.symbol[0];
     }
     return out;
