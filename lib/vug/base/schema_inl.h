@@ -28,6 +28,8 @@ struct MismatchedElement<std::vector<T>> {
     return -1;
   }
 };
+template <class T>
+struct MismatchedElement<std::optional<T>> : MismatchedElement<T> {};
 
 }  // namespace detail
 

@@ -52,12 +52,17 @@ class PrimitiveNode final : public EvaluationModes<PrimitiveNode<P>> {
 };
 
 template <class P>
+Field primitive_field(const std::string& name, const P& params) {
+  return Field(std::make_shared<PrimitiveNode<P>>(name, params));
+}
+
+template <class P>
 FieldKind primitive_kind(const std::string& name) {
   return field_kind<P>(name, "primitive", [name](const P& params) {
     if constexpr (requires { params.shape(); })
-      return Field(std::make_shared<PrimitiveNode<decltype(params.shape())>>(name, params.shape()));
+      return primitive_field(name, params.shape());
     else
-      return Field(std::make_shared<PrimitiveNode<P>>(name, params));
+      return primitive_field(name, params);
   });
 }
 

@@ -151,6 +151,39 @@ TEST(Primitive, SteinmetzSolidAndLens) {
   EXPECT_NEAR(lattice_volume(lens, 64), 5 * kPi / 12, 0.03);
 }
 
+TEST(Primitive, APathIsTheUnionOfItsSegments) {
+  const std::vector<Vec3d> path = {Vec3d(0), Vec3d(1, 0, 0), Vec3d(2, 1, 0), Vec3d(1, 2, 1)};
+  const std::vector<double> radii = {0.2, 0.3, 0.1, 0.4};
+  List points, sizes, rods, cones;
+  for (size_t i = 0; i < path.size(); ++i) {
+    points.emplace_back(path[i]);
+    sizes.emplace_back(radii[i]);
+    if (i == 0) continue;
+    rods.push_back(
+        as_value(make("capsule", {{"a", path[i - 1]}, {"b", path[i]}, {"radius", 0.2}})));
+    cones.push_back(as_value(make(
+        "tapered_capsule",
+        {{"a", path[i - 1]}, {"b", path[i]}, {"radius_a", radii[i - 1]}, {"radius_b", radii[i]}})));
+  }
+  const std::pair<Field, Field> pairs[] = {
+      {make("capsule", {{"path", points}, {"radius", 0.2}}), make("union", {{"of", rods}})},
+      {make("tapered_capsule", {{"path", points}, {"radii", sizes}}),
+       make("union", {{"of", cones}})}};
+  for (const auto& [along, whole] : pairs) {
+    EXPECT_EQ(along.lipschitz(), 1);
+    EXPECT_EQ(along.exactness(), Exactness::eikonal);
+    EXPECT_EQ(along.bounds(), whole.bounds());
+    for (int i = 0; i < 500; ++i) {
+      const Vec3d p(0.005 * i, 0.3 - 0.004 * i, 0.002 * i);
+      EXPECT_EQ(along.value(p), whole.value(p));
+      EXPECT_EQ(along.gradient(p).gradient, whole.gradient(p).gradient);
+    }
+  }
+  EXPECT_NEAR(pairs[0].first.value({0.5, 1, 0}), 0.8, 1e-12);
+  const Field line = make("capsule", {{"path", List{path[0], path[1]}}});
+  EXPECT_EQ(line.exactness(), Exactness::exact);
+}
+
 TEST(Primitive, FaultsBetweenParametersAreSentences) {
   const struct {
     std::string kind;
@@ -160,7 +193,13 @@ TEST(Primitive, FaultsBetweenParametersAreSentences) {
       {"cylinder", {{"radius", 1.0}, {"height", 1.0}, {"rounding", 0.6}}},
       {"capped_cone", {{"bottom", 0.0}, {"top", 0.0}}},
       {"capsule", {{"a", Vec3d(0)}}},
+      {"capsule", {{"path", List{Vec3d(0)}}}},
+      {"capsule", {{"path", List{}}}},
+      {"capsule", {{"path", List{Vec3d(0), Vec3d(1)}}, {"a", Vec3d(0)}, {"b", Vec3d(1)}}},
       {"tapered_capsule", {{"radius_a", 3.0}}},
+      {"tapered_capsule", {{"path", List{Vec3d(0), Vec3d(1)}}}},
+      {"tapered_capsule", {{"path", List{Vec3d(0), Vec3d(1)}}, {"radii", List{0.1}}}},
+      {"tapered_capsule", {{"path", List{Vec3d(0), Vec3d(1)}}, {"radii", List{0.1, 3.0}}}},
       {"torus", {{"radius", 1.0}, {"tube", 1.5}}},
       {"half_space", {{"normal", Vec3d(0)}}},
       {"slab", {{"normal", Vec3d(0)}}},

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exact distance to a ball swept along a straight line (quilez2008distance).
+// The exact distance to a ball swept along a straight line (quilez2008distance), and the union of
+// such solids along a path.
+#include <vug/field/path.h>
 #include <vug/field/primitive.h>
 
 namespace vug::field {
@@ -28,9 +30,10 @@ struct Capsule {
   double radius = 0.5;
   double height = 1;
   std::optional<Vec3d> a, b;
+  std::optional<std::vector<Vec3d>> path;
 
   static void describe(Schema<Capsule>& s) {
-    s.doc("A ball swept along a straight line: a rod with round ends.")
+    s.doc("A ball swept along a straight line or a path: a rod with round ends, a pipe.")
         .cite("quilez2008distance")
         .param("radius", &Capsule::radius, positive_length("radius of the ball"))
         .param("height", &Capsule::height,
@@ -39,18 +42,27 @@ struct Capsule {
                 .dimension = Dimension::length,
                 .min = 0})
         .param("a", &Capsule::a, any_length("start of the line"))
-        .param("b", &Capsule::b, any_length("end of the line"));
+        .param("b", &Capsule::b, any_length("end of the line"))
+        .param("path", &Capsule::path,
+               any_length("points of a path, along which the ball is swept instead of a line"));
   }
   std::string fault() const {
+    if (path && (a || b)) return "a capsule takes a path or the ends a and b, not both";
+    if (path) return path_fault(*path);
     return a.has_value() != b.has_value() ? "a capsule needs both ends a and b, or neither" : "";
   }
-  CapsuleShape shape() const {
+  Field make() const {
     const Vec3d up(0, 0.5 * height, 0);
-    return {a.value_or(-up), b.value_or(up), radius};
+    const std::vector<Vec3d> line = {a.value_or(-up), b.value_or(up)};
+    return along_path(path.value_or(line), [&](const Vec3d& from, const Vec3d& to, size_t) {
+      return primitive_field("capsule", CapsuleShape{from, to, radius});
+    });
   }
 };
 
 }  // namespace
 }  // namespace vug::field
 
-VUG_FIELD_KIND(capsule) { return primitive_kind<Capsule>("capsule"); }
+VUG_FIELD_KIND(capsule) {
+  return field_kind<Capsule>("capsule", "primitive", [](const Capsule& c) { return c.make(); });
+}
