@@ -88,6 +88,14 @@ std::string ordinal(size_t index) {
                                                    : "rd");
 }
 
+/// The unit in which to write a quantity; empty for plain numbers.
+std::string unit_hint(Dimension dimension) {
+  if (dimension == Dimension::angle) return "write it in deg or rad";
+  const std::string unit = unit_of(dimension);
+  if (unit.empty()) return "";
+  return fmt::format("write it in {}{}", unit[0] == '/' ? "1" : "", unit);
+}
+
 /// Checks one number, called `what` in messages.
 bool check_number(const ParamInfo& info, const std::string& what, double value, Dimension dimension,
                   const SourceLocation& where, Diagnostics& diagnostics) {
@@ -103,9 +111,11 @@ bool check_number(const ParamInfo& info, const std::string& what, double value, 
   }
   if (!bare && dimension != info.dimension &&
       !(dimension == Dimension::ratio && info.dimension == Dimension::none)) {
-    diagnostics.error(where, fmt::format("{} expects {}, not {}", what,
-                                         Value(Number{0, info.dimension}).type_name(),
-                                         Value(Number{0, dimension}).type_name()));
+    diagnostics.error(
+        where,
+        fmt::format("{} expects {}, not {}", what, Value(Number{0, info.dimension}).type_name(),
+                    Value(Number{0, dimension}).type_name()),
+        unit_hint(info.dimension));
     return false;
   }
   const bool low = value < info.min || (info.above_min && value == info.min);

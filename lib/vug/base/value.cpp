@@ -4,60 +4,28 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace vug {
+#include <cstdlib>
 
-std::string to_string(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::none:
-      return "plain number";
-    case Dimension::length:
-      return "length";
-    case Dimension::angle:
-      return "angle";
-    case Dimension::ratio:
-      return "ratio";
-    case Dimension::per_length:
-      return "number per metre";
-    case Dimension::time:
-      return "time";
-  }
-  return {};
-}
+namespace vug {
 
 std::string quantity_text(double value, Dimension dimension) {
   if (value == 0) return "0";
-  switch (dimension) {
-    case Dimension::none:
-      break;
-    case Dimension::length:
-      return fmt::format("{:.6g}m", value);
-    case Dimension::angle:
-      return fmt::format("{:.6g}deg", value * 180 / kPi);
-    case Dimension::ratio:
-      return fmt::format("{:.6g}%", value * 100);
-    case Dimension::per_length:
-      return fmt::format("{:.6g}/m", value);
-    case Dimension::time:
-      return fmt::format("{:.6g}s", value);
-  }
-  return fmt::format("{:.6g}", value);
+  if (dimension == Dimension::angle) return fmt::format("{:.6g}deg", value * 180 / kPi);
+  if (dimension == Dimension::ratio) return fmt::format("{:.6g}%", value * 100);
+  return fmt::format("{:.6g}{}", value, unit_of(dimension));
 }
 
 namespace {
 
+std::string noun_phrase(const std::string& noun) {
+  const bool vowel = !noun.empty() && std::string("aeiou").find(noun[0]) != std::string::npos;
+  return fmt::format("{} {}", vowel ? "an" : "a", noun);
+}
+
 struct TypeName {
   std::string operator()(std::monostate) const { return "nothing"; }
   std::string operator()(const Number& n) const {
-    switch (n.dimension) {
-      case Dimension::none:
-        return "a number";
-      case Dimension::angle:
-        return "an angle";
-      case Dimension::per_length:
-        return "a number per metre";
-      default:
-        return "a " + to_string(n.dimension);
-    }
+    return n.dimension == Dimension::none ? "a number" : noun_phrase(to_string(n.dimension));
   }
   std::string operator()(const Value::Vector&) const { return "a vector"; }
   std::string operator()(bool) const { return "true or false"; }
@@ -66,23 +34,17 @@ struct TypeName {
     return fmt::format("the name '{}'", n.text);
   }
   std::string operator()(const List&) const { return "a list"; }
-  std::string operator()(const Object& o) const {
-    const bool vowel = !o.type.empty() && std::string("aeiou").find(o.type[0]) != std::string::npos;
-    return fmt::format("{} {}", vowel ? "an" : "a", o.type);
-  }
+  std::string operator()(const Object& o) const { return noun_phrase(o.type); }
 };
 
 std::string number_text(double value, Dimension dimension) {
-  switch (dimension) {
-    case Dimension::length:
-      return fmt::format("{}m", value);
-    case Dimension::angle:
-      return fmt::format("{}rad", value);
-    case Dimension::time:
-      return fmt::format("{}s", value);
-    default:
-      return fmt::format("{}", value);
-  }
+  return fmt::format("{}{}", value, unit_of(dimension));
+}
+
+/// The quantity in a unit of which `parts` make up `whole`; empty if 15 digits are not sufficient.
+std::string text_in_unit(double value, double parts, double whole, const char* unit) {
+  const std::string digits = fmt::format("{:.15g}", value * parts / whole);
+  return std::strtod(digits.c_str(), nullptr) * whole / parts == value ? digits + unit : "";
 }
 
 struct Text {
@@ -120,5 +82,12 @@ std::string visit_value(const Value& value, const Visitor& visitor) {
 std::string Value::type_name() const { return visit_value(*this, TypeName{}); }
 
 std::string to_string(const Value& value) { return visit_value(value, Text{}); }
+
+std::string shortest_text(const Number& number) {
+  std::string text;
+  if (number.dimension == Dimension::angle) text = text_in_unit(number.value, 180, kPi, "deg");
+  if (number.dimension == Dimension::ratio) text = text_in_unit(number.value, 100, 1, "%");
+  return text.empty() ? number_text(number.value, number.dimension) : text;
+}
 
 }  // namespace vug

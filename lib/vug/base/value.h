@@ -2,6 +2,7 @@
 // Values of scene expressions, before they are bound to a kind's parameters.
 #pragma once
 
+#include <vug/base/dimension.h>
 #include <vug/base/vec.h>
 
 #include <any>
@@ -10,12 +11,6 @@
 #include <vector>
 
 namespace vug {
-
-/// The dimension of a number. Text may contain a unit; internally, lengths are in metres and angles
-/// in radians.
-enum class Dimension { none, length, angle, ratio, per_length, time };
-
-std::string to_string(Dimension dimension);  ///< "length", "angle", "number per metre", ...
 
 /// A value as scene text with six digits: "30deg", "52%", "0.25m"; 0 has no unit.
 std::string quantity_text(double value, Dimension dimension);
@@ -79,5 +74,9 @@ class Value {
 
 /// The value as scene text; numbers are in the shortest form that parses to the same value.
 std::string to_string(const Value& value);
+
+/// The number for readers: as to_string, but with angles in degrees and ratios in percent unless
+/// these have more than 15 digits.
+std::string shortest_text(const Number& number);
 
 }  // namespace vug

@@ -27,7 +27,9 @@ void describe_growth(Schema<P>& s) {
   const auto need = [](std::string doc) {
     return ParamSpec{.doc = std::move(doc), .dimension = Dimension::ratio, .min = 0, .max = 1};
   };
-  s.param("seeds", &P::seeds, {.doc = "seeds of the growth per square metre", .min = 0})
+  s.param(
+       "seeds", &P::seeds,
+       {.doc = "seeds of the growth per square metre", .dimension = Dimension::per_area, .min = 0})
       .param("moisture", &P::moisture, need("moisture below which it does not grow; best at 100%"))
       .param("light", &P::light, need("light below which it does not grow; best at 100%"));
 }

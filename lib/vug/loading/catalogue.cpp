@@ -144,19 +144,9 @@ std::string bound_text(double bound, Dimension dimension) {
 }
 
 /// The unit of the bounds of a parameter in JSON.
-const char* unit_of(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::length:
-      return "m";
-    case Dimension::angle:
-      return "rad";
-    case Dimension::per_length:
-      return "1/m";
-    case Dimension::time:
-      return "s";
-    default:
-      return "1";
-  }
+std::string bound_unit(Dimension dimension) {
+  const std::string unit = unit_of(dimension);
+  return unit.empty() || unit[0] == '/' ? "1" + unit : unit;
 }
 
 }  // namespace
@@ -182,7 +172,7 @@ nlohmann::ordered_json catalogue_json(const std::vector<const KindInfo*>& kinds)
       nlohmann::ordered_json p = {{"name", param.name}, {"type", param.type}, {"doc", param.doc}};
       if (param.dimension != Dimension::none) {
         p["dimension"] = to_string(param.dimension);
-        p["unit"] = unit_of(param.dimension);
+        p["unit"] = bound_unit(param.dimension);
       }
       if (param.required) p["required"] = true;
       if (!param.fallback.empty()) p["default"] = param.fallback;

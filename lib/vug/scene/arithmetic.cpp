@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 namespace vug::scene {
@@ -12,24 +11,6 @@ namespace vug::scene {
 namespace {
 
 using Vector = Value::Vector;
-
-/// Exponents of metre, radian and second.
-using Powers = std::array<int, 3>;
-
-Powers powers(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::length:
-      return {1, 0, 0};
-    case Dimension::per_length:
-      return {-1, 0, 0};
-    case Dimension::angle:
-      return {0, 1, 0};
-    case Dimension::time:
-      return {0, 0, 1};
-    default:
-      return {0, 0, 0};
-  }
-}
 
 std::string type_of(Dimension dimension) { return Value(Number{0, dimension}).type_name(); }
 
@@ -45,27 +26,24 @@ Value checked(Vector v, const FaultSite& site) {
   return is_finite(v.value) ? Value(v) : site.fault("the result is not a finite vector");
 }
 
+std::string hint_for_product(Dimension a, Dimension b) {
+  const Dimension divided = is_plain(a) ? b : a;
+  return fmt::format("divide one of them by a unit first, e.g. {} / 1{}", is_plain(a) ? "b" : "a",
+                     unit_of(divided));
+}
+
 std::string adding(char op) { return op == '+' ? "cannot add" : "cannot subtract"; }
 
 Value power(Number a, Number b, const FaultSite& site) {
-  if (powers(b.dimension) != Powers{})
+  if (!is_plain(b.dimension))
     return site.fault(
         fmt::format("an exponent must be a plain number, not {}", type_of(b.dimension)));
-  Dimension dimension = a.dimension;
-  if (powers(a.dimension) != Powers{}) {
-    if (b.value == 0) dimension = Dimension::none;
-    if (b.value == -1) {
-      const auto inverse = product(Dimension::none, a.dimension, -1);
-      if (!inverse)
-        return site.fault(fmt::format("{} cannot be raised to this power", type_of(a.dimension)));
-      dimension = *inverse;
-    }
-    if (b.value != 0 && b.value != 1 && b.value != -1)
-      return site.fault(fmt::format("{} cannot be raised to this power", type_of(a.dimension)),
-                        "divide it by a unit first, e.g. (r / 1m) ^ 2");
-  } else {
-    dimension = Dimension::none;
-  }
+  const auto known = raised(a.dimension, b.value);
+  if (!known)
+    return site.fault(fmt::format("{} cannot be raised to this power", type_of(a.dimension)),
+                      fmt::format("divide it by a unit first, e.g. (r / 1{}) ^ {}",
+                                  unit_of(a.dimension), b.value));
+  const Dimension dimension = *known;
   if (a.value < 0 && b.value != std::floor(b.value))
     return site.fault("a negative number cannot be raised to a fractional power");
   if (a.value == 0 && b.value < 0) return site.fault("division by zero");
@@ -102,7 +80,7 @@ Value numbers(char op, Number a, Number b, const FaultSite& site) {
   if (!dimension)
     return site.fault(fmt::format("cannot {} {} by {}", op == '*' ? "multiply" : "divide",
                                   type_of(a.dimension), type_of(b.dimension)),
-                      "divide one of them by a unit first, e.g. a / 1m");
+                      hint_for_product(a.dimension, b.dimension));
   if (op == '/' && b.value == 0) return site.fault("division by zero");
   return checked({op == '*' ? a.value * b.value : a.value / b.value, *dimension}, site);
 }
@@ -118,19 +96,6 @@ Value vectors(char op, const Vector& a, const Vector& b, const FaultSite& site) 
 }
 
 }  // namespace
-
-std::optional<Dimension> product(Dimension a, Dimension b, int power) {
-  const bool both_ratios = a == Dimension::ratio && b == Dimension::ratio;
-  if (both_ratios) return power > 0 ? Dimension::ratio : Dimension::none;
-  Powers total = powers(a);
-  const Powers other = powers(b);
-  for (size_t i = 0; i < total.size(); ++i) total[i] += power * other[i];
-  for (const Dimension known : {Dimension::none, Dimension::length, Dimension::per_length,
-                                Dimension::angle, Dimension::time})
-    if (powers(known) == total) return known;
-  if (total == Powers{-1, 1, 0}) return Dimension::per_length;  // a radian is a plain number
-  return std::nullopt;
-}
 
 bool unify_dimensions(Number& a, Number& b, const std::string& doing, const FaultSite& site) {
   if (a.dimension == b.dimension) return true;

@@ -28,9 +28,10 @@ struct FaultSite {
 /// angle".
 bool unify_dimensions(Number& a, Number& b, const std::string& doing, const FaultSite& site);
 
-/// a op b for op in + - * / ^ on numbers and vectors: lengths add to lengths, a length divided by a
-/// length is a plain number, 1 divided by a length is per metre. Other dimensions such as areas are
-/// errors, as are division by zero and overflow. Returns nothing for other types.
+/// a op b for op in + - * / ^ on numbers and vectors: lengths add to lengths, a length multiplied
+/// by a length is an area, 1 divided by a length is per metre. Results without a known dimension
+/// are errors, as are division by zero and overflow.
+/// Returns nothing for other types.
 std::optional<Value> arithmetic(char op, const Value& a, const Value& b, const FaultSite& site);
 
 /// -a or +a for numbers and vectors; nothing for other types.
@@ -40,9 +41,6 @@ std::optional<Value> negate(char op, const Value& a);
 /// support equality. Returns nothing for other types.
 std::optional<Value> compare(const std::string& op, const Value& a, const Value& b,
                              const FaultSite& site);
-
-/// The dimension of a product (or, with power -1, of a quotient); nothing if it is not supported.
-std::optional<Dimension> product(Dimension a, Dimension b, int power = 1);
 
 /// The vector (x, y, z) of three numbers, or the list [x, y] of two, all with the same dimension.
 Value vector_of(std::vector<Number> parts, const FaultSite& site);

@@ -181,7 +181,9 @@ class NameChecker {
 
 }  // namespace
 
-bool may_name(const std::string& name) { return !is_unit(name) && !is_reserved(name); }
+bool may_name(const std::string& name) {
+  return !is_reserved(name) && (!is_unit(name) || name.size() == 1);
+}
 
 void check_names(Document& document, Diagnostics& diagnostics) {
   NameChecker(diagnostics).run(document);

@@ -18,18 +18,8 @@ std::string quoted(const std::string& text) {
 }
 
 std::string number_text(const Number& number) {
-  switch (number.dimension) {
-    case Dimension::length:
-      return fmt::format("{}m", number.value);
-    case Dimension::angle:
-      return fmt::format("{}rad", number.value);
-    case Dimension::ratio:
-      return fmt::format("{}ratio", number.value);
-    case Dimension::time:
-      return fmt::format("{}s", number.value);
-    default:
-      return fmt::format("{}", number.value);
-  }
+  const bool ratio = number.dimension == Dimension::ratio;
+  return fmt::format("{}{}", number.value, ratio ? "ratio" : unit_of(number.dimension));
 }
 
 void write(const Expr& expr, std::string& out);

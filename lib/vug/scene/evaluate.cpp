@@ -84,11 +84,11 @@ Value Evaluator::name(const Expr& expr, const Context& context) {
     resolver_.use_frame();
     return options_.frame;
   }
-  if (const auto unit = with_unit(1, expr.text)) return *unit;
   const int deepest = deepest_;  // declarations have their own limits
   auto declared = resolver_.name(expr.text, expr.where, *diagnostics_);
   deepest_ = deepest;
   if (declared) return *std::move(declared);
+  if (const auto unit = with_unit(1, expr.text)) return *unit;
   if (document_.skipped.may_declare(expr.text)) return {};
   return Value::Name{expr.text};
 }

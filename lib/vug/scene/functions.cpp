@@ -26,9 +26,7 @@ std::vector<Number> numbers_of(const Arguments& arguments) {
   return out;
 }
 
-bool is_plain(const Number& n) {
-  return n.dimension == Dimension::none || n.dimension == Dimension::ratio;
-}
+bool is_plain(const Number& n) { return is_plain(n.dimension); }
 
 bool is_angle(const Number& n) {
   return n.dimension == Dimension::angle || (n.dimension == Dimension::none && n.value == 0);
@@ -84,9 +82,10 @@ Result absolute(const Arguments& arguments, const FaultSite&) {
 
 Result root(const Arguments& arguments, const FaultSite& site) {
   const auto n = numbers_of(arguments);
-  if (n.size() != 1 || !is_plain(n[0])) return std::nullopt;
+  const auto dimension = n.size() == 1 ? raised(n[0].dimension, 0.5) : std::nullopt;
+  if (!dimension) return std::nullopt;
   if (n[0].value < 0) return site.fault("the square root of a negative number");
-  return Value(std::sqrt(n[0].value));
+  return Value(Number{std::sqrt(n[0].value), *dimension});
 }
 
 Result logarithm(const Arguments& arguments, const FaultSite& site) {
@@ -210,7 +209,7 @@ std::vector<Function> all_functions() {
       {"min", "numbers", "the smallest", extreme<true>},
       {"max", "numbers", "the largest", extreme<false>},
       {"abs", "a number", "absolute value", absolute},
-      {"sqrt", "a plain number", "square root", root},
+      {"sqrt", "a plain number or an area", "square root", root},
       {"floor", "a plain number", "the whole number below", plain<floor_of>},
       {"ceil", "a plain number", "the whole number above", plain<ceil_of>},
       {"round", "a plain number", "the nearest whole number, halves upwards", plain<round_of>},

@@ -221,16 +221,10 @@ class Lexer {
       if (const auto known = with_unit(value, name))
         result = *known;
       else
-        error(fmt::format("unknown unit '{}'", name.substr(0, 40)), unit_hint(name.substr(0, 40)));
+        error(fmt::format("unknown unit '{}'", name.substr(0, 40)),
+              suggestion(name.substr(0, 40), unit_names()));
     }
     push(TokenKind::number, length + unit, result);
-  }
-
-  static std::string unit_hint(const std::string& name) {
-    for (const char* other : {"W", "kW", "lm", "lx", "cd", "nt", "K", "kg", "Hz", "sr"})
-      if (name == other)
-        return "only lengths, angles, times and percentages have units: write the number alone";
-    return suggestion(name, unit_names());
   }
 
   void quoted() {

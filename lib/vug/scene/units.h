@@ -11,8 +11,8 @@
 
 namespace vug::scene {
 
-/// `value` with `unit` as a Number in metres, radians, seconds or as a fraction; nothing for an
-/// unknown unit. Known: m cm mm km in ft, deg rad, %, s ms.
+/// `value` with `unit` as a Number in the internal unit of its dimension or as a fraction; nothing
+/// for a unit that is not in the table of units.cpp.
 std::optional<Number> with_unit(double value, std::string_view unit);
 
 /// Names of all units except %, for suggestions and reserved names.

@@ -5,7 +5,11 @@ import json
 
 RESERVED = ("vug", "cycles")  # names that are in use on collections
 SUBTYPES = {"length": "DISTANCE", "angle": "ANGLE", "time": "TIME_ABSOLUTE"}
-UNITS = {"ratio": "ratio", "number per metre": "per metre"}
+UNITS = {
+    "ratio": "ratio", "number per metre": "per metre", "area": "square metres", "volume": "cubic metres",
+    "number per square metre": "per square metre", "frequency": "hertz", "mass": "kilograms",
+    "temperature": "kelvin", "power": "watts", "irradiance": "watts per square metre", "luminous flux": "lumen",
+    "luminous intensity": "candela", "illuminance": "lux"}
 
 
 def key_of(name):

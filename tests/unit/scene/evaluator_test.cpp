@@ -20,10 +20,38 @@ TEST(Evaluator, Arithmetic) {
 }
 
 TEST(Evaluator, AnglesPerMetre) {
-  EXPECT_EQ(x("0.25rad/m"), "0.25");
+  EXPECT_EQ(x("0.25rad/m"), "0.25/m");
   EXPECT_EQ(x("(0.5rad / 2m) * 4m"), "1");
   EXPECT_EQ(x("180deg/m == pi/m"), "true");
   EXPECT_EQ(x("90deg * 2m"), "! cannot multiply an angle by a length");
+}
+
+TEST(Evaluator, AreasVolumesAndLight) {
+  EXPECT_EQ(x("4m * 3m + 50cm2"), "12.005m2");
+  EXPECT_EQ(x("2m2 * 50cm"), "1m3");
+  EXPECT_EQ(x("(20cm) ^ 2 / 4cm2"), "100.00000000000001");
+  EXPECT_EQ(x("sqrt(9m2) + (16m2) ^ 0.5"), "7m");
+  EXPECT_EQ(x("dot((1m, 2m, 0), (3m, 0, 0))"), "3m2");
+  EXPECT_EQ(x("1000lm / 2m2 + 3lx"), "503lx");
+  EXPECT_EQ(x("lm / m2 == 1lx"), "true");
+  EXPECT_EQ(x("1 / 20ms"), "50Hz");
+  EXPECT_EQ(x("1.5kW + 60W"), "1560W");
+  EXPECT_EQ(x("1kW / 2m2"), "500W/m2");
+  EXPECT_EQ(x("3 / m2"), "3/m2");
+  EXPECT_EQ(x("[300K, 5kg, 2cd]"), "[300K, 5kg, 2cd]");
+  EXPECT_EQ(x("2m2 + 1m"), "! cannot add an area and a length");
+  EXPECT_EQ(x("2m2 * 3m2"), "! cannot multiply an area by an area");
+  EXPECT_EQ(x("800lm + 60W"), "! cannot add a luminous flux and a power");
+}
+
+TEST(Evaluator, NamesHideUnitsOfOneLetter) {
+  EXPECT_EQ(value_of("let s = 3\nlet x = [s, 2s, 1 / ms]\n"), "[3, 2s, 1000Hz]");
+  EXPECT_EQ(value_of("param m = 2\nlet x = m * 1m\n"), "2m");
+  EXPECT_EQ(value_of("let W = 5cm\nlet x = W + K / K * cm\n"), "0.060000000000000005m");
+  EXPECT_EQ(value_of("let cm = 3\nlet x = 1\n"), "1! 'cm' is a unit and cannot be used as a name");
+  Diagnostics diagnostics;
+  parse("grammar g {\n  axiom A(1)\n  A(m) if m > 0 -> A(m - 1)\n}\n", "t.vug", diagnostics);
+  EXPECT_TRUE(diagnostics.all().empty());
 }
 
 TEST(Evaluator, LogicIsLazy) {

@@ -19,11 +19,29 @@ std::string meet(char op, Dimension a, Dimension b) {
 
 constexpr Dimension kNone = Dimension::none, kLength = Dimension::length, kAngle = Dimension::angle,
                     kRatio = Dimension::ratio, kPerLength = Dimension::per_length,
-                    kTime = Dimension::time;
+                    kTime = Dimension::time, kArea = Dimension::area, kVolume = Dimension::volume;
+
+constexpr Dimension kAll[] = {kNone,
+                              kLength,
+                              kAngle,
+                              kRatio,
+                              kPerLength,
+                              kTime,
+                              kArea,
+                              kVolume,
+                              Dimension::per_area,
+                              Dimension::frequency,
+                              Dimension::mass,
+                              Dimension::temperature,
+                              Dimension::power,
+                              Dimension::irradiance,
+                              Dimension::luminous_flux,
+                              Dimension::luminous_intensity,
+                              Dimension::illuminance};
 
 TEST(Units, SumsNeedEqualDimensions) {
-  for (const Dimension a : {kNone, kLength, kAngle, kRatio, kPerLength, kTime})
-    for (const Dimension b : {kNone, kLength, kAngle, kRatio, kPerLength, kTime}) {
+  for (const Dimension a : kAll)
+    for (const Dimension b : kAll) {
       const bool bare_angle = (a == kAngle && b == kNone) || (a == kNone && b == kAngle);
       const bool fits = (a == b || a == kNone || b == kNone) && !bare_angle;
       const Dimension result = a == kNone ? b : a;
@@ -42,9 +60,40 @@ TEST(Units, ProductsFollowDimensions) {
   EXPECT_EQ(meet('/', kAngle, kAngle), "a number");
   EXPECT_EQ(meet('*', kRatio, kRatio), "a ratio");
   EXPECT_EQ(meet('/', kRatio, kRatio), "a number");
-  EXPECT_EQ(meet('*', kLength, kLength), "fault");
+  EXPECT_EQ(meet('*', kLength, kLength), "an area");
+  EXPECT_EQ(meet('*', kArea, kLength), "a volume");
+  EXPECT_EQ(meet('/', kVolume, kLength), "an area");
+  EXPECT_EQ(meet('/', kVolume, kArea), "a length");
+  EXPECT_EQ(meet('/', kNone, kArea), "a number per square metre");
+  EXPECT_EQ(meet('*', kPerLength, kArea), "a length");
+  EXPECT_EQ(meet('/', kNone, kTime), "a frequency");
+  EXPECT_EQ(meet('*', Dimension::frequency, kTime), "a number");
+  EXPECT_EQ(meet('/', Dimension::luminous_flux, kArea), "an illuminance");
+  EXPECT_EQ(meet('*', Dimension::illuminance, kArea), "a luminous flux");
+  EXPECT_EQ(meet('/', Dimension::power, kArea), "an irradiance");
   EXPECT_EQ(meet('*', kAngle, kLength), "fault");
-  EXPECT_EQ(meet('/', kNone, kTime), "fault");
+  EXPECT_EQ(meet('*', kVolume, kLength), "fault");
+  EXPECT_EQ(meet('/', Dimension::luminous_flux, kAngle), "fault");
+}
+
+TEST(Units, ADimensionDividedByItselfIsAPlainNumber) {
+  for (const Dimension each : kAll) {
+    EXPECT_EQ(product(each, each, -1), kNone);
+    EXPECT_EQ(product(each, kNone), each == kRatio ? kNone : each);
+    EXPECT_EQ(raised(each, 0), kNone);
+    EXPECT_EQ(raised(each, 1), each == kRatio ? kNone : each);
+  }
+}
+
+TEST(Units, PowersFollowDimensions) {
+  EXPECT_EQ(raised(kLength, 2), kArea);
+  EXPECT_EQ(raised(kLength, 3), kVolume);
+  EXPECT_EQ(raised(kArea, 0.5), kLength);
+  EXPECT_EQ(raised(kLength, -2), Dimension::per_area);
+  EXPECT_EQ(raised(kTime, -1), Dimension::frequency);
+  EXPECT_EQ(raised(kLength, 0.5), std::nullopt);
+  EXPECT_EQ(raised(kLength, 4), std::nullopt);
+  EXPECT_EQ(raised(kNone, 0.3), kNone);
 }
 
 TEST(Units, NamesOfUnitsAreValues) {

@@ -55,12 +55,17 @@ void describe_light_output(Schema<P>& s) {
              {.doc = "Whether the camera sees the light itself."})
       .param("temperature", &LightOutputParams::temperature,
              {.doc = "Tints it with the colour of a black body at this temperature in kelvin.",
-              .min = 800,
-              .max = 40000})
+              .dimension = Dimension::temperature,
+              .min = kCoolestBlackbody,
+              .max = kHottestBlackbody})
       .param("power", &LightOutputParams::power,
-             {.doc = "Total power in watts; radiance then gives only the colour.", .min = 0})
+             {.doc = "Total power in watts; radiance then gives only the colour.",
+              .dimension = Dimension::power,
+              .min = 0})
       .param("lumen", &LightOutputParams::lumen,
-             {.doc = "Total power in lumen; 179 lumen are one watt.", .min = 0});
+             {.doc = "Total power in lumen; 179 lumen are one watt.",
+              .dimension = Dimension::luminous_flux,
+              .min = 0});
   describe_linking(s);
 }
 

@@ -30,6 +30,7 @@ struct Sun : SunParams, LightLinking {
         .param("irradiance", &Sun::irradiance,
                {.doc = "Irradiance (W/m^2) of a surface that faces it; replaces the value from the "
                        "turbidity.",
+                .dimension = Dimension::irradiance,
                 .min = 0});
     describe_linking(s);
   }

@@ -86,6 +86,7 @@ void CloudParams::describe(Schema<CloudParams>& s) {
       .param("temperature", &P::temperature,
              {.doc = "Kelvin where the grid (or without a grid the mask) is 1; use 1 for grids in "
                      "kelvin. 0: no thermal emission.",
+              .dimension = Dimension::temperature,
               .min = 0})
       .param("g", &P::g,
              {.doc = "Mean cosine of scattering; above 0 is forward scattering.",
