@@ -142,8 +142,8 @@ std::string code_hint(const Vec3d& codes) {
       return "";
   const auto linear = [&](int channel) { return srgb_decode(codes[channel] / 255); };
   return fmt::format(
-      "colours are linear, from 0 to 1: write ({:.3f}, {:.3f}, {:.3f}) for ({}, {}, {}) of 255",
-      linear(0), linear(1), linear(2), codes.x, codes.y, codes.z);
+      "colours are linear, from 0 to 1: write srgb({}, {}, {}) or ({:.3f}, {:.3f}, {:.3f})",
+      codes.x, codes.y, codes.z, linear(0), linear(1), linear(2));
 }
 
 bool check_value(const ParamInfo& info, const std::string& what, const Value& value,

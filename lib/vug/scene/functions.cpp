@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/hyperbolic.h>
 #include <vug/base/maths.h>
-#include <vug/scene/functions.h>
+#include <vug/scene/colour_functions.h>
+#include <vug/scene/function_arguments.h>
 
 #include <fmt/format.h>
 
@@ -14,31 +15,6 @@ namespace {
 
 using Result = std::optional<Value>;
 using Vector = Value::Vector;
-
-/// All arguments as numbers; empty if one has another type or a name.
-std::vector<Number> numbers_of(const Arguments& arguments) {
-  std::vector<Number> out;
-  for (const Argument& argument : arguments) {
-    const Number* n = argument.value.get<Number>();
-    if (!n || !argument.name.empty()) return {};
-    out.push_back(*n);
-  }
-  return out;
-}
-
-bool is_plain(const Number& n) { return is_plain(n.dimension); }
-
-bool is_angle(const Number& n) {
-  return n.dimension == Dimension::angle || (n.dimension == Dimension::none && n.value == 0);
-}
-
-/// Gives all numbers the same dimension; returns false after an error.
-bool unify_all_dimensions(std::vector<Number>& all, const FaultSite& site) {
-  for (size_t round = 0; round < 2; ++round)
-    for (size_t i = 1; i < all.size(); ++i)
-      if (!unify_dimensions(all[0], all[i], "cannot compare", site)) return false;
-  return true;
-}
 
 Value finite_number(double value, Dimension dimension, const FaultSite& site) {
   if (!std::isfinite(value)) return site.fault("the result is not a finite number");
@@ -204,7 +180,7 @@ Result at(const Arguments& arguments, const FaultSite& site) {
   return Value(Number{vector->value[static_cast<int>(index->value)], vector->dimension});
 }
 
-std::vector<Function> all_functions() {
+std::vector<Function> number_functions() {
   return {
       {"min", "numbers", "the smallest", extreme<true>},
       {"max", "numbers", "the largest", extreme<false>},
@@ -237,7 +213,20 @@ std::vector<Function> all_functions() {
   };
 }
 
+std::vector<Function> all_functions() {
+  std::vector<Function> all = number_functions();
+  for (const Function& each : colour_functions()) all.push_back(each);
+  return all;
+}
+
 }  // namespace
+
+bool unify_all_dimensions(std::vector<Number>& all, const FaultSite& site) {
+  for (size_t round = 0; round < 2; ++round)
+    for (size_t i = 1; i < all.size(); ++i)
+      if (!unify_dimensions(all[0], all[i], "cannot compare", site)) return false;
+  return true;
+}
 
 const std::vector<Function>& functions() {
   static const std::vector<Function> all = all_functions();

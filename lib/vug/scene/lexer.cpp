@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/base/srgb.h>
 #include <vug/scene/lexer.h>
 #include <vug/scene/units.h>
 #include <vug/scene/utf8.h>
@@ -157,17 +156,12 @@ class Lexer {
                          before.is("(") || before.is("[") || before.is("="));
   }
 
-  /// Reports such a colour with its linear values.
+  /// Reports such a colour with the function that reads it.
   void colour() {
-    const size_t digits = word(1), each = digits / 3;
-    const auto linear = [&](size_t channel) {
-      const std::string code(text_.substr(at_ + 1 + channel * each, each));
-      return srgb_decode(std::stoi(code, nullptr, 16) / (each == 1 ? 15.0 : 255.0));
-    };
+    const size_t length = 1 + word(1);
     error("'#' starts a comment, not a colour",
-          fmt::format("colours are linear: write ({:.3f}, {:.3f}, {:.3f}) for {}", linear(0),
-                      linear(1), linear(2), text_.substr(at_, 1 + digits)));
-    push(TokenKind::junk, 1 + digits);
+          fmt::format("write srgb(\"{}\")", text_.substr(at_, length)));
+    push(TokenKind::junk, length);
   }
 
   /// Reports a comment in the notation of C and skips it.

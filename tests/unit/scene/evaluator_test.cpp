@@ -54,6 +54,37 @@ TEST(Evaluator, NamesHideUnitsOfOneLetter) {
   EXPECT_TRUE(diagnostics.all().empty());
 }
 
+TEST(Evaluator, Colours) {
+  EXPECT_EQ(x("srgb(\"#ffffff\")"), "(1, 1, 1)");
+  EXPECT_EQ(x("srgb(\"#FFF\") - srgb(255, 255, 255)"), "(0, 0, 0)");
+  EXPECT_EQ(x("length(srgb(\"#c0a080\") - srgb(192, 160, 128))"), "0");
+  EXPECT_EQ(x("length(srgb(\"#ca8\") - srgb(\"#ccaa88\"))"), "0");
+  // IEC 61966-2-1: the code 128 is 0.21586 of the maximum.
+  EXPECT_EQ(x("round(at(srgb(128, 0, 255), 0) * 100000)"), "21586");
+  for (const auto& [hsv, code] : {std::pair("0, 1, 1", "#f00"),
+                                  {"60deg, 1, 1", "#ff0"},
+                                  {"120deg, 1, 1", "#0f0"},
+                                  {"180deg, 1, 1", "#0ff"},
+                                  {"240deg, 1, 1", "#00f"},
+                                  {"300deg, 1, 1", "#f0f"},
+                                  {"-60deg, 1, 1", "#f0f"},
+                                  {"480deg, 1, 1", "#0f0"},
+                                  {"77deg, 0, 1", "#fff"},
+                                  {"30deg, 50%, 100%", "#ffbf80"}}) {
+    const std::string off =
+        std::string("length(hsv(") + hsv + ") - srgb(\"" + code + "\")) < 0.005";
+    EXPECT_EQ(x(off), "true") << hsv;
+  }
+  EXPECT_EQ(x("dot(blackbody(3200K), (0.2126, 0.7152, 0.0722))"), "1");
+  EXPECT_EQ(x("at(blackbody(2000), 0) > at(blackbody(6500), 0)"), "true");
+  EXPECT_EQ(x("srgb(\"c0a080\")"),
+            "! invalid colour \"c0a080\": expected '#' and 3 or 6 hexadecimal digits");
+  EXPECT_EQ(x("srgb(0, 0, 256)"), "! the codes of 'srgb' are from 0 to 255, not 256");
+  EXPECT_EQ(x("hsv(0, 2, 1)"), "! the saturation of 'hsv' is from 0% to 100%, not 200%");
+  EXPECT_EQ(x("blackbody(500K)"),
+            "! the temperature of 'blackbody' is from 800K to 40000K, not 500K");
+}
+
 TEST(Evaluator, LogicIsLazy) {
   EXPECT_EQ(x("true or 1 / 0 > 1"), "true");
   EXPECT_EQ(x("false and nothere"), "false");
