@@ -3,6 +3,7 @@
 // hints for unknown names and functions.
 #include <vug/scene/evaluator.h>
 #include <vug/scene/functions.h>
+#include <vug/scene/list_functions.h>
 #include <vug/scene/units.h>
 
 #include <fmt/format.h>
@@ -14,16 +15,6 @@ namespace vug::scene {
 namespace {
 
 constexpr int kMaxDepth = 2000;
-/// Maximum number of elements of a list including nested lists; each `let` could double a list.
-constexpr size_t kMaxElements = 1000000;
-
-size_t element_count(const Value& value) {
-  const List* list = value.get<List>();
-  if (!list) return 1;
-  size_t total = 1;
-  for (const Value& item : *list) total += element_count(item);
-  return total;
-}
 
 bool is_axis(const std::string& name) { return name == "X" || name == "Y" || name == "Z"; }
 
@@ -140,10 +131,7 @@ Value Evaluator::parts(const Expr& expr, const Context& context) {
 /// The list as a value, unless it has too many elements.
 Value Evaluator::checked_size(List list, const Expr& expr) {
   Value value(std::move(list));
-  const size_t count = element_count(value);
-  if (count <= kMaxElements) return value;
-  return site(expr).fault(fmt::format("the list would have {} elements", count),
-                          fmt::format("at most {} are allowed", kMaxElements));
+  return may_have_elements(element_count(value), site(expr)) ? value : Value();
 }
 
 Value Evaluator::unary(const Expr& expr, const Context& context) {
@@ -335,7 +323,7 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   names.insert(names.end(), {"if", "pick", "keys"});
   diagnostics_->error(word_at(expr.where, expr.text),
                       fmt::format("unknown function '{}'", expr.text),
-                      did_you_mean(expr.text, names));
+                      did_you_mean(name_in_this_language(expr.text), names));
   return {};
 }
 

@@ -25,6 +25,13 @@ inline bool is_angle(const Number& n) {
   return n.dimension == Dimension::angle || (n.dimension == Dimension::none && n.value == 0);
 }
 
+/// The list at a position; null if the argument has another type or a name, or is missing.
+inline const List* list_at(const Arguments& arguments, size_t index) {
+  return index < arguments.size() && arguments[index].name.empty()
+             ? arguments[index].value.get<List>()
+             : nullptr;
+}
+
 /// Gives all numbers the same dimension; returns false after an error.
 bool unify_all_dimensions(std::vector<Number>& all, const FaultSite& site);
 

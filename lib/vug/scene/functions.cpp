@@ -3,6 +3,7 @@
 #include <vug/base/maths.h>
 #include <vug/scene/colour_functions.h>
 #include <vug/scene/function_arguments.h>
+#include <vug/scene/list_functions.h>
 
 #include <fmt/format.h>
 
@@ -38,17 +39,6 @@ Result of_angle(const Arguments& arguments, const FaultSite& site) {
 double floor_of(double x) { return std::floor(x); }
 double ceil_of(double x) { return std::ceil(x); }
 double round_of(double x) { return std::floor(x + 0.5); }
-
-template <bool Smallest>
-Result extreme(const Arguments& arguments, const FaultSite& site) {
-  auto n = numbers_of(arguments);
-  if (n.empty()) return std::nullopt;
-  if (!unify_all_dimensions(n, site)) return Value();
-  double best = n[0].value;
-  for (const Number& one : n)
-    best = Smallest ? std::min(best, one.value) : std::max(best, one.value);
-  return Value(Number{best, n[0].dimension});
-}
 
 Result absolute(const Arguments& arguments, const FaultSite&) {
   const auto n = numbers_of(arguments);
@@ -159,31 +149,8 @@ Result vector_product(const Arguments& arguments, const FaultSite& site) {
   return Value(Vector{a->value.cross(b->value), *dimension});
 }
 
-Result count(const Arguments& arguments, const FaultSite&) {
-  if (arguments.size() != 1 || !arguments[0].name.empty()) return std::nullopt;
-  const List* list = arguments[0].value.get<List>();
-  if (!list) return std::nullopt;
-  return Value(static_cast<double>(list->size()));
-}
-
-Result at(const Arguments& arguments, const FaultSite& site) {
-  if (arguments.size() != 2 || !arguments[0].name.empty()) return std::nullopt;
-  const List* list = arguments[0].value.get<List>();
-  const Vector* vector = arguments[0].value.get<Vector>();
-  const Number* index = arguments[1].value.get<Number>();
-  if ((!list && !vector) || !index || !is_plain(*index)) return std::nullopt;
-  const double size = list ? static_cast<double>(list->size()) : 3;
-  if (index->value != std::floor(index->value) || index->value < 0 || index->value >= size)
-    return site.fault(fmt::format("no element {} in a list of {} elements", index->value, size),
-                      "elements are counted from 0");
-  if (list) return (*list)[static_cast<size_t>(index->value)];
-  return Value(Number{vector->value[static_cast<int>(index->value)], vector->dimension});
-}
-
 std::vector<Function> number_functions() {
   return {
-      {"min", "numbers", "the smallest", extreme<true>},
-      {"max", "numbers", "the largest", extreme<false>},
       {"abs", "a number", "absolute value", absolute},
       {"sqrt", "a plain number or an area", "square root", root},
       {"floor", "a plain number", "the whole number below", plain<floor_of>},
@@ -208,14 +175,19 @@ std::vector<Function> number_functions() {
       {"normalize", "a vector", "its direction", normalize},
       {"dot", "two vectors", "inner product", vector_product<true>},
       {"cross", "two vectors", "cross product", vector_product<false>},
-      {"count", "a list", "number of elements", count},
-      {"at", "a list or vector and a number", "the element with that index, from 0", at},
   };
 }
 
+/// Names that other languages use, and those of this one.
+constexpr std::pair<const char*, const char*> kOtherNames[] = {
+    {"count", "len"}, {"size", "len"}, {"append", "concat"},    {"lerp", "mix"},
+    {"fmod", "mod"},  {"rgb", "srgb"}, {"kelvin", "blackbody"}, {"arctan", "atan"},
+};
+
 std::vector<Function> all_functions() {
   std::vector<Function> all = number_functions();
-  for (const Function& each : colour_functions()) all.push_back(each);
+  for (const auto& more : {list_functions(), colour_functions()})
+    all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 
@@ -237,6 +209,12 @@ const Function* find_function(const std::string& name) {
   for (const Function& function : functions())
     if (name == function.name) return &function;
   return nullptr;
+}
+
+std::string name_in_this_language(const std::string& name) {
+  for (const auto& [other, ours] : kOtherNames)
+    if (name == other) return ours;
+  return name;
 }
 
 }  // namespace vug::scene

@@ -23,5 +23,7 @@ struct Function {
 
 const std::vector<Function>& functions();
 const Function* find_function(const std::string& name);
+/// The name of the function that other languages call `name`, for suggestions; else `name` itself.
+std::string name_in_this_language(const std::string& name);
 
 }  // namespace vug::scene

@@ -85,6 +85,24 @@ TEST(Evaluator, Colours) {
             "! the temperature of 'blackbody' is from 800K to 40000K, not 500K");
 }
 
+TEST(Evaluator, ListFunctions) {
+  EXPECT_EQ(x("len([]) + len([1, [2, 3]])"), "2");
+  EXPECT_EQ(x("concat([1], [], [2, \"a\"])"), "[1, 2, \"a\"]");
+  EXPECT_EQ(x("zip([1, 2], [3m, 4m])"), "[[1, 3m], [2, 4m]]");
+  EXPECT_EQ(x("zip([], [])"), "[]");
+  EXPECT_EQ(x("sum([1m, 20cm, 3])"), "4.2m");
+  EXPECT_EQ(x("sum([3, 1m])"), "4m");
+  EXPECT_EQ(x("sum([(1, 0, 0), (0, 2m, 0)])"), "(1m, 2m, 0m)");
+  EXPECT_EQ(x("sum([])"), "0");
+  EXPECT_EQ(x("min([3m, 20cm]) + max([1m, 2m])"), "2.2m");
+  EXPECT_EQ(x("count([1, 2])"), "! unknown function 'count'");
+  EXPECT_EQ(x("zip([1, 2], [3])"), "! the lists of 'zip' have 2 and 1 elements");
+  EXPECT_EQ(x("sum([1m, 2deg])"), "! cannot add a length and an angle");
+  EXPECT_EQ(x("sum([1, \"a\"])"), "! 'sum' adds numbers or vectors, and element 1 is a text");
+  EXPECT_EQ(x("min([])"), "! 'min' of an empty list");
+  EXPECT_EQ(x("concat([1], 2)"), "! 'concat' takes lists");
+}
+
 TEST(Evaluator, LogicIsLazy) {
   EXPECT_EQ(x("true or 1 / 0 > 1"), "true");
   EXPECT_EQ(x("false and nothere"), "false");
@@ -107,7 +125,7 @@ TEST(Evaluator, Functions) {
   EXPECT_EQ(x("cross((1, 0, 0), (0, 1, 0))"), "(0, 0, 1)");
   EXPECT_EQ(x("normalize((0, 2m, 0))"), "(0, 1, 0)");
   EXPECT_EQ(x("exp(log(2)) > 1.999 and pow(2, 10) == 1024"), "true");
-  EXPECT_EQ(x("count([1, 2, 3]) + at([4, 5], 1) + at((7, 8, 9), 2)"), "17");
+  EXPECT_EQ(x("len([1, 2, 3]) + at([4, 5], 1) + at((7, 8, 9), 2)"), "17");
   EXPECT_EQ(x("round(2m / 1m)"), "2");
   EXPECT_EQ(x("2.5.round()"), "3");
 }
@@ -217,12 +235,25 @@ TEST(Evaluator, ParamsHiddenByFormalsAreUnused) {
   EXPECT_FALSE(diagnostics.has_errors());
 }
 
-TEST(Evaluator, GrowingListsAreRejected) {
-  std::string text = "let a0 = [1, 1]\n";
-  for (int i = 1; i < 60; ++i)
-    text += "let a" + std::to_string(i) + " = [a" + std::to_string(i - 1) + ", a" +
-            std::to_string(i - 1) + "]\n";
-  EXPECT_EQ(value_of(text + "let x = a59\n"), "! the list would have 1048575 elements");
+/// The errors of x = `last` after a chain of lets, each made from the previous one, a0 to a59.
+std::string end_of_chain(const std::string& first, const std::string& before,
+                         const std::string& between, const std::string& after,
+                         const std::string& last) {
+  std::string text = "let a0 = " + first + "\n";
+  for (int i = 1; i < 60; ++i) {
+    const std::string name = "a" + std::to_string(i - 1);
+    text += "let a" + std::to_string(i) + " = " + before + name + between + name + after + "\n";
+  }
+  return value_of(text + "let x = " + last + "\n");
+}
+
+TEST(Evaluator, GrowingValuesAreRejected) {
+  EXPECT_EQ(end_of_chain("[1, 1]", "[", ", ", "]", "a59"),
+            "! the list would have 1048575 elements, more than 1000000");
+  EXPECT_EQ(end_of_chain("[1, 1]", "concat(", ", ", ")", "a59"),
+            "! the list would have 1048577 elements, more than 1000000");
+  EXPECT_EQ(end_of_chain("[1, 1]", "zip(", ", ", ")", "a59"),
+            "! the list would have 1048575 elements, more than 1000000");
 }
 
 TEST(Evaluator, LongChainsOfLetsAreRejected) {
