@@ -12,6 +12,9 @@ namespace {
 
 using Vector = Value::Vector;
 
+/// Maximum size of a text that an expression assembles.
+constexpr size_t kMaxTextBytes = 1000000;
+
 std::string type_of(Dimension dimension) { return Value(Number{0, dimension}).type_name(); }
 
 bool is_finite(const Vec3d& v) {
@@ -95,6 +98,23 @@ Value vectors(char op, const Vector& a, const Vector& b, const FaultSite& site) 
   return checked(Vector{op == '+' ? a.value + b.value : a.value - b.value, da.dimension}, site);
 }
 
+/// The text of a value that can be joined to another; nothing for other types.
+std::optional<std::string> text_of(const Value& value) {
+  if (const auto* text = value.get<std::string>()) return *text;
+  if (const Number* number = value.get<Number>()) return shortest_text(*number);
+  return std::nullopt;
+}
+
+/// A text and a text or number, one after the other.
+std::optional<Value> joined(const Value& a, const Value& b, const FaultSite& site) {
+  const auto first = text_of(a), second = text_of(b);
+  if (!first || !second) return std::nullopt;
+  if (const size_t size = first->size() + second->size(); size > kMaxTextBytes)
+    return site.fault(
+        fmt::format("the text would have {} bytes, more than {}", size, kMaxTextBytes));
+  return Value(*first + *second);
+}
+
 }  // namespace
 
 bool unify_dimensions(Number& a, Number& b, const std::string& doing, const FaultSite& site) {
@@ -126,7 +146,7 @@ std::optional<Value> arithmetic(char op, const Value& a, const Value& b, const F
   if (va && vb) return vectors(op, *va, *vb, site);
   if (va && nb) return scaled(op, *va, *nb, false, site);
   if (na && vb) return scaled(op, *vb, *na, true, site);
-  return std::nullopt;
+  return op == '+' ? joined(a, b, site) : std::nullopt;
 }
 
 std::optional<Value> negate(char op, const Value& a) {

@@ -30,7 +30,7 @@ bool unify_dimensions(Number& a, Number& b, const std::string& doing, const Faul
 
 /// a op b for op in + - * / ^ on numbers and vectors: lengths add to lengths, a length multiplied
 /// by a length is an area, 1 divided by a length is per metre. Results without a known dimension
-/// are errors, as are division by zero and overflow.
+/// are errors, as are division by zero and overflow. + joins a text with a text or a number.
 /// Returns nothing for other types.
 std::optional<Value> arithmetic(char op, const Value& a, const Value& b, const FaultSite& site);
 

@@ -103,6 +103,18 @@ TEST(Evaluator, ListFunctions) {
   EXPECT_EQ(x("concat([1], 2)"), "! 'concat' takes lists");
 }
 
+TEST(Evaluator, TextsAreJoined) {
+  EXPECT_EQ(x("\"a\" + \"b\""), "\"ab\"");
+  EXPECT_EQ(x("\"n\" + 3 + \", \" + 0.25"), "\"n3, 0.25\"");
+  EXPECT_EQ(x("\"\" + 30cm + \" \" + 30deg + \" \" + 52% + \" \" + 2lm + \" \" + 3/m"),
+            "\"0.3m 30deg 52% 2lm 3/m\"");
+  EXPECT_EQ(x("\"\" + 1rad"), "\"1rad\"");
+  EXPECT_EQ(x("2 + \"nd\""), "\"2nd\"");
+  EXPECT_EQ(x("\"a\" + [1]"), "! cannot apply '+' to a text and a list");
+  EXPECT_EQ(x("\"a\" - \"b\""), "! cannot apply '-' to a text and a text");
+  EXPECT_EQ(x("\"a\" + nothere"), "! unknown name 'nothere'");
+}
+
 TEST(Evaluator, LogicIsLazy) {
   EXPECT_EQ(x("true or 1 / 0 > 1"), "true");
   EXPECT_EQ(x("false and nothere"), "false");
@@ -254,6 +266,8 @@ TEST(Evaluator, GrowingValuesAreRejected) {
             "! the list would have 1048577 elements, more than 1000000");
   EXPECT_EQ(end_of_chain("[1, 1]", "zip(", ", ", ")", "a59"),
             "! the list would have 1048575 elements, more than 1000000");
+  EXPECT_EQ(end_of_chain("\"ab\"", "", " + ", "", "a59"),
+            "! the text would have 1048576 bytes, more than 1000000");
 }
 
 TEST(Evaluator, LongChainsOfLetsAreRejected) {
