@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flow directions of water: the distribution of a cell's outflow among its lower neighbours.
+// Flow directions of water: the distribution of a cell's outflow among its lower neighbours,
+// and the cells without one (sinks).
 // Several neighbours receive water (Freeman 1991), so the flow follows slopes between the
 // directions of links.
 #pragma once

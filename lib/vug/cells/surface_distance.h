@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distance between two points along a surface, estimated from their normals.
+// Distance between two points along a surface, estimated from their normals; infinite between the
+// two sides of a thin wall.
 #pragma once
 
 #include <vug/base/vec.h>

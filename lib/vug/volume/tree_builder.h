@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to volume/: builds an OpenVDB tree from nodes that many threads fill. The result does
-// not depend on their order.
+// Internal to volume/: builds an OpenVDB tree from nodes that many threads fill, and sets the
+// grid's transform and class. The result does not depend on the order of the nodes.
 #pragma once
 
 #include <vug/volume/block.h>

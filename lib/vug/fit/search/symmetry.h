@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Symmetry detection: grids that repeat or mirror a part of themselves, and the production that
-// describes that part once. Lines of the unfolded grid may deviate by a few pixels.
+// Symmetry detection: grids whose columns repeat or mirror a part of themselves, and the production
+// that describes that part once. Lines of the unfolded grid may deviate by a few pixels.
 #pragma once
 
 #include <vug/fit/move.h>
