@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Validators for option values, and errors for invalid arguments.
+// Validators for option values, and the error for unknown verbs.
 #pragma once
 
 #include "verb.h"

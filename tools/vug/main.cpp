@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vug program: caves and terrain from grammars. Parses the arguments and runs the chosen verb.
+// Parses the command line of the program vug, reports unknown options and surplus words, and runs
+// the chosen verb.
 #include "arguments.h"
 #include "error_report.h"
 #include "progress_bar.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds the mesh of a plan from a level set or from a file: polygonization, removal of small
-// components, vertex colours.
+// Builds the mesh of a plan from a level set or from a file: choice of the exact field for its
+// vertices (with the faces of the region), polygonization, removal of small components, vertex
+// colours.
 #pragma once
 
 #include <vug/base/progress.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Interface of the elements of facades: windows, doors and other solids in a rectangle that is not
-// split further.
+// split further. Each keeps the text of its call.
 #pragma once
 
 #include <vug/base/kind.h>

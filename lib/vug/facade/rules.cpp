@@ -68,7 +68,7 @@ class Reader {
       return true;
     }
     if (broken_.count(expr->text)) return true;
-    if (!call && (formals_.count(expr->text) || values_.count(expr->text))) {
+    if (!call && (formals_.count(expr->text) || values_.count(full_name(*expr)))) {
       item.kind = ItemKind::value;
       return true;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversion of fitted trees from pixels to facade trees in metres.
+// Conversion of fitted trees from pixels to facade trees in metres, with default dimensions of
+// elements.
 #pragma once
 
 #include <vug/base/vec.h>

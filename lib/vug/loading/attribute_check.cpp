@@ -95,6 +95,7 @@ void check_attributes(const scene::Document& document, const shot::Shot& shot,
   const AttributeChecker checker(available_attributes(shot), document.sources.at(0)->file,
                                  diagnostics);
   for (const scene::Let& let : document.lets) checker.check_expression(let.value);
+  for (const scene::Def& def : document.defs) checker.check_expression(def.body);
   for (const scene::Declaration& declaration : document.declarations) {
     checker.check_expression(declaration.value);
     if (const scene::Entry* layers = declaration.find_entry("layers"))

@@ -40,7 +40,7 @@ namespace {
 std::optional<Value> declared_value(const std::string& kind, const scene::Expr& expr,
                                     ReadContext& context) {
   if (expr.kind != scene::ExprKind::name) return std::nullopt;
-  return context.resolver.declared(kind, expr.text, expr.where, context.diagnostics);
+  return context.resolver.declared(kind, full_name(expr), expr.where, context.diagnostics);
 }
 
 }  // namespace
@@ -122,8 +122,8 @@ Value report_unknown(const KindRegistry& registry, const std::string& name,
 
 Value kind_value(const KindRegistry& registry, const scene::Expr& expr, RandomKey key,
                  ReadContext& context) {
-  const bool called =
-      expr.kind == scene::ExprKind::call && !expr.method && !context.evaluator.find_def(expr.text);
+  const bool called = expr.kind == scene::ExprKind::call && !expr.method &&
+                      !context.evaluator.find_def(full_name(expr));
   if ((called || expr.kind == scene::ExprKind::name) && registry.find(expr.text))
     return *make(registry, expr.text, called ? context.evaluator.arguments(expr, key) : Arguments{},
                  expr.where, context);
@@ -178,8 +178,8 @@ Value read_kind_declaration(const std::string& type, const std::string& fallback
   if (!declaration.value) return read_kind_block(registry, fallback, declaration, context);
   const scene::Expr& expr = *declaration.value;
   const RandomKey key = context.evaluator.key(declaration);
-  const bool called =
-      expr.kind == scene::ExprKind::call && !expr.method && !context.evaluator.find_def(expr.text);
+  const bool called = expr.kind == scene::ExprKind::call && !expr.method &&
+                      !context.evaluator.find_def(full_name(expr));
   if (called && registry.find(expr.text)) {
     const Arguments arguments = context.evaluator.arguments(expr, key);
     return *make(registry, expr.text, arguments, expr.where, context);

@@ -142,6 +142,23 @@ std::optional<Value> Resolver::call(const std::string& name, const Arguments& ar
   return registry ? make(*registry, name, arguments, where, diagnostics) : std::nullopt;
 }
 
+std::string_view Resolver::expected_type(const std::string& call, size_t position,
+                                         const std::string& argument) const {
+  constexpr std::string_view kList = "list of ";
+  for (const KindRegistry& registry : kind_registries()) {
+    const RegisteredKind* kind = registry.find(call);
+    if (!kind) continue;
+    const std::vector<ParamInfo>& params = kind->info->params;
+    for (size_t i = 0; i < params.size(); ++i) {
+      if (argument.empty() ? i != position : params[i].name != argument) continue;
+      std::string_view type = params[i].type;
+      if (type.substr(0, kList.size()) == kList) type.remove_prefix(kList.size());
+      return type;
+    }
+  }
+  return {};
+}
+
 bool Resolver::is_choice(const std::string& call, size_t position, const std::string& argument,
                          const std::string& word) const {
   for (const KindRegistry& registry : kind_registries()) {

@@ -39,9 +39,10 @@ class Resolver final : public scene::Resolver {
   /// Registers a declaration. Each kind has its own namespace; the parser checks for duplicates.
   void declare(const std::string& kind, const std::string& name, Factory factory);
 
-  /// The declaration of that kind and name; nothing if there is none.
   std::optional<Value> declared(const std::string& kind, const std::string& name,
-                                const SourceLocation& where, Diagnostics& diagnostics);
+                                const SourceLocation& where, Diagnostics& diagnostics) override;
+  std::string_view expected_type(const std::string& call, size_t position,
+                                 const std::string& argument) const override;
 
   /// Calls a kind of one registry, for declarations that determine the registry: a name such as
   /// `sphere` is both a solid and a light.

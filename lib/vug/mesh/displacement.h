@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures the displacements of the vertices of a mesh, such as those by cells, and changes those
-// that fold it.
+// Measures the displacements of the vertices of a mesh, such as those by cells, and shortens those
+// that fold it or make it intersect itself.
 #pragma once
 
 #include <vug/mesh/mesh.h>

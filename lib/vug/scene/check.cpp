@@ -38,6 +38,7 @@ class NameChecker {
     });
     for (Def& one : document.defs) def(one, document.skipped);
     check_calls(document, diagnostics_);
+    for (const ImportedModule& one : document.modules) module(one, document);
     for (const Global& one : all)
       if (!declare_global(one.what, *one.name, *one.where))
         document.skipped.doubtful.insert(*one.name);
@@ -56,7 +57,9 @@ class NameChecker {
   }
 
  private:
-  bool allowed(const std::string& name, const SourceLocation& where) {
+  /// Checks a name without the prefix of its module.
+  bool allowed(const std::string& full, const SourceLocation& where) {
+    const std::string name = full.substr(full.rfind('.') + 1);
     if (may_name(name)) return true;
     diagnostics_.error(where,
                        fmt::format("'{}' is {} and cannot be used as a name", name,
@@ -85,7 +88,7 @@ class NameChecker {
     return fresh;
   }
 
-  /// Each kind of declarations has a namespace; a parameter or let must not hide a declaration.
+  /// Each kind of declarations has a namespace.
   bool declare(const std::string& kind, const std::string& name, const SourceLocation& where) {
     if (!allowed(name, where)) return false;
     const auto [place, fresh] = declared_.emplace(kind + ' ' + name, where);
@@ -93,11 +96,22 @@ class NameChecker {
       report_duplicate(kind.c_str(), name, where, place->second);
       return false;
     }
-    const auto hidden = globals_.find(name);
-    if (hidden != globals_.end())
-      diagnostics_.error(where, fmt::format("'{}' is already a parameter or a let", name),
-                         fmt::format("the first is at {}", to_string(hidden->second)));
-    return hidden == globals_.end();
+    return true;
+  }
+
+  /// A module's name before a "." must mean nothing else.
+  void module(const ImportedModule& module, const Document& document) {
+    if (!allowed(module.name, module.where)) return;
+    const auto [place, fresh] = modules_.emplace(module.name, module.where);
+    if (!fresh) return report_duplicate("module", module.name, module.where, place->second);
+    const Param* param = document.find_param(module.name);
+    const Let* let = document.find_let(module.name);
+    const Declaration* declaration = document.find(module.name);
+    if (!param && !let && !declaration) return;
+    const SourceLocation& where = param ? param->where : let ? let->where : declaration->where;
+    diagnostics_.error(
+        module.where, fmt::format("the name '{}' is already used", module.name),
+        fmt::format("the first is at {}; use another name after 'as'", to_string(where)));
   }
 
   /// The names of functions are only used in calls: they are a namespace of their own.
@@ -174,6 +188,7 @@ class NameChecker {
   }
 
   Diagnostics& diagnostics_;
+  std::map<std::string, SourceLocation> modules_;
   std::map<std::string, SourceLocation> defs_;
   std::map<std::string, SourceLocation> globals_;
   std::map<std::string, SourceLocation> declared_;

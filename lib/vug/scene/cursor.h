@@ -6,9 +6,11 @@
 #include <vug/scene/lexer.h>
 #include <vug/scene/parser.h>
 
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace vug::scene {
@@ -20,8 +22,12 @@ class Cursor {
  public:
   /// All arguments must outlive the cursor; `tokens` ends with an end token.
   Cursor(const std::vector<Token>& tokens, const std::string& file, Diagnostics& diagnostics,
-         const ParseOptions& options)
-      : tokens_(tokens), file_(file), diagnostics_(diagnostics), options_(options) {}
+         const ParseOptions& options, std::shared_ptr<const std::string> module = nullptr)
+      : tokens_(tokens),
+        file_(file),
+        diagnostics_(diagnostics),
+        options_(options),
+        module_(std::move(module)) {}
 
   /// The token `ahead` positions from here; line breaks are skipped inside ( ) or [ ].
   const Token& peek(size_t ahead = 0) const;
@@ -50,6 +56,12 @@ class Cursor {
   /// From `first` to the last consumed token that is not a line break.
   SourceLocation since(const Token& first) const;
   const std::string& file() const { return file_; }
+  /// The prefix of the names that the file declares (see Expr::module); null: none.
+  const std::shared_ptr<const std::string>& module() const { return module_; }
+  /// The name of a declaration, with this prefix.
+  std::string declared_name(const Token& name) const {
+    return (module_ ? *module_ : std::string()) + std::string(name.text);
+  }
   const ParseOptions& options() const { return options_; }
   Diagnostics& diagnostics() const { return diagnostics_; }
 
@@ -120,6 +132,7 @@ class Cursor {
   const std::string& file_;
   Diagnostics& diagnostics_;
   const ParseOptions& options_;
+  std::shared_ptr<const std::string> module_;
   size_t at_ = 0;
   size_t last_ = 0;
   int brackets_ = 0;

@@ -25,13 +25,37 @@ const Def* Evaluator::find_def(const std::string& name) const {
   return found == defs_.end() ? nullptr : found->second.def;
 }
 
-Value Evaluator::call_def(const DefEntry& entry, const Expr& expr, const Context& context) {
+/// Whether the receiver of a method is a module: rocks.slab(...).
+bool Evaluator::is_module_call(const Expr& expr) const {
+  if (!expr.method) return false;
+  const Expr& receiver = *expr.operands[0].value;
+  return receiver.kind == ExprKind::name && document_.find_module(full_name(receiver));
+}
+
+/// Calls a function of a module.
+Value Evaluator::call_member(const Expr& expr, const Context& context) {
+  const std::string module = full_name(*expr.operands[0].value) + ".";
+  if (const auto def = defs_.find(module + expr.text); def != defs_.end())
+    return call_def(def->second, expr, 1, context);
+  std::vector<std::string> names;
+  for (const auto& [name, def] : defs_)
+    if (name.compare(0, module.size(), module) == 0 && name[module.size()] != '_')
+      names.push_back(name.substr(module.size()));
+  return FaultSite{word_at(expr.where, expr.text), *diagnostics_}.fault(
+      fmt::format("the module '{}' has no function '{}'", expr.operands[0].value->text, expr.text),
+      suggestion(expr.text, names));
+}
+
+/// `first` is the index of the first operand that is an argument.
+Value Evaluator::call_def(const DefEntry& entry, const Expr& expr, size_t first,
+                          const Context& context) {
   const Def& def = *entry.def;
   const SourceLocation word = word_at(expr.where, expr.text);
   if (!admit(def.work, "calls of functions", word)) return {};
   std::vector<Binding> given;
   bool complete = true;
-  for (const Operand& part : expr.operands) {
+  for (size_t i = first; i < expr.operands.size(); ++i) {
+    const Operand& part = expr.operands[i];
     given.push_back(measured(part.name, *part.value, {context.key, context.scope, {}}));
     complete = complete && !given.back().value.empty();
   }
@@ -61,7 +85,8 @@ bool Evaluator::bind(const DefEntry& entry, const Expr& expr, std::vector<Bindin
   const Def& def = *entry.def;
   Arguments arguments;
   for (size_t i = 0; i < given.size(); ++i)
-    arguments.push_back({given[i].name, given[i].value, expr.operands[i].where});
+    arguments.push_back({given[i].name, given[i].value,
+                         expr.operands[expr.operands.size() - given.size() + i].where});
   Diagnostics found;
   const std::vector<int> slots =
       detail::match_arguments(entry.info, arguments, word_at(expr.where, expr.text), found);

@@ -86,9 +86,16 @@ class CallGraph {
     }
     for (const Operand& part : expr.operands) work += work_of(*part.value);
     if (expr.kind == ExprKind::call)
-      if (const auto called = defs_.find(expr.text); called != defs_.end())
+      if (const auto called = find(expr); called != defs_.end())
         work += visit(called->second, word_at(expr.where, expr.text));
     return work;
+  }
+
+  /// The called function, which may be that of a module.
+  std::map<std::string, Entry>::iterator find(const Expr& call) {
+    if (const auto own = defs_.find(full_name(call)); own != defs_.end()) return own;
+    if (!call.method || call.operands[0].value->kind != ExprKind::name) return defs_.end();
+    return defs_.find(full_name(*call.operands[0].value) + "." + call.text);
   }
 
   double work_of_loop(const Expr& loop, size_t clause) {

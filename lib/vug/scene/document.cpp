@@ -22,6 +22,10 @@ const Let* Document::find_let(const std::string& name) const { return find_named
 
 const Def* Document::find_def(const std::string& name) const { return find_named(defs, name); }
 
+const ImportedModule* Document::find_module(const std::string& name) const {
+  return find_named(modules, name);
+}
+
 const Formal* Def::find_formal(const std::string& formal) const {
   return find_named(formals, formal);
 }

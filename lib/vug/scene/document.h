@@ -29,6 +29,7 @@ struct Param {
   ExprPtr low;
   ExprPtr high;
   std::string doc;
+  ExprPtr given = nullptr;  ///< The value that the include of a module gives it; null: none.
 };
 
 /// `let NAME = value`
@@ -138,6 +139,21 @@ struct Grammar {
   std::set<std::string> broken_rules;      ///< Heads of rules that were omitted because of errors.
 };
 
+/// `include "path" as name { key value ... }`
+struct Include {
+  std::string path;
+  SourceLocation where;  ///< Location of the path.
+  std::string name;      ///< Empty without `as`: the file's names are those of the including file.
+  SourceLocation name_where;
+  std::vector<Entry> entries;  ///< Values of the file's parameters.
+};
+
+/// A file whose names have a prefix.
+struct ImportedModule {
+  std::string name;  ///< With the prefix of the including file.
+  SourceLocation where;
+};
+
 /// Names in text that was skipped after syntax errors. They suppress errors in the rest of the text
 /// that would only follow from the skipped part.
 struct SkippedNames {
@@ -157,6 +173,7 @@ struct Document {
   std::vector<Def> defs;
   std::vector<Declaration> declarations;
   std::vector<Grammar> grammars;
+  std::vector<ImportedModule> modules;
   SkippedNames skipped;  ///< Empty in a text without faults.
   /// Files in the order in which they were opened, the scene first.
   std::vector<std::shared_ptr<const Source>> sources;
@@ -164,6 +181,7 @@ struct Document {
   const Param* find_param(const std::string& name) const;
   const Let* find_let(const std::string& name) const;
   const Def* find_def(const std::string& name) const;
+  const ImportedModule* find_module(const std::string& name) const;
   /// The first declaration with that name, of the given kind or (empty) of any kind.
   const Declaration* find(const std::string& name, const std::string& kind = {}) const;
 };

@@ -148,8 +148,8 @@ std::string dump(const Expr& expr) {
 std::string dump(const Document& document) {
   std::string out = "seed " + dump(document.seed) + '\n';
   for (const Param& param : document.params)
-    out += fmt::format("param {} = {} in {} .. {} {}\n", param.name, dump(param.value),
-                       dump(param.low), dump(param.high), quoted(param.doc));
+    out += fmt::format("param {} = {} in {} .. {} {} given {}\n", param.name, dump(param.value),
+                       dump(param.low), dump(param.high), quoted(param.doc), dump(param.given));
   for (const Let& let : document.lets)
     out += fmt::format("let {} = {}\n", let.name, dump(let.value));
   for (const Def& def : document.defs) out += dump(def);

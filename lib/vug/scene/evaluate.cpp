@@ -68,20 +68,31 @@ Value Evaluator::evaluate(const Expr& expr, const Context& context) {
 
 Value Evaluator::name(const Expr& expr, const Context& context) {
   if (auto value = find_local(expr, context.scope)) return *std::move(value);
-  if (const auto known = globals_.find(expr.text); known != globals_.end())
-    return global(expr.text, known->second, expr.where);
+  const std::string full = full_name(expr);
+  if (!context.expected.empty())  // several declarations, or a let, may share the name
+    if (auto value = declaration(full, expr.where, context.expected)) return *std::move(value);
+  if (const auto known = globals_.find(full); known != globals_.end())
+    return global(full, known->second, expr.where);
   if (expr.text == "pi") return kPi;
   if (expr.text == "frame") {
     resolver_.use_frame();
     return options_.frame;
   }
-  const int deepest = deepest_;  // declarations have their own limits
-  auto declared = resolver_.name(expr.text, expr.where, *diagnostics_);
-  deepest_ = deepest;
-  if (declared) return *std::move(declared);
+  if (auto value = declaration(full, expr.where, {})) return *std::move(value);
   if (const auto unit = with_unit(1, expr.text)) return *unit;
   if (document_.skipped.may_declare(expr.text)) return {};
   return Value::Name{expr.text};
+}
+
+/// The declaration of that name, of the expected type or (empty) the first one.
+std::optional<Value> Evaluator::declaration(const std::string& full, const SourceLocation& where,
+                                            std::string_view expected) {
+  const int deepest = deepest_;  // declarations have their own limits
+  auto value = expected.empty()
+                   ? resolver_.name(full, where, *diagnostics_)
+                   : resolver_.declared(std::string(expected), full, where, *diagnostics_);
+  deepest_ = deepest;
+  return value;
 }
 
 /// Returns false, with an error, for an unknown name where a value is needed.
@@ -261,10 +272,13 @@ Arguments Evaluator::arguments(const Expr& call, RandomKey key, const Scope* sco
   if (call.kind != ExprKind::call) return arguments;
   for (size_t i = 0; i < call.operands.size(); ++i) {
     const Operand& part = call.operands[i];
-    const bool choice = part.value->kind == ExprKind::name &&
-                        resolver_.is_choice(call.text, i, part.name, part.value->text);
+    const bool word = part.value->kind == ExprKind::name;
+    const std::string_view expected = part.value->kind == ExprKind::number
+                                          ? std::string_view()
+                                          : resolver_.expected_type(call.text, i, part.name);
+    const bool choice = word && resolver_.is_choice(call.text, i, part.name, part.value->text);
     Value value = choice ? Value(Value::Name{part.value->text})
-                         : evaluate(*part.value, {key, scope_or_default(scope), {}});
+                         : evaluate(*part.value, {key, scope_or_default(scope), expected});
     arguments.push_back({part.name, std::move(value), part.where});
   }
   return arguments;
@@ -300,8 +314,9 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   if (expr.text == "if") return choose(expr, context);
   if (expr.text == "pick") return pick(expr, context);
   if (expr.text == "keys") return keys(expr, context);
-  if (const auto def = defs_.find(expr.text); def != defs_.end())
-    return call_def(def->second, expr, context);
+  if (const auto def = defs_.find(full_name(expr)); def != defs_.end())
+    return call_def(def->second, expr, 0, context);
+  if (is_module_call(expr)) return call_member(expr, context);
   const Arguments given = arguments(expr, context.key, context.scope);
   const bool reported = std::any_of(given.begin(), given.end(),
                                     [](const Argument& each) { return each.value.empty(); });

@@ -175,9 +175,10 @@ Value Evaluator::param(ParamValue& param, RandomKey key) {
   param.fallback = evaluate(*declared.value, context);
   if (!in_range(param, param.fallback, declared.value->where)) param.fallback = {};
   const auto given = overrides_.find(declared.name);
-  if (given == overrides_.end()) return param.value = param.fallback;
-  const SourceLocation& where = given->second->where;
-  param.value = match_type(param.fallback, evaluate(*given->second, context),
+  const ExprPtr& own = given == overrides_.end() ? declared.given : given->second;
+  if (!own) return param.value = param.fallback;
+  const SourceLocation& where = own->where;
+  param.value = match_type(param.fallback, evaluate(*own, context),
                            fmt::format("param '{}'", declared.name), where);
   if (!in_range(param, param.value, where)) param.value = {};
   return param.value;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The evaluator of a document: parameters with their ranges and `-D` overrides, lets and the seed
-// (evaluator.cpp); objects are provided by a Resolver.
+// (evaluator.cpp), the limits of values that are composed through names and functions; objects are
+// provided by a Resolver.
 #pragma once
 
 #include <vug/scene/arithmetic.h>
@@ -147,7 +148,9 @@ class Evaluator {
   Value choose(const Expr& expr, const Context& context);
   Value pick(const Expr& expr, const Context& context);
   Value keys(const Expr& expr, const Context& context);
-  Value call_def(const DefEntry& entry, const Expr& expr, const Context& context);
+  Value call_def(const DefEntry& entry, const Expr& expr, size_t first, const Context& context);
+  Value call_member(const Expr& expr, const Context& context);
+  bool is_module_call(const Expr& expr) const;
   bool bind(const DefEntry& entry, const Expr& expr, std::vector<Binding>& given, RandomKey key,
             Scope& scope);
   Binding measured(const std::string& name, const Expr& expr, const Context& context);
@@ -162,6 +165,8 @@ class Evaluator {
   Value element(const Expr& expr, const Context& context);
   Value checked_size(List list, const Expr& expr);
   bool admit(double work, const char* what, const SourceLocation& where);
+  std::optional<Value> declaration(const std::string& full, const SourceLocation& where,
+                                   std::string_view expected);
   std::optional<bool> truth(const Expr& expr, const Context& context);
   Value global(const std::string& name, Global& global, const SourceLocation& where);
   Value use(const Value& value, int height, const SourceLocation& where);

@@ -56,6 +56,9 @@ struct Expr {
   SourceLocation where;   ///< For messages: the extent; of a method call only from its name on.
   Number number;
   std::string text;
+  /// Names and calls in a file that was included `as NAME`: the prefix of the names that this file
+  /// declares, such as "rocks."; null in other files.
+  std::shared_ptr<const std::string> module;
   std::vector<Operand> operands;
   /// Calls: true if written as receiver.f(...); the receiver is the first operand.
   bool method = false;
@@ -67,6 +70,12 @@ struct Expr {
   /// Height of the tree including this node; the parser limits it.
   int depth = 1;
 };
+
+/// The name under which a declaration in the file of this expression is known: with the prefix of
+/// its module.
+inline std::string full_name(const Expr& expr) {
+  return expr.module ? *expr.module + expr.text : expr.text;
+}
 
 /// The location of a word that `where` starts with, such as the name of a call.
 SourceLocation word_at(const SourceLocation& where, const std::string& word);

@@ -149,10 +149,19 @@ ExprPtr ExprParser::postfix() {
     if (!operator_ahead().is(".")) return expr;
     cursor_.skip_newlines();
     cursor_.take();
-    const Token& name = cursor_.expect_name("the name of a method after '.'");
-    if (!cursor_.peek().is("(") || !cursor_.peek().touches)
+    const Token& name =
+        cursor_.expect_name("the name of a method or of a module's member after '.'");
+    const bool called = cursor_.peek().is("(") && cursor_.peek().touches;
+    if (expr->kind == ExprKind::name && name.text[0] == '_')
+      cursor_.fail(name, fmt::format("'{}' is private to the file of '{}'", name.text, expr->text),
+                   "names that begin with '_' can only be used in the file that declares them");
+    if (called) {
+      expr = call(name, expr, first);
+    } else if (expr->kind == ExprKind::name) {
+      expr = finish(make_expr(ExprKind::name, fmt::format("{}.{}", expr->text, name.text)), first);
+    } else {
       cursor_.unexpected(fmt::format("'(' after '.{}'", name.text));
-    expr = call(name, expr, first);
+    }
   }
 }
 
@@ -294,6 +303,7 @@ void ExprParser::operand(Expr& call, bool& named) {
 
 /// The expression that starts at `first` and ends at the last consumed token.
 ExprPtr ExprParser::finish(Expr expr, const Token& first) {
+  if (expr.kind == ExprKind::name || expr.kind == ExprKind::call) expr.module = cursor_.module();
   if (!expr.extent.known()) expr.extent = cursor_.since(first);
   if (!expr.where.known()) expr.where = expr.extent;
   for (const Operand& part : expr.operands)

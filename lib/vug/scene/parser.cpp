@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace vug::scene {
 
@@ -24,11 +25,15 @@ std::optional<std::string> read_disk(const fs::path& path) {
 
 /// Follows includes: each file is read once, and cyclic includes are an error.
 class Loader {
+  using ModulePrefix = std::shared_ptr<const std::string>;
+
  public:
   Loader(Document& document, Diagnostics& diagnostics, const ParseOptions& options)
       : document_(document), diagnostics_(diagnostics), options_(options) {}
 
-  bool load(std::string text, const fs::path& path, const SourceLocation& from) {
+  /// `module` is the prefix of the names that the file declares; null: none.
+  bool load(std::string text, const fs::path& path, const SourceLocation& from,
+            const ModulePrefix& module = nullptr) {
     const std::string file = path.generic_string();
     bytes_ += text.size();
     if (text.size() > options_.max_bytes || bytes_ > options_.max_total_bytes) {
@@ -50,15 +55,18 @@ class Loader {
     auto source =
         std::make_shared<const Source>(Source{file, normalise_text(std::move(text)), from});
     document_.sources.push_back(source);
-    known_.insert(identity(path));
+    known_.emplace(identity(path), text_of(module));
     chain_.push_back(path);
     const std::vector<Token> tokens =
         lex(source->text, source->file, diagnostics_, false, options_.max_errors);
-    Cursor cursor(tokens, source->file, diagnostics_, options_);
-    parse_statements(cursor, document_,
-                     [&](const std::string& wanted, const SourceLocation& where) {
-                       if (!include(wanted, path, where)) document_.skipped.file = true;
-                     });
+    Cursor cursor(tokens, source->file, diagnostics_, options_, module);
+    parse_statements(cursor, document_, [&](const Include& wanted) {
+      if (!wanted.name.empty()) {
+        if (!import(wanted, path)) document_.skipped.file = true;
+      } else if (!include(wanted.path, path, wanted.where, module)) {
+        document_.skipped.file = true;
+      }
+    });
     chain_.pop_back();
     return true;
   }
@@ -70,8 +78,38 @@ class Loader {
     return failed ? path.lexically_normal() : whole;
   }
 
+  static std::string text_of(const ModulePrefix& module) { return module ? *module : ""; }
+
+  /// Reads a file as a module and gives values to its parameters.
+  bool import(const Include& wanted, const fs::path& from) {
+    const std::string prefix = wanted.name + ".";
+    document_.modules.push_back({wanted.name, wanted.name_where});
+    const auto module = std::make_shared<const std::string>(prefix);
+    if (!include(wanted.path, from, wanted.where, module)) return false;
+    std::vector<std::string> names;
+    for (const Param& param : document_.params)
+      if (param.name.compare(0, prefix.size(), prefix) == 0)
+        names.push_back(param.name.substr(prefix.size()));
+    for (const Entry& entry : wanted.entries) {
+      const auto param =
+          std::find_if(document_.params.begin(), document_.params.end(),
+                       [&](const Param& each) { return each.name == prefix + entry.key; });
+      if (param == document_.params.end())
+        diagnostics_.error(
+            entry.where, fmt::format("'{}' has no parameter '{}'", wanted.path, entry.key),
+            names.empty() ? "it declares no parameters" : suggestion(entry.key, names));
+      else if (entry.values.size() > 1)
+        diagnostics_.error(entry.extent, fmt::format("'{}' takes one value", entry.key),
+                           "write a list as [a, b]");
+      else
+        param->given = entry.values[0];
+    }
+    return true;
+  }
+
   /// Returns false if the content of the file is unknown.
-  bool include(const std::string& wanted, const fs::path& from, const SourceLocation& where) {
+  bool include(const std::string& wanted, const fs::path& from, const SourceLocation& where,
+               const ModulePrefix& module) {
     std::vector<fs::path> places{from.parent_path()};
     std::string why;
     std::error_code failed;
@@ -79,7 +117,7 @@ class Loader {
     for (const fs::path& place : places) {
       const fs::path path = (place / wanted).lexically_normal();
       if (is_cyclic(path, where)) return true;
-      if (known_.count(identity(path))) return true;
+      if (known_.count({identity(path), text_of(module)})) return true;
       const auto text = options_.read ? options_.read(path) : read_disk(path);
       if (!text && !options_.read && why.empty() && fs::exists(path, failed))
         why = unreadable_reason(path);
@@ -89,7 +127,7 @@ class Loader {
                            fmt::format("files are included more than {} levels deep", kMaxChain));
         return false;
       }
-      return load(*text, path, where);
+      return load(*text, path, where, module);
     }
     if (!why.empty()) {
       diagnostics_.error(where, fmt::format("cannot read the file '{}': {}", wanted, why));
@@ -132,7 +170,7 @@ class Loader {
   Document& document_;
   Diagnostics& diagnostics_;
   const ParseOptions& options_;
-  std::set<fs::path> known_;
+  std::set<std::pair<fs::path, std::string>> known_;  ///< Files with the prefix of their names.
   std::vector<fs::path> chain_;
   size_t bytes_ = 0;
 };

@@ -7,6 +7,15 @@ std::optional<Value> Resolver::name(const std::string&, const SourceLocation&, D
   return std::nullopt;
 }
 
+std::optional<Value> Resolver::declared(const std::string&, const std::string&,
+                                        const SourceLocation&, Diagnostics&) {
+  return std::nullopt;
+}
+
+std::string_view Resolver::expected_type(const std::string&, size_t, const std::string&) const {
+  return {};
+}
+
 std::optional<Value> Resolver::call(const std::string&, const Arguments&, const SourceLocation&,
                                     const CallContext&, Diagnostics&) {
   return std::nullopt;

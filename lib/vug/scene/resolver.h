@@ -26,6 +26,13 @@ class Resolver {
   /// such as `triangle`, directions such as `+X`).
   virtual std::optional<Value> name(const std::string& name, const SourceLocation& where,
                                     Diagnostics& diagnostics);
+  /// The declaration of that kind and name; nothing if there is none.
+  virtual std::optional<Value> declared(const std::string& kind, const std::string& name,
+                                        const SourceLocation& where, Diagnostics& diagnostics);
+  /// The type of object that an argument of a call must have, given by name or (if the name is
+  /// empty) by position; empty if it is unknown.
+  virtual std::string_view expected_type(const std::string& call, size_t position,
+                                         const std::string& argument) const;
   /// The circumstances of a call.
   struct CallContext {
     RandomKey key;              ///< Determines the random choices of this call.

@@ -113,7 +113,7 @@ class StatementParser {
     if (word.text == "grammar") {
       const Token& name = cursor_.expect_name("the grammar's name");
       document_.grammars.emplace_back();
-      document_.grammars.back().name = std::string(name.text);
+      document_.grammars.back().name = cursor_.declared_name(name);
       document_.grammars.back().where = cursor_.where(name);
       GrammarParser(cursor_).parse(document_.grammars.back(), lookahead_);
       return;
@@ -148,7 +148,7 @@ class StatementParser {
   void param() {
     const Token& name = cursor_.expect_name("the name of the parameter");
     Param& param = document_.params.emplace_back();
-    param.name = std::string(name.text);
+    param.name = cursor_.declared_name(name);
     param.where = cursor_.where(name);
     param.value = assigned(param.name);
     if (cursor_.beyond_newlines().is_name("in")) {
@@ -165,7 +165,7 @@ class StatementParser {
   void let() {
     const Token& name = cursor_.expect_name("the name of the let");
     Let& let = document_.lets.emplace_back();
-    let.name = std::string(name.text);
+    let.name = cursor_.declared_name(name);
     let.where = cursor_.where(name);
     let.value = assigned(let.name);
   }
@@ -173,7 +173,7 @@ class StatementParser {
   void def() {
     const Token& name = cursor_.expect_name("the name of the function");
     Def& def = document_.defs.emplace_back();
-    def.name = std::string(name.text);
+    def.name = cursor_.declared_name(name);
     def.where = cursor_.where(name);
     {
       cursor_.expect("(", fmt::format(" and the parameters after '{}'", def.name));
@@ -195,7 +195,27 @@ class StatementParser {
     const Token& path = cursor_.peek();
     if (path.kind != TokenKind::text) cursor_.unexpected("the path of a file in quotes");
     cursor_.take();
-    include_(unquote(path.text), cursor_.where(path));
+    Include include;
+    include.path = unquote(path.text);
+    include.where = cursor_.where(path);
+    if (cursor_.peek().is_name("as")) {
+      cursor_.take();
+      const Token& name = cursor_.expect_name("the name of the module after 'as'");
+      include.name = cursor_.declared_name(name);
+      include.name_where = cursor_.where(name);
+    }
+    if (cursor_.beyond_newlines().is("{")) {
+      if (include.name.empty())
+        cursor_.fail(cursor_.beyond_newlines(), "only a module can be given parameters",
+                     "include \"file.vug\" as NAME { PARAMETER VALUE }");
+      cursor_.accept_beyond_newlines("{");
+      Declaration values;  // only its entries
+      values.kind = "include";
+      values.name = include.name;
+      entries(values);
+      include.entries = std::move(values.entries);
+    }
+    include_(include);
   }
 
   void declaration(const Token& kind) {
@@ -215,7 +235,7 @@ class StatementParser {
     made.broken = true;  // until it is parsed
     made.kind = std::string(kind.text);
     made.kind_where = cursor_.where(kind);
-    made.name = std::string(name.text);
+    made.name = cursor_.declared_name(name);
     made.where = cursor_.where(name);
     if (cursor_.peek().is("[") && cursor_.peek().touches) made.loop = exprs_.declared_loop();
     if (cursor_.accept("=")) {

@@ -8,8 +8,8 @@
 
 namespace vug::scene {
 
-/// Called for `include "path"`; `where` is the location of the path.
-using Includer = std::function<void(const std::string& path, const SourceLocation& where)>;
+/// Called for each `include`; reads the file into the document.
+using Includer = std::function<void(const Include& include)>;
 
 /// Parses all statements up to the end and adds them to the document.
 void parse_statements(Cursor& cursor, Document& document, const Includer& include);

@@ -17,8 +17,8 @@ class NameCollector {
  public:
   void add(const ExprPtr& expr) {
     if (!expr) return;
-    if (expr->kind == ExprKind::call) calls.insert(expr->text);
-    if (expr->kind == ExprKind::name && !hidden_.count(expr->text)) names.insert(expr->text);
+    if (expr->kind == ExprKind::call) calls.insert(full_name(*expr));
+    if (expr->kind == ExprKind::name && !hidden_.count(expr->text)) names.insert(full_name(*expr));
     const auto outer = hidden_;
     for (const Operand& part : expr->operands) {
       add(part.value);
@@ -101,7 +101,7 @@ void check_unused_names(const Document& document, Diagnostics& diagnostics) {
   NameCollector reader;
   reader.add(document.seed);
   for (const Param& param : document.params)
-    for (const ExprPtr& expr : {param.value, param.low, param.high}) reader.add(expr);
+    for (const ExprPtr& expr : {param.value, param.low, param.high, param.given}) reader.add(expr);
   for (const Let& let : document.lets) reader.add(let.value);
   for (const Def& def : document.defs) reader.add(def);
   for (const Declaration& made : document.declarations) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fits a facade grammar to a picture or a laser scan; the result is a tree and a scene.
+// Fits a facade grammar to a picture or a laser scan; the result is a tree, whose windows have the
+// reveal that was measured in the depth, and a scene.
 #pragma once
 
 #include <vug/base/progress.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds the grammars of modelling sessions, and writes scenes of carved walls.
+// Finds the grammars of modelling sessions, and writes scenes of carved walls, with the voxels of
+// wall and glass.
 #pragma once
 
 #include <vug/modeller/session.h>

@@ -37,7 +37,7 @@ std::vector<std::string> blocks(const std::string& language,
 TEST(Language, ExamplesAreValid) {
   ASSERT_GE(blocks("vug").size(), 10u);
   LoadOptions options;
-  options.include_folders = {fs::path(VUG_TEST_DATA) / "scenes" / "language"};
+  options.include_folders = {fs::path(VUG_TEST_DATA) / "scenes" / "language", fs::path(VUG_DATA)};
   for (const std::string& example : blocks("vug")) {
     const Loaded loaded = load_text(example, "language.md", options);
     EXPECT_EQ(loaded.report(), "") << example;

@@ -31,7 +31,10 @@ TEST(Language, ExamplesParseAndAreFormatted) {
   for (const std::string& example : examples()) {
     Diagnostics diagnostics;
     ParseOptions options;
-    options.read = [](const std::filesystem::path&) { return std::optional<std::string>(""); };
+    options.read = [](const std::filesystem::path& path) -> std::optional<std::string> {
+      const auto file = std::filesystem::path(VUG_DATA) / path;
+      return std::filesystem::exists(file) ? read_text(file) : std::string();
+    };
     const Document document = parse(example, "language.md", diagnostics, options);
     EXPECT_EQ(report(diagnostics, document.sources), "");
     EXPECT_EQ(format(example), example);

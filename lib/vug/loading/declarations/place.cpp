@@ -22,6 +22,7 @@ Schema<shot::PointInstancer> place_schema() {
       .param("at", &shot::PointInstancer::at,
              {.doc = "sources of positions: points such as (1, 0, 2), pose(...), scatter(...), "
                      "grove(...), points(...)",
+              .dimension = Dimension::length,
               .required = true})
       .param("shares", &shot::PointInstancer::shares,
              {.doc = "relative frequency of each model", .min = 0})
