@@ -225,6 +225,16 @@ class Parts(Case):
         with self.assertRaises(vug.Error):
             vug.loads(text)
 
+    def test_units_of_light(self):
+        scene = vug.loads("param L = 800lm in 1lm..5000lm\nparam C = srgb(\"#c0a080\")\n"
+                          "light bulb = sphere(radiance: C, lumen: L)\n")
+        self.assertEqual(scene.params["L"].dimension, "luminous flux")
+        self.assertEqual(scene.with_(L=1000).params["L"].value, 1000)
+        self.assertEqual(scene.with_(L="2000lm").params["L"].value, 2000)
+        self.assertAlmostEqual(scene.params["C"].value[1], 0.35153, places=5)
+        with self.assertRaisesRegex(vug.Error, "param 'L' is a luminous flux, not a power"):
+            scene.with_(L="3W")
+
     def test_overrides(self):
         scene = vug.loads(BALL + "param P = (1, 2, 3)\nparam NAME = \"x.ply\"\nparam A = 30deg\n"
                           "let used = sphere(A / 1rad).translate(P)\n"
