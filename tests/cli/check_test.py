@@ -73,9 +73,11 @@ class Check(VugTest):
         self.assertNotIn("never used", self.expect(2, "check", "s.vug").err)
 
     def test_an_include_in_a_subfolder(self):
-        self.write("s.vug", 'include "limestone.vug"\n')
-        self.assertIn("s.vug:1:9: error: cannot find the file 'limestone.vug'\n"
-                      'include "limestone.vug"\n        ^~~~~~~~~~~~~~~\n'
+        self.write("s.vug", 'include "limestone.vug"\nvolume rock = level_set(sphere(1m), voxel: 20cm)\n')
+        self.assertEqual(self.expect(0, "check", "s.vug").err, "")
+        self.write("s.vug", 'include "rocks/limestone.vug"\n')
+        self.assertIn("s.vug:1:9: error: cannot find the file 'rocks/limestone.vug'\n"
+                      'include "rocks/limestone.vug"\n        ^~~~~~~~~~~~~~~~~~~~~\n'
                       "hint: did you mean 'materials/limestone.vug'?\n", self.expect(2, "check", "s.vug").err)
         self.write("s.vug", 'include "no/limeston.vug"\n')
         self.assertIn("hint: looked in ", self.expect(2, "check", "s.vug").err)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/atomic_file.h>
 #include <vug/scene/check.h>
+#include <vug/scene/include_search.h>
 #include <vug/scene/parser.h>
 #include <vug/scene/statement_parser.h>
 #include <vug/scene/utf8.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -112,27 +114,14 @@ class Loader {
                const ModulePrefix& module) {
     std::vector<fs::path> places{from.parent_path()};
     std::string why;
-    std::error_code failed;
     places.insert(places.end(), options_.include_folders.begin(), options_.include_folders.end());
-    for (const fs::path& place : places) {
-      const fs::path path = (place / wanted).lexically_normal();
-      if (is_cyclic(path, where)) return true;
-      if (known_.count({identity(path), text_of(module)})) return true;
-      const auto text = options_.read ? options_.read(path) : read_disk(path);
-      if (!text && !options_.read && why.empty() && fs::exists(path, failed))
-        why = unreadable_reason(path);
-      if (!text) continue;
-      if (chain_.size() >= kMaxChain) {
-        diagnostics_.error(where,
-                           fmt::format("files are included more than {} levels deep", kMaxChain));
-        return false;
-      }
-      return load(*text, path, where, module);
-    }
+    for (const fs::path& place : places)
+      if (const auto known = try_include(place / wanted, where, module, why)) return *known;
     if (!why.empty()) {
       diagnostics_.error(where, fmt::format("cannot read the file '{}': {}", wanted, why));
       return false;
     }
+    if (const auto known = include_below(wanted, where, module)) return *known;
     std::string looked;
     for (const fs::path& place : places)
       looked += (looked.empty() ? "" : ", ") + (place.empty() ? "." : place.generic_string());
@@ -143,16 +132,50 @@ class Loader {
     return false;
   }
 
+  /// Includes the file unless it has been included already: whether its content is known. Nothing
+  /// if it cannot be read; `why` is then the reason for a file that exists.
+  std::optional<bool> try_include(const fs::path& file, const SourceLocation& where,
+                                  const ModulePrefix& module, std::string& why) {
+    const fs::path path = file.lexically_normal();
+    if (is_cyclic(path, where)) return true;
+    if (known_.count({identity(path), text_of(module)})) return true;
+    const auto text = options_.read ? options_.read(path) : read_disk(path);
+    std::error_code failed;
+    if (!text && !options_.read && why.empty() && fs::exists(path, failed))
+      why = unreadable_reason(path);
+    if (!text) return std::nullopt;
+    if (chain_.size() >= kMaxChain) {
+      diagnostics_.error(where,
+                         fmt::format("files are included more than {} levels deep", kMaxChain));
+      return false;
+    }
+    return load(*text, path, where, module);
+  }
+
+  /// Includes the only file of that name below the first folder that has one.
+  std::optional<bool> include_below(const std::string& wanted, const SourceLocation& where,
+                                    const ModulePrefix& module) {
+    for (const fs::path& folder : options_.include_folders) {
+      const std::vector<fs::path> found = files_below(folder, wanted);
+      if (found.empty()) continue;
+      std::string why;
+      if (found.size() == 1) return try_include(folder / found[0], where, module, why);
+      std::vector<std::string> names;
+      for (const fs::path& each : found)
+        names.push_back(fmt::format("\"{}\"", each.generic_string()));
+      diagnostics_.error(where, fmt::format("'{}' is the name of {} files", wanted, found.size()),
+                         fmt::format("include one of: {}", fmt::join(names, ", ")));
+      return false;
+    }
+    return std::nullopt;
+  }
+
   /// The path of a file with this name in a folder below those of includes, or an empty string.
   std::string in_subfolder(const fs::path& name) const {
-    std::vector<std::string> found;
-    std::error_code failed;
     for (const fs::path& folder : options_.include_folders)
-      for (fs::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end;
-           entry.increment(failed))
-        if (entry->path().filename() == name && fs::is_regular_file(entry->path(), failed))
-          found.push_back(entry->path().lexically_relative(folder).generic_string());
-    return found.empty() ? "" : *std::min_element(found.begin(), found.end());
+      if (const auto found = files_below(folder, name); !found.empty())
+        return found[0].generic_string();
+    return {};
   }
 
   bool is_cyclic(const fs::path& path, const SourceLocation& where) {
