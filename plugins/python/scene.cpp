@@ -18,6 +18,9 @@ namespace vug::python {
 namespace {
 
 using SharedScene = std::shared_ptr<Scene>;
+using Seed = std::optional<uint64_t>;
+using Frame = std::optional<double>;
+using Name = std::optional<std::string>;
 
 /// Adds overrides for these parameters.
 void set_parameters(LoadSettings& settings, const py::dict& changes) {
@@ -37,11 +40,18 @@ void set_parameters(LoadSettings& settings, const py::dict& changes) {
   }
 }
 
-LoadSettings with_changes(LoadSettings settings, const py::dict& params,
-                          const std::optional<uint64_t>& seed, const std::optional<double>& frame,
+/// The arguments of a scene that are not parameters; without a value, nothing changes.
+struct Choices {
+  Seed seed;
+  Frame frame;
+  Name variant;
+};
+
+LoadSettings with_changes(LoadSettings settings, const py::dict& params, const Choices& choices,
                           const py::kwargs& more) {
-  if (seed) settings.load.seed = seed;
-  if (frame) settings.load.frame = *frame;
+  if (choices.seed) settings.load.seed = choices.seed;
+  if (choices.frame) settings.load.frame = *choices.frame;
+  if (choices.variant) settings.load.variant = *choices.variant;
   if (!(std::fabs(settings.load.frame) <= 1e6))
     throw py::value_error("frame must be from -1e6 to 1e6");
   set_parameters(settings, params);
@@ -70,38 +80,48 @@ bool add_angle_units(LoadSettings& settings, const loading::Loaded& loaded) {
   return given;
 }
 
-SharedScene load(const std::filesystem::path& file, const py::dict& params,
-                 const std::optional<uint64_t>& seed, const std::optional<double>& frame,
-                 const py::kwargs& more) {
-  return std::make_shared<Scene>(read_text(file), file.string(),
-                                 with_changes(default_settings(), params, seed, frame, more));
+SharedScene load(const std::filesystem::path& file, const py::dict& params, const Seed& seed,
+                 const Frame& frame, const Name& variant, const py::kwargs& more) {
+  return std::make_shared<Scene>(
+      read_text(file), file.string(),
+      with_changes(default_settings(), params, {seed, frame, variant}, more));
 }
 
 SharedScene loads(const std::string& text, const std::filesystem::path& base,
-                  const std::string& name, const py::dict& params,
-                  const std::optional<uint64_t>& seed, const std::optional<double>& frame,
-                  const py::kwargs& more) {
+                  const std::string& name, const py::dict& params, const Seed& seed,
+                  const Frame& frame, const Name& variant, const py::kwargs& more) {
   const std::filesystem::path file = base == "." ? std::filesystem::path(name) : base / name;
-  return std::make_shared<Scene>(text, file.string(),
-                                 with_changes(default_settings(), params, seed, frame, more));
+  return std::make_shared<Scene>(
+      text, file.string(), with_changes(default_settings(), params, {seed, frame, variant}, more));
 }
 
 /// The scene from which a file was built. The frame is not part of the text, but an argument in the
 /// recipe.
 SharedScene scene_of(const std::filesystem::path& file, const std::filesystem::path& base) {
   const delivery::Recipe recipe = delivery::read_recipe(file);
-  std::optional<double> frame;
+  Frame frame;
   for (const std::string& argument : recipe.arguments)
     if (constexpr std::string_view kFrame = "--frame "; argument.rfind(kFrame, 0) == 0)
       frame = std::stod(argument.substr(kFrame.size()));
   return loads(recipe.scene, base, file.stem().string() + ".vug", py::dict(), std::nullopt, frame,
-               py::kwargs());
+               std::nullopt, py::kwargs());
 }
 
-SharedScene change(const Scene& scene, const py::dict& params, const std::optional<uint64_t>& seed,
-                   const std::optional<double>& frame, const py::kwargs& more) {
-  return std::make_shared<Scene>(scene.text(), scene.file(),
-                                 with_changes(scene.settings(), params, seed, frame, more));
+SharedScene change(const Scene& scene, const py::dict& params, const Seed& seed, const Frame& frame,
+                   const Name& variant, const py::kwargs& more) {
+  return std::make_shared<Scene>(
+      scene.text(), scene.file(),
+      with_changes(scene.settings(), params, {seed, frame, variant}, more));
+}
+
+py::dict variants(const Scene& scene) {
+  py::dict out;
+  for (const loading::Variant& each : scene.loaded().variants) {
+    py::dict values;
+    for (const auto& [name, value] : each.values) values[py::str(name)] = to_python(value);
+    out[py::str(each.name)] = values;
+  }
+  return out;
 }
 
 py::dict params(const Scene& scene) {
@@ -203,12 +223,19 @@ void bind_scene(py::module_& module) {
       "An immutable scene: a text with values of its parameters, a seed and a frame. `with_`\n"
       "returns a modified scene. Created by vug.load and vug.loads.");
   type.def("with_", &change, "params"_a = py::dict(), py::kw_only(), "seed"_a = py::none(),
-           "frame"_a = py::none(),
+           "frame"_a = py::none(), "variant"_a = py::none(),
            "Returns the scene with other parameters, by name or in a dict: scene.with_(LD=3). "
            "Other\n"
            "values are kept. Numbers are in metres or radians or have no unit; a str is text of "
            "the\n"
-           "scene language: '30%', '2m', '45deg'.")
+           "scene language: '30%', '2m', '45deg'. variant: a variant of the scene, over which\n"
+           "parameters take precedence; '' for none.")
+      .def_property_readonly(
+          "variants", &variants,
+          "The variants of the scene: dicts of parameter values by the name of the variant.")
+      .def_property_readonly(
+          "variant", [](const Scene& s) { return s.settings().load.variant; },
+          "The name of the chosen variant; empty: none.")
       .def_property_readonly(
           "params", &params,
           "vug.Param by name, with value, range and doc; in the order of the text.")
@@ -234,12 +261,16 @@ void bind_scene(py::module_& module) {
         return fmt::format("<vug.Scene '{}', seed {}>", s.shot().name, s.shot().seed);
       });
   bind_names(type);
-  module.def("load", &load, "file"_a, "params"_a = py::dict(), py::kw_only(), "seed"_a = py::none(),
-             "frame"_a = py::none(),
-             "Loads the scene of a .vug file, with parameters by name or in a dict:\n"
-             "vug.load('grotto.vug', LD=3, seed=7). Raises vug.Error with all errors of the text.");
+  module.def(
+      "load", &load, "file"_a, "params"_a = py::dict(), py::kw_only(), "seed"_a = py::none(),
+      "frame"_a = py::none(), "variant"_a = py::none(),
+      "Loads the scene of a .vug file, with parameters by name or in a dict:\n"
+      "vug.load('grotto.vug', LD=3, seed=7). `variant` is the name of a variant of the scene, "
+      "over\n"
+      "which parameters take precedence. Raises vug.Error with all errors of the text.");
   module.def("loads", &loads, "text"_a, "base"_a = ".", "name"_a = "scene.vug",
              "params"_a = py::dict(), py::kw_only(), "seed"_a = py::none(), "frame"_a = py::none(),
+             "variant"_a = py::none(),
              "Loads a scene from a text. Files are searched relative to the folder `base`, and\n"
              "messages call the text `name`.");
   module.def(

@@ -34,6 +34,8 @@ void SceneOptions::add_to(CLI::App& app, const WorkOptions* work) {
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
+  app.add_option("--variant", variant,
+                 "Variant of the scene, which sets several parameters; -D takes precedence");
   app.add_option("--seed", seed, "Seed that replaces the scene's own")->check(seed_number());
   app.add_flag("--strict", strict, "Warnings about the scene are errors");
   if (work)
@@ -47,6 +49,7 @@ void SceneOptions::add_to(CLI::App& app, const WorkOptions* work) {
 
 loading::LoadOptions SceneOptions::load_options() const {
   loading::LoadOptions options;
+  options.variant = variant;
   options.seed = seed;
   options.frame = frame.value_or(1);
   options.draft = quality == "draft";

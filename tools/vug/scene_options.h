@@ -22,6 +22,7 @@ struct WorkOptions;
 struct SceneOptions {
   std::string scene;
   std::vector<std::string> defines;
+  std::string variant;
   std::optional<uint64_t> seed;
   std::optional<double> frame;
   bool strict = false;  ///< Warnings about the scene are errors.

@@ -5,6 +5,7 @@
 #include <vug/loading/load.h>
 #include <vug/loading/reader.h>
 #include <vug/loading/validate.h>
+#include <vug/loading/variant_overrides.h>
 #include <vug/scene/check.h>
 #include <vug/scene/parser.h>
 #include <vug/scene/report.h>
@@ -53,12 +54,15 @@ void check_target(const scene::Declaration& declaration, const DeclarationKind& 
       fmt::format("remove 'on'; declarations with 'on': {}", fmt::join(standing, ", ")));
 }
 
-/// The scene text with its overrides as comments, from which the scene can be rebuilt.
+/// The scene text with its overrides and those of the variant as comments, from which the scene can
+/// be rebuilt.
 std::string recipe(const scene::Document& document, const LoadOptions& options, uint64_t seed,
                    bool moves) {
   std::string text = document.sources.empty() ? "" : document.sources[0]->text;
-  for (const scene::Override& change : options.overrides)
-    text += fmt::format("# -D {}={}\n", change.name, change.text);
+  for (const auto& changes :
+       {options.overrides, variant_overrides(document, options.variant, options.overrides)})
+    for (const scene::Override& change : changes)
+      text += fmt::format("# -D {}={}\n", change.name, change.text);
   if (options.seed) text += fmt::format("# --seed {}\n", seed);
   if (moves) text += fmt::format("# --frame {}\n", options.frame);
   if (options.draft) text += "# --quality draft\n";
@@ -176,6 +180,10 @@ void register_declarations(const scene::Document& document, ReadContext& context
       declare_loop(declaration, *kind, context, cached);
       continue;
     }
+    if (!kind->is_value) {
+      kind->read(declaration, context);
+      continue;
+    }
     const auto make = [&declaration, kind, &context] {
       return read_declaration(declaration, *kind, nullptr, context);
     };
@@ -194,7 +202,7 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   volume::install_grid_loader();
   Resolver resolver(document);
   scene::Evaluator evaluator(document, resolver, loaded.diagnostics,
-                             {options.overrides, options.seed, options.frame});
+                             {options.overrides, options.seed, options.frame, options.variant});
   loaded.sources = evaluator.sources();  // include the overrides, which reports quote
   loaded.shot.name = file.stem().string();
   loaded.shot.seed = evaluator.seed();
@@ -224,6 +232,8 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   validate(loaded.shot, document, loaded.diagnostics);
   if (!loaded.diagnostics.has_errors()) check_attributes(document, loaded.shot, loaded.diagnostics);
   loaded.shot.animated = resolver.frame_uses() > 0;
+  for (scene::VariantValues& each : evaluator.variants())
+    loaded.variants.push_back({each.variant->name, std::move(each.values), each.variant->where});
   loaded.provenance = std::move(resolver.provenance());
   loaded.shot.recipe = recipe(document, options, evaluator.seed(), loaded.shot.animated);
   return loaded;

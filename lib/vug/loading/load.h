@@ -24,6 +24,7 @@ struct StaticCache {
 
 struct LoadOptions {
   std::vector<scene::Override> overrides;              ///< -D NAME=VALUE, in order.
+  std::string variant;                                 ///< Name of a variant; empty: none.
   std::optional<uint64_t> seed;                        ///< Overrides the scene's seed.
   std::vector<std::filesystem::path> include_folders;  ///< Searched after the scene's own folder.
   std::vector<std::filesystem::path>
@@ -32,8 +33,8 @@ struct LoadOptions {
   bool draft = false;    ///< Sets Shot::draft.
   /// Memory limit in bytes for the word of an L-system; 0: the machine's free memory.
   uint64_t max_memory = 0;
-  /// Cache of static declarations for the same text, overrides and seed. Cached values are reused
-  /// as the identical objects, and new static values are added. May be null.
+  /// Cache of static declarations for the same text, overrides, variant and seed. Cached values are
+  /// reused as the identical objects, and new static values are added. May be null.
   StaticCache* static_cache = nullptr;
 };
 
@@ -47,12 +48,20 @@ struct Parameter {
   SourceLocation where;  ///< Location of the name in the text.
 };
 
+/// A named set of parameter values.
+struct Variant {
+  std::string name;
+  NamedValues values;
+  SourceLocation where;  ///< Location of the name in the text.
+};
+
 /// A loaded scene. If `diagnostics` has errors, the shot is incomplete and must not be used.
 struct Loaded {
   shot::Shot shot;
   Diagnostics diagnostics;
   std::vector<std::shared_ptr<const scene::Source>> sources;
   std::vector<Parameter> parameters;  ///< In the order of the text.
+  std::vector<Variant> variants;      ///< In the order of the text.
   ProvenanceTable provenance;         ///< The text from which each thing was made.
 
   bool usable() const { return !diagnostics.has_errors(); }

@@ -70,13 +70,24 @@ Arguments block_arguments(const scene::Declaration& declaration, const IsChoice&
   return arguments;
 }
 
+namespace {
+
+bool takes_target(const std::string& word) {
+  return std::any_of(declaration_kinds().begin(), declaration_kinds().end(),
+                     [&](const DeclarationKind* kind) {
+                       return kind->info.name == word && !kind->target_type.empty();
+                     });
+}
+
+}  // namespace
+
 bool has_block(const scene::Declaration& declaration, ReadContext& context) {
   if (!declaration.value) return true;
   context.diagnostics.error(
       declaration.where,
       fmt::format("'{}' is written with a block, not with '='", declaration.kind),
       fmt::format("for instance: {} {}{} {{ ... }}", declaration.kind, declaration.name,
-                  declaration.kind == "render" ? "" : " on NAME"));
+                  takes_target(declaration.kind) ? " on NAME" : ""));
   return false;
 }
 

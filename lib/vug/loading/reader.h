@@ -28,6 +28,7 @@ struct DeclarationKind {
   std::string target_type = {};  ///< Type after `on`: "volume", "mesh"; empty: no `on`.
   bool several_targets = false;  ///< Whether `on` takes several, separated by commas.
   bool in_loops = false;         ///< Whether `KIND NAME[i in LIST]` declares one for each element.
+  bool is_value = true;          ///< Whether expressions can use its name.
 };
 
 const std::vector<const DeclarationKind*>& declaration_kinds();

@@ -31,6 +31,7 @@ Evaluator::Evaluator(const Document& document, Resolver& resolver, Diagnostics& 
   for (const Let& let : document.lets) globals_[let.name].let = &let;
   for (const Def& def : document.defs) defs_[def.name] = {&def, info_of(def)};
   read_overrides();
+  read_variant();
   read_seed();
 }
 
@@ -176,12 +177,13 @@ Value Evaluator::param(ParamValue& param, RandomKey key) {
   if (!in_range(param, param.fallback, declared.value->where)) param.fallback = {};
   const auto given = overrides_.find(declared.name);
   const ExprPtr& own = given == overrides_.end() ? declared.given : given->second;
-  if (!own) return param.value = param.fallback;
-  const SourceLocation& where = own->where;
-  param.value = match_type(param.fallback, evaluate(*own, context),
-                           fmt::format("param '{}'", declared.name), where);
-  if (!in_range(param, param.value, where)) param.value = {};
-  return param.value;
+  return param.value = own ? replacement(param, *own, context) : param.fallback;
+}
+
+Value Evaluator::replacement(const ParamValue& param, const Expr& expr, const Context& context) {
+  Value value = match_type(param.fallback, evaluate(expr, context),
+                           fmt::format("param '{}'", param.param->name), expr.where);
+  return in_range(param, value, expr.where) ? value : Value();
 }
 
 /// An override or argument must have the type of the default; a plain number takes its dimension,

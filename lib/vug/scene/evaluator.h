@@ -38,10 +38,17 @@ struct ParamValue {
   Value high;
 };
 
+/// `variant NAME { PARAM value ... }` with the values of its parameters; empty after an error.
+struct VariantValues {
+  const Declaration* variant = nullptr;
+  std::vector<std::pair<std::string, Value>> values;
+};
+
 struct EvaluatorOptions {
   std::vector<Override> overrides;
   std::optional<uint64_t> seed;  ///< Overrides the document's seed.
   double frame = 1;              ///< The frame at which `frame` and `keys` are evaluated.
+  std::string variant = {};      ///< Name of a variant; `overrides` take precedence over it.
 };
 
 /// Evaluates the expressions of one document. Errors are added to the diagnostics and give Value(),
@@ -80,6 +87,9 @@ class Evaluator {
 
   /// All parameters with their values, checked against their ranges; in order of the text.
   const std::vector<ParamValue>& params();
+
+  /// All variants with their values, checked like overrides; in order of the text.
+  std::vector<VariantValues> variants();
 
   /// Evaluates every let and parameter to report their errors even if nothing uses them.
   void check_all();
@@ -136,6 +146,7 @@ class Evaluator {
   struct LoopResult;
 
   void read_overrides();
+  void read_variant();
   void read_seed();
   Value evaluate(const Expr& expr, const Context& context);
   Value name(const Expr& expr, const Context& context);
@@ -171,6 +182,9 @@ class Evaluator {
   Value global(const std::string& name, Global& global, const SourceLocation& where);
   Value use(const Value& value, int height, const SourceLocation& where);
   Value param(ParamValue& param, RandomKey key);
+  /// The value of an override, checked for its type and the range.
+  Value replacement(const ParamValue& param, const Expr& expr, const Context& context);
+  Value variant_value(const Declaration& variant, const Entry& entry);
   Value match_type(const Value& fallback, Value given, const std::string& what,
                    const SourceLocation& where);
   bool in_range(const ParamValue& param, Value& value, const SourceLocation& where);

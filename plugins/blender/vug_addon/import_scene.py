@@ -196,6 +196,7 @@ def import_into(collection, scene, files, folder):
         glb.surface(index)
     paths = move_files(collection, files, folder)
     parameters.update(collection, scene["params"], metres)
+    collection.vug.variants = json.dumps(scene["variants"])
     importer = SceneImporter(collection, glb)
     importer.nodes()
     stem = scene["name"] + "_"

@@ -3,7 +3,7 @@
 import os
 
 import bpy
-from bpy.props import BoolProperty, FloatProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from . import export_field, parameters, properties
@@ -151,6 +151,32 @@ class VUG_OT_defaults(bpy.types.Operator):
         return {"FINISHED"}
 
 
+variant_items = []  # Blender does not keep the strings of the items alive
+
+
+def items_of_variants(operator, context):
+    collection = properties.active_cave(context) if context else None
+    names = parameters.variants(collection) if collection else ()
+    variant_items[:] = [(name, name, f"Set the parameters to those of the variant '{name}'") for name in names]
+    return variant_items
+
+
+class VUG_OT_variant(bpy.types.Operator):
+    """Set the parameters of the cave to those of a variant of the scene, and all others to their defaults"""
+
+    bl_idname, bl_label, bl_options = "vug.variant", "Variant", {"REGISTER", "UNDO"}
+    variant: EnumProperty(name="Variant", items=items_of_variants)
+
+    @classmethod
+    def poll(cls, context):
+        collection = properties.active_cave(context)
+        return collection is not None and bool(parameters.variants(collection))
+
+    def execute(self, context):
+        parameters.apply_variant(properties.active_cave(context), self.variant)
+        return {"FINISHED"}
+
+
 class VUG_OT_revert(bpy.types.Operator):
     """Reset all parameters to those of the last build"""
 
@@ -192,7 +218,7 @@ class VUG_OT_export_field(bpy.types.Operator, ExportHelper):
         return {"FINISHED"}
 
 
-OPERATORS = (VUG_OT_work, VUG_OT_add, VUG_OT_update, VUG_OT_cancel, VUG_OT_defaults, VUG_OT_revert,
+OPERATORS = (VUG_OT_work, VUG_OT_add, VUG_OT_update, VUG_OT_cancel, VUG_OT_defaults, VUG_OT_variant, VUG_OT_revert,
              VUG_OT_export_field)
 
 

@@ -24,6 +24,8 @@ class VUG_PT_cave(bpy.types.Panel):
             layout.operator("vug.export_field")
             return
         layout.label(text=collection.name, icon="OUTLINER_COLLECTION")
+        if parameters.variants(collection):
+            layout.operator_menu_enum("vug.variant", "variant", text="Variant")
         column = layout.column()
         for param, key in parameters.shown(collection):
             column.prop(collection, f'["{bpy.utils.escape_identifier(key)}"]', text=param["name"])

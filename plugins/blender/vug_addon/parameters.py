@@ -118,6 +118,21 @@ def changed(collection):
     return out
 
 
+def variants(collection):
+    """The variants of the scene: dicts of values by name."""
+    return json.loads(collection.vug.variants or "{}")
+
+
+def apply_variant(collection, name):
+    """Sets the parameters of a variant to its values, and all others to their defaults."""
+    reset(collection)
+    chosen = variants(collection)[name]
+    for param, key in shown(collection):
+        value = stored(chosen.get(param["name"]), param["type"]) if param["name"] in chosen else None
+        if value is not None:
+            collection[key] = value
+
+
 def reset(collection):
     for param, key in shown(collection):
         collection[key] = stored(param["default"], param["type"])

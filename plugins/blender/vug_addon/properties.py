@@ -13,6 +13,7 @@ class VugCave(bpy.types.PropertyGroup):
     folder: StringProperty(name="Volumes", subtype="DIR_PATH",
                            description="Folder of this cave's .vdb files")
     parameters: StringProperty(options={"HIDDEN"})  # declared parameters as JSON
+    variants: StringProperty(options={"HIDDEN"})  # values of the variants' parameters as JSON
     metres_per_unit: FloatProperty(default=1, options={"HIDDEN"})  # unit scale of the last build
     owned: StringProperty(options={"HIDDEN"})  # imported objects; see ownership.py
     built: StringProperty(options={"HIDDEN"})  # settings of the last build; see cave_build.py

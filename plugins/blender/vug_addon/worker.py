@@ -3,7 +3,7 @@
 
 The first line of its input is the order, in JSON: `source`, `params` (changed parameters by name), `seed`
 or null, `known` (key of the result that Blender has) and `folder` for the output. It prints lines of JSON:
-`scene` (parameters that can be set), `share` and `what` during the work, and finally `same`, `done` or
+`scene` (parameters that can be set, and variants), `share` and `what` during the work, and finally `same`, `done` or
 `error`. It ends at the end of its input, so that it never outlives Blender.
 """
 import hashlib
@@ -67,7 +67,8 @@ def work(order):
         scene = scene_of(vug, order)
     key = key_of(vug, scene)
     say(scene={"name": scene.name, "key": key,
-               "params": [param._asdict() for param in scene.params.values()]})
+               "params": [param._asdict() for param in scene.params.values()],
+               "variants": scene.variants})
     if key == order["known"]:
         return say(same=True)
     with warnings.catch_warnings(record=True) as told:
