@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <vug/base/diagnostics.h>
 #include <vug/loading/placement/check.h>
+#include <vug/picture/render_choice.h>
 
 #include <algorithm>
 
@@ -136,7 +137,10 @@ void apply(RenderArguments& arguments, const std::string& name, const py::handle
 RenderArguments render_arguments(const Scene& scene, const std::string& name,
                                  const py::kwargs& given) {
   RenderArguments arguments;
-  arguments.picture.render = name;
+  arguments.picture.render =
+      picture::choose_renders(scene.shot(),
+                              name.empty() ? std::vector<std::string>() : std::vector{name})
+          .front();
   arguments.picture.config = image::environment_config();
   arguments.picture.seed = scene.settings().load.seed;
   arguments.picture.source = &scene.source();
@@ -148,8 +152,8 @@ RenderArguments render_arguments(const Scene& scene, const std::string& name,
 
 std::string render_doc() {
   std::string doc =
-      "Renders a render block, by default the first, and returns a vug.Image. Arguments replace\n"
-      "the settings of the block, and choose the view of the scene:\n\n";
+      "Renders a render block and returns a vug.Image. `name` is required if the scene has\n"
+      "several. Arguments replace the settings of the block, and choose the view of the scene:\n\n";
   for (const ParamInfo& info : shot::render_schema().info().params)
     doc += fmt::format("{}: {}\n", info.name, info.doc);
   return doc +
@@ -170,9 +174,10 @@ Image render(Build& build, const RenderArguments& arguments) {
   build.work([&](building::Builder& builder) {
     const picture::PicturePlan plan = picture::plan_picture(builder.shot(), arguments.picture);
     if (!arguments.anyway && &builder.shot() == &scene.shot)
-      loading::check_placement(
-          scene, {picture::camera_name(scene.shot, plan.render), loading::Accuracy::exact},
-          mistakes);
+      loading::check_placement(scene,
+                               {picture::camera_name(scene.shot, plan.render),
+                                loading::Accuracy::exact, plan.shown.get()},
+                               mistakes);
     if (mistakes.has_errors()) return;
     *rendered = picture::render_views(builder, plan, arguments.render);
     picture::warn_about_exposure(builder, rendered->front());

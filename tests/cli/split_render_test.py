@@ -16,7 +16,6 @@ camera main { eye (-1.2, 0.3, 0.4)  target (1, 0, 0)  fov 70deg }
 light lamp = sphere(center: (0.5, 0.6, 0.3), radius: 10cm, radiance: (90, 60, 30))
 medium dust = haze(extinction: 5%/m)
 render main { size 64x40  spp 48 }
-render noisy { size 64x40  spp 256  noise 20%  camera main }
 """
 
 
@@ -192,6 +191,7 @@ class Farm(VugTest):
         self.kill_and_resume("killed", "whole2", *(() if SLOW else ("--spp", "96")))
 
     def test_killed_while_sampling_down_to_a_noise(self):
+        self.write("s.vug", SCENE + "render noisy { size 64x40  spp 256  noise 20%  camera main }\n")
         self.kill_and_resume("noisy", "whole_noisy", "--render", "noisy")
 
     def test_a_checkpoint_is_not_lost_or_mistaken(self):

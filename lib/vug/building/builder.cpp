@@ -79,7 +79,7 @@ volume::SurfaceBricksPtr Builder::cached_surface(const shot::MeshPtr& plan) cons
 
 void Builder::reuse_from(Builder&& other) {
   std::set<shot::VolumePtr> volumes(shot_.volumes.begin(), shot_.volumes.end());
-  volumes.insert(shot_.medium_volume);
+  for (const shot::MediumPlan& air : shot_.media) volumes.insert(air.volume);
   std::vector<shot::MeshPtr> meshes;
   for (const shot::VolumePtr& volume : shot_.volumes)
     if (volume->source_mesh) add_with_parts(volume->source_mesh, meshes);

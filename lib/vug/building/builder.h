@@ -42,10 +42,12 @@ class Builder {
   /// continue.
   void reuse_from(Builder&& other);
 
-  /// Computes the deferred fields of the shown objects, such as drips.
-  void compute_deferred();
+  /// Computes the deferred fields, such as drips, of the shown objects of the shot or a part of it.
+  void compute_deferred(const shot::Shot& part);
   const volume::LevelSet& level_set(const shot::VolumePtr& plan);
   mesh::MeshPtr mesh(const shot::MeshPtr& plan);
+  /// Whether the mesh has been built.
+  bool has_mesh(const shot::MeshPtr& plan) const { return cached(plan) != nullptr; }
   /// The level set of which the mesh is the surface, for masks; null if there is none.
   std::shared_ptr<const field::SampledGrid> solid(const shot::MeshPtr& plan);
   /// The cell layer of a plan.

@@ -24,8 +24,8 @@ Error Builder::volume_error(const shot::VolumePlan& plan, Error& error, std::str
   return error.within(std::move(doing));
 }
 
-void Builder::compute_deferred() {
-  for (const shot::ObjectPlan& object : shot::shown_objects(shot_)) {
+void Builder::compute_deferred(const shot::Shot& part) {
+  for (const shot::ObjectPlan& object : shot::shown_objects(part)) {
     const shot::VolumePtr& plan = object.mesh->volume;
     if (!plan) continue;
     const Progress::Product product(progress_, plan->name);

@@ -219,16 +219,19 @@ void add_default_light(FlatScene& scene, const render::Medium* medium) {
 }
 
 FlatScene flatten_scene(Builder& builder, const TimeSamples& time_samples) {
-  const shot::Shot& shot = builder.shot();
-  const std::vector<shot::ObjectPlan> shown = shot::shown_objects(shot);
+  return flatten_scene(builder, builder.shot(), time_samples);
+}
+
+FlatScene flatten_scene(Builder& builder, const shot::Shot& part, const TimeSamples& time_samples) {
+  const std::vector<shot::ObjectPlan> shown = shot::shown_objects(part);
   for (const shot::ObjectPlan& object : shown)
     object.direct ? builder.require_surface_memory(object.mesh)
                   : builder.require_mesh_memory(object.mesh);
   FlatScene scene;
   for (const shot::ObjectPlan& object : shown)
     scene.objects.push_back(make_object(builder, object));
-  for (const auto& [name, light] : shot.lights) scene.lights.push_back(light);
-  for (const shot::PointInstancer& plan : shot.instancers) {
+  for (const auto& [name, light] : part.lights) scene.lights.push_back(light);
+  for (const shot::PointInstancer& plan : part.instancers) {
     try {
       add_instances(builder, plan, time_samples, scene);
     } catch (const Error& error) {

@@ -24,6 +24,8 @@ using TimeSamples = std::vector<std::shared_ptr<const shot::Shot>>;
 /// them, instances use the pose at the frame. Lights are never blurred. Builds all meshes.
 /// Error(bad_input), located at the name of the `place`, for instances that cannot be rendered.
 FlatScene flatten_scene(Builder& builder, const TimeSamples& time_samples = {});
+/// The same for a part of the builder's shot; see shot/selection.h.
+FlatScene flatten_scene(Builder& builder, const shot::Shot& part, const TimeSamples& time_samples);
 
 /// The index of the model of an instance: its own, or a random one. Error(bad_input) if the
 /// instance has a model that the plan lacks.

@@ -5,6 +5,7 @@
 #include <vug/delivery/material_probe.h>
 #include <vug/picture/picture_plan.h>
 #include <vug/shot/cells_plan.h>
+#include <vug/shot/selection.h>
 
 #include <fmt/format.h>
 
@@ -210,7 +211,8 @@ AssemblyResult build_assembly(building::Builder& builder) {
   out.assembly.name = shot.name;
   out.assembly.provenance = provenance_of(shot);
   building::FlatScene flat = building::flatten_scene(builder);
-  building::add_default_light(flat, shot.medium.get());
+  const shot::MediumPlan* air = shot::find_air(shot, picture::plan_picture(shot).render.settings);
+  building::add_default_light(flat, air ? air->medium.get() : nullptr);
   for (render::Object& object : flat.objects) object.name = shown_name(shot, object.name);
   Collector(out).collect(flat.objects);
   add_cameras(shot, out);

@@ -42,8 +42,8 @@ class FileNames {
   std::filesystem::path volume(const shot::VolumePlan& plan) const {
     return folder_ / fmt::format("{}_{}.vdb", shot_.name, plan.name);
   }
-  std::filesystem::path medium() const {
-    return folder_ / fmt::format("{}_{}_medium.vdb", shot_.name, shot_.medium_name);
+  std::filesystem::path medium(const shot::MediumPlan& plan) const {
+    return folder_ / fmt::format("{}_{}_medium.vdb", shot_.name, plan.name);
   }
   std::filesystem::path points(const shot::CellsPlan& plan) const {
     const std::string& format = options_.program->points_format;
@@ -91,11 +91,12 @@ class Exporter {
     const shot::Shot& shot = builder_.shot();
     for (const shot::VolumePtr& plan : shot.volumes)
       made.assembly.volumes.push_back(write(export_volume(builder_, plan), names_.volume(*plan)));
-    if (has_own_grids(shot))
-      made.assembly.volumes.push_back(write(export_medium(builder_), names_.medium()));
-    else if (shot.medium && !shot.medium->has_grids())
-      made.unsupported.push_back(
-          fmt::format("the haze '{}', which fills all space and has no grid", shot.medium_name));
+    for (const shot::MediumPlan& plan : shot.media)
+      if (has_own_grids(plan))
+        made.assembly.volumes.push_back(write(export_medium(plan), names_.medium(plan)));
+      else if (!plan.medium->has_grids())
+        made.unsupported.push_back(
+            fmt::format("the haze '{}', which fills all space and has no grid", plan.name));
     for (const shot::CellsPtr& plan : shot::declared_cells(shot)) write(plan);
     out_.unsupported = std::move(made.unsupported);
     for (const std::string& name : options_.program->formats) {
@@ -211,7 +212,8 @@ std::vector<std::filesystem::path> export_paths(const shot::Shot& shot,
   const FileNames names(shot, folder, options);
   std::vector<std::filesystem::path> paths;
   for (const shot::VolumePtr& plan : shot.volumes) paths.push_back(names.volume(*plan));
-  if (has_own_grids(shot)) paths.push_back(names.medium());
+  for (const shot::MediumPlan& plan : shot.media)
+    if (has_own_grids(plan)) paths.push_back(names.medium(plan));
   for (const shot::CellsPtr& plan : shot::declared_cells(shot)) {
     if (plan->writes("grids")) paths.push_back(names.grids(*plan));
     if (plan->writes("points")) paths.push_back(names.points(*plan));

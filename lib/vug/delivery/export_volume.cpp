@@ -17,15 +17,15 @@ std::string grid_name(const shot::VolumePlan& plan) {
 }
 
 /// Replaces the density by all grids of the cloud.
-void add_cloud(const building::Builder& builder, const volume::Grid& density, bool half,
-               ExportVolume& out) {
+void add_cloud(const building::Builder& builder, const render::Medium& cloud,
+               const volume::Grid& density, bool half, ExportVolume& out) {
   // Vectors, numbers and the position of each voxel, before constant blocks are compressed.
   constexpr double kBytes = 32;
   require_memory(kBytes * static_cast<double>(density.statistics().active_voxels),
                  builder.memory_budget(), fmt::format("the grids of '{}'", out.name),
                  "use larger voxels");
   const render::MediumPtr medium =
-      builder.shot().medium->with_density(std::make_shared<const volume::Density>(density));
+      cloud.with_density(std::make_shared<const volume::Density>(density));
   std::optional<render::MediumData> data = medium ? medium->as_data(&density) : std::nullopt;
   if (!data) return;
   out.medium = data->medium;
@@ -40,19 +40,18 @@ ExportVolume export_volume(building::Builder& builder, const shot::VolumePtr& pl
       building::level_set_for_files(builder, plan, shot::DistanceValues::exact);
   const volume::Grid grid = volume_grid(*plan, level_set).named(grid_name(*plan));
   ExportVolume out{plan->name, {grid}, {}};
-  if (builder.shot().medium && builder.shot().medium_volume == plan)
-    add_cloud(builder, grid, plan->half, out);
+  for (const shot::MediumPlan& each : builder.shot().media)
+    if (each.volume == plan && !out.medium) add_cloud(builder, *each.medium, grid, plan->half, out);
   return out;
 }
 
-bool has_own_grids(const shot::Shot& shot) {
-  return shot.medium && !shot.medium_volume && shot.medium->has_grids();
+bool has_own_grids(const shot::MediumPlan& plan) {
+  return !plan.volume && plan.medium->has_grids();
 }
 
-ExportVolume export_medium(building::Builder& builder) {
-  const shot::Shot& shot = builder.shot();
-  ExportVolume out{shot.medium_name, {}, {}};
-  std::optional<render::MediumData> data = shot.medium->as_data(nullptr);
+ExportVolume export_medium(const shot::MediumPlan& plan) {
+  ExportVolume out{plan.name, {}, {}};
+  std::optional<render::MediumData> data = plan.medium->as_data(nullptr);
   if (data) out.grids = std::move(data->grids), out.medium = data->medium;
   return out;
 }

@@ -24,9 +24,9 @@ struct ExportVolume {
 /// `flame` if these vary. Error(too_large).
 ExportVolume export_volume(building::Builder& builder, const shot::VolumePtr& plan);
 
-/// Whether the scene's medium has its own grids, from a file.
-bool has_own_grids(const shot::Shot& shot);
+/// Whether the medium has its own grids, from a file.
+bool has_own_grids(const shot::MediumPlan& plan);
 /// The grids of that medium: `density` and the others. Error(bad_input) if its file cannot be read.
-ExportVolume export_medium(building::Builder& builder);
+ExportVolume export_medium(const shot::MediumPlan& plan);
 
 }  // namespace vug::delivery

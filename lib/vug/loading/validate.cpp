@@ -2,6 +2,7 @@
 #include <vug/loading/validate.h>
 #include <vug/render/render.h>
 #include <vug/shot/queries.h>
+#include <vug/shot/selection.h>
 
 #include <fmt/format.h>
 
@@ -65,6 +66,38 @@ bool is_declared(const std::string& name, const scene::Document& document) {
   return document.skipped.may_declare(first) ||
          std::any_of(document.declarations.begin(), document.declarations.end(),
                      [&](const scene::Declaration& made) { return made.name == first; });
+}
+
+/// The location of a name in an expression.
+SourceLocation find_name(const scene::Expr& expr, const std::string& name) {
+  if (expr.kind == scene::ExprKind::name && expr.text == name) return expr.where;
+  for (const scene::Operand& part : expr.operands)
+    if (const SourceLocation where = find_name(*part.value, name); where.known()) return where;
+  return {};
+}
+
+/// The location of the name in the entry of the render block, else that of the block's name.
+SourceLocation location_of_selected(const shot::SelectionFault& fault, const shot::RenderPlan& plan,
+                                    const scene::Document& document) {
+  const scene::Declaration* made = document.find(plan.name, "render");
+  const scene::Entry* entry = made ? made->find_entry(fault.setting) : nullptr;
+  if (entry)
+    for (const scene::ExprPtr& value : entry->values)
+      if (const SourceLocation where = find_name(*value, fault.name); where.known()) return where;
+  return entry ? entry->where : plan.where;
+}
+
+/// Reports unknown names of lights, objects and media, and a missing choice of the air. `whole`:
+/// the text has no other errors, which may be the reason why a name is unknown.
+void check_selections(const shot::Shot& shot, const scene::Document& document, bool whole,
+                      Diagnostics& diagnostics) {
+  std::vector<shot::RenderPlan> renders = shot.renders;
+  if (renders.empty() && !is_empty_scene(shot) && shot.media.size() > 1)
+    renders.push_back({"main", {}, shot.media[1].where});
+  for (const shot::RenderPlan& plan : renders)
+    for (const shot::SelectionFault& fault : shot::find_selection_faults(shot, plan.settings))
+      if (whole || (!fault.name.empty() && !is_declared(fault.name, document)))
+        diagnostics.error(location_of_selected(fault, plan, document), fault.message, fault.hint);
 }
 
 /// Warns about portals in scenes without a sky that needs them.
@@ -137,6 +170,7 @@ void validate(const shot::Shot& shot, const scene::Document& document, Diagnosti
               location_of_light(name, document),
               fmt::format("the light is linked to '{}', but no shown object has that name", linked),
               link_hint(shot, linked));
+  check_selections(shot, document, whole, diagnostics);
   if (!whole) return;
   warn_about_dark_portals(shot, document, diagnostics);
   for (const shot::RenderPlan& plan : shot.renders) try {

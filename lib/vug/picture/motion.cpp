@@ -47,7 +47,7 @@ render::MotionStepPtr motion_step(building::Builder& builder, const PicturePlan&
   step->next = camera_in(*both[1], plan);
   if (const int eye = plan.options.eye; eye != 0)
     step->now = step->now->stereo_view(eye), step->next = step->next->stereo_view(eye);
-  const building::FlatScene flat = building::flatten_scene(builder, both);
+  const building::FlatScene flat = building::flatten_scene(builder, *plan.shown, both);
   for (size_t i = 0; i < flat.objects.size(); ++i)
     if (const auto& instance = flat.objects[i].instance; instance && instance->moves())
       step->transforms[static_cast<uint32_t>(i)] = {instance->keyframes()[0],

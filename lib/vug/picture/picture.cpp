@@ -9,6 +9,7 @@
 #include <vug/render/kinds.h>
 #include <vug/render/working_space.h>
 #include <vug/shot/queries.h>
+#include <vug/shot/selection.h>
 #include <vug/volume/density.h>
 #include <vug/volume/fog.h>
 
@@ -60,6 +61,9 @@ std::string identity(const render::Scene& scene, const shot::Shot& shot, const P
     if (!values.empty()) hash.add(values.data(), values.size() * sizeof(values[0]));
   };
   hash.add_value(shot.text_digest).add_value(plan.options.eye);
+  for (const auto& [setting, value] : plan.options.settings)
+    if (setting == "lights" || setting == "objects" || setting == "air")
+      add_all(setting + " " + to_string(value));
   for (const std::string& text :
        {shot.recipe, plan.render.name, camera_name(shot, plan.render), std::string(VUG_VERSION)})
     add_all(text);
@@ -185,17 +189,19 @@ render::CameraPtr picture_camera(const PicturePlan& plan,
 
 }  // namespace
 
-render::Scene build_scene(building::Builder& builder, const shot::RenderPlan& plan,
+render::Scene build_scene(building::Builder& builder, const PicturePlan& plan,
                           const building::TimeSamples& time_samples) {
-  const shot::Shot& shot = builder.shot();
+  const shot::Shot& shot = *plan.shown;
+  const shot::RenderSettings& settings = plan.render.settings;
+  const shot::MediumPlan* air = shot::find_air(shot, settings);
   render::Scene scene;
-  building::FlatScene flat = building::flatten_scene(builder, time_samples);
+  building::FlatScene flat = building::flatten_scene(builder, shot, time_samples);
   if (flat.objects.empty() && flat.lights.empty())
     throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");
   Progress& progress = builder.progress();
   progress.begin("assembling the scene");
-  building::add_default_light(flat, shot.medium.get());
+  if (!settings.lights) building::add_default_light(flat, air ? air->medium.get() : nullptr);
   scene.objects = std::move(flat.objects);
   scene.lights = std::move(flat.lights);
   Box3d bounds;
@@ -208,14 +214,15 @@ render::Scene build_scene(building::Builder& builder, const shot::RenderPlan& pl
       box = to.box({Vec3f(own.min), Vec3f(own.max)});
     if (!box.isEmpty()) bounds.extendBy(Box3d(Vec3d(box.min), Vec3d(box.max)));
   }
-  scene.medium = shot.medium;
-  if (shot.medium_volume)
-    scene.medium = shot.medium->with_density(std::make_shared<const volume::Density>(
-        volume::fog(builder.level_set(shot.medium_volume))));
+  if (air) scene.medium = air->medium;
+  if (air && air->volume)
+    scene.medium = air->medium->with_density(
+        std::make_shared<const volume::Density>(volume::fog(builder.level_set(air->volume))));
   if (bounds.isEmpty()) bounds = Box3d(Vec3d(-1), Vec3d(1));
-  scene.camera = plan.settings.camera ? plan.settings.camera : outside_camera(bounds);
-  warn_if_inside_solid(builder, plan, shot::shown_objects(shot), *scene.camera);
-  scene = render::in_space(std::move(scene), plan.settings.working_space);
+  scene.omitted = shot::omitted_objects(builder.shot(), shot);
+  scene.camera = settings.camera ? settings.camera : outside_camera(bounds);
+  warn_if_inside_solid(builder, plan.render, shot::shown_objects(shot), *scene.camera);
+  scene = render::in_space(std::move(scene), settings.working_space);
   progress.end();
   return scene;
 }
@@ -223,12 +230,12 @@ render::Scene build_scene(building::Builder& builder, const shot::RenderPlan& pl
 PictureJob prepare_picture(building::Builder& builder, const PicturePlan& plan, bool whole_film) {
   const shot::Shot& shot = builder.shot();
   const building::TimeSamples time_samples = shutter_samples(shot, plan);
-  shot::RenderPlan moving = plan.render;
-  moving.settings.camera = picture_camera(plan, time_samples);
+  PicturePlan moving = plan;
+  moving.render.settings.camera = picture_camera(plan, time_samples);
   PictureJob job;
   render::Options& render = job.options;
   render = renderer_options(shot, plan);
-  render.aovs = early_aovs(shot, plan);
+  render.aovs = early_aovs(*plan.shown, plan);
   require_view(plan);
   require_memory(render::memory_estimate({}, render, whole_film), builder.memory_budget(),
                  fmt::format("a picture of {}x{}", render.width, render.height), kFewerPixels);

@@ -9,8 +9,9 @@
 namespace vug::picture {
 
 /// Builds the renderer's scene: objects, lights, medium and camera. A shot without objects shows
-/// its meshes with a grey material; a shot without lights gets a uniform sky.
-render::Scene build_scene(building::Builder& builder, const shot::RenderPlan& plan,
+/// its meshes with a grey material; a shot without lights gets a uniform sky, unless the plan
+/// selects the lights.
+render::Scene build_scene(building::Builder& builder, const PicturePlan& plan,
                           const building::TimeSamples& time_samples = {});
 
 /// All inputs of a rendering.

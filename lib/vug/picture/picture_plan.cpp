@@ -4,6 +4,7 @@
 #include <vug/base/hash.h>
 #include <vug/image/denoise.h>
 #include <vug/picture/picture_plan.h>
+#include <vug/shot/selection.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -96,10 +97,17 @@ std::string PicturePlan::option_for(const std::string& setting) const {
 }
 
 PicturePlan plan_picture(const shot::Shot& shot, const PictureOptions& options) {
-  PicturePlan plan{render_block(shot, options.render), options};
+  PicturePlan plan{render_block(shot, options.render), options, nullptr};
   plan.render.settings = shot::with_overrides(plan.render.settings, options.settings);
   add_denoising_layers(plan.render.settings);
   plan.render.settings.camera = find_camera(shot, plan.render, options.camera);
+  for (const shot::SelectionFault& fault :
+       shot::find_selection_faults(shot, plan.render.settings)) {
+    const std::string option = plan.option_for(fault.setting);
+    throw Error(ErrorCode::bad_input, option + (option.empty() ? "" : ": ") + fault.message,
+                option.empty() ? plan.render.where : SourceLocation(), fault.hint);
+  }
+  plan.shown = shot::selected_part(shot, plan.render.settings);
   return plan;
 }
 

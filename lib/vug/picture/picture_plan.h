@@ -32,12 +32,14 @@ struct PictureOptions {
 struct PicturePlan {
   shot::RenderPlan render;
   PictureOptions options;
+  std::shared_ptr<const shot::Shot> shown;  ///< The part of the shot that the picture shows.
 
   /// The option that replaced a setting, such as "--layers"; empty if it has the scene's value.
   std::string option_for(const std::string& setting) const;
 };
 
-/// Error(bad_input), with the nearest name, for unknown names and for invalid settings.
+/// The shot must outlive the plan. Error(bad_input), with the nearest name, for unknown names and
+/// for invalid settings.
 PicturePlan plan_picture(const shot::Shot& shot, const PictureOptions& options = {});
 
 /// The camera of the same picture in another shot of the scene; null for an outside view.

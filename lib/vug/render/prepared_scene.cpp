@@ -14,7 +14,7 @@ std::vector<LightPtr> joined(std::vector<LightPtr> lights, const std::vector<Lig
 
 PreparedScene::PreparedScene(const Scene& scene)
     : geometry_(std::make_shared<Geometry>(scene.objects)),
-      lights_(std::make_shared<const LightSet>(scene.lights, scene.objects)) {
+      lights_(std::make_shared<const LightSet>(scene.lights, scene.objects, scene.omitted)) {
   medium_ = scene.medium;
   if (medium_)
     if (MediumPtr fitted = medium_->with_bounds(geometry_->bounds)) medium_ = fitted;
@@ -23,7 +23,8 @@ PreparedScene::PreparedScene(const Scene& scene)
 PreparedScene::PreparedScene(const PreparedScene& other, const Scene& scene,
                              const std::vector<LightPtr>& more)
     : geometry_(other.geometry_),
-      lights_(std::make_shared<const LightSet>(joined(scene.lights, more), scene.objects)),
+      lights_(std::make_shared<const LightSet>(joined(scene.lights, more), scene.objects,
+                                               scene.omitted)),
       medium_(other.medium_) {}
 
 PreparedScene::PreparedScene(const PreparedScene& other, float time)

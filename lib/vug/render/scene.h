@@ -49,6 +49,8 @@ struct Scene {
   std::vector<LightPtr>
       lights;        ///< Finite and infinite lights; the radiance of environments adds up.
   MediumPtr medium;  ///< Null: vacuum.
+  /// Names of objects that the picture omits, to which lights may be linked without effect.
+  std::vector<std::string> omitted = {};
 };
 
 }  // namespace vug::render

@@ -193,9 +193,9 @@ Preview make_preview(building::Builder& builder, const loading::Loaded& loaded,
   exchange::WriteReport written =
       exchange::write(format, made.assembly, *format.space, glb, {}, builder.progress());
   out.unsupported = std::move(made.unsupported);
-  if (shot.medium)
+  for (const shot::MediumPlan& air : shot.media)
     out.unsupported.push_back(
-        fmt::format("the medium '{}': the page shows only surfaces", shot.medium_name));
+        fmt::format("the medium '{}': the page shows only surfaces", air.name));
   for (const auto& more :
        {written.unsupported, written.notes})  // the page is not read by an add-on
     out.unsupported.insert(out.unsupported.end(), more.begin(), more.end());

@@ -67,6 +67,9 @@ struct RenderSettings : OutputSettings {
   render::CameraPtr camera;         ///< Null: the camera with the name of the plan, else the first.
   render::SamplerPtr sampler;
   render::IntegratorPtr integrator;
+  /// Names of the lights, and of the objects and places, that take part; nothing: all of them.
+  std::optional<std::vector<std::string>> lights, objects;
+  std::string air;  ///< Name of the medium, or "none"; empty: the only medium of the scene.
 
   template <class Table>
   static void describe(Table& table) {
@@ -103,7 +106,13 @@ struct RenderSettings : OutputSettings {
         .param("sampler", &RenderSettings::sampler,
                {.doc = "sampler of random numbers; default: sobol"})
         .param("integrator", &RenderSettings::integrator,
-               {.doc = "integrator, such as path(max_bounces: 6); default: path()"});
+               {.doc = "integrator, such as path(max_bounces: 6); default: path()"})
+        .param("lights", &RenderSettings::lights,
+               {.doc = "names of the lights that take part, such as [key, fill]; default: all"})
+        .param("objects", &RenderSettings::objects,
+               {.doc = "names of the objects and places that take part; default: all"})
+        .param("air", &RenderSettings::air,
+               {.doc = "name of the medium that fills the scene, or none; default: the only one"});
   }
 };
 

@@ -13,16 +13,11 @@ void with_lists(A& a, B& b, const With& with) {
   with(a.instancers, b.instancers);
   with(a.cameras, b.cameras);
   with(a.lights, b.lights);
+  with(a.media, b.media);
   with(a.materials, b.materials);
   with(a.renders, b.renders);
   with(a.derivations, b.derivations);
   with(a.lsystems, b.lsystems);
-}
-
-void copy_medium(const Shot& from, Shot& to) {
-  to.medium = from.medium;
-  to.medium_name = from.medium_name;
-  to.medium_volume = from.medium_volume;
 }
 
 }  // namespace
@@ -36,7 +31,6 @@ MeshPtr plain_mesh(const VolumePtr& volume) {
 
 Shot::Snapshot Shot::snapshot() const {
   Snapshot out;
-  out.medium = medium != nullptr;
   with_lists(*this, *this,
              [&](const auto& list, const auto&) { out.lists.push_back(list.size()); });
   return out;
@@ -48,14 +42,12 @@ Shot Shot::delta(const Snapshot& snapshot) const {
   with_lists(*this, out, [&](const auto& from, auto& to) {
     to.assign(from.begin() + static_cast<std::ptrdiff_t>(snapshot.lists.at(i++)), from.end());
   });
-  if (!snapshot.medium) copy_medium(*this, out);
   return out;
 }
 
 void Shot::add(const Shot& more) {
   with_lists(more, *this,
              [](const auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); });
-  if (more.medium) copy_medium(more, *this);
 }
 
 }  // namespace vug::shot

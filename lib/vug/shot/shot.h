@@ -135,6 +135,14 @@ struct PointInstancer {
   SourceLocation where;  ///< Location of the name in the text.
 };
 
+/// `medium NAME = ...`: a participating medium. The air of a picture is one of them.
+struct MediumPlan {
+  std::string name;
+  render::MediumPtr medium;
+  VolumePtr volume;      ///< Its density, if it needs one.
+  SourceLocation where;  ///< Location of the name in the text.
+};
+
 /// `camera NAME { ... }`: a camera.
 struct CameraPlan {
   std::string name;
@@ -176,10 +184,8 @@ struct Shot {
   std::vector<PointInstancer> instancers;
   std::vector<CameraPlan> cameras;
   std::vector<std::pair<std::string, render::LightPtr>> lights;  ///< Lights with their names.
-  render::MediumPtr medium;
-  std::string medium_name;
+  std::vector<MediumPlan> media;
   std::vector<std::pair<std::string, render::MaterialPtr>> materials;  ///< Named materials.
-  VolumePtr medium_volume;  ///< Density of the medium, if it needs one.
   std::vector<RenderPlan> renders;
   std::vector<Derivation> derivations;
   std::vector<LSystemPtr> lsystems;
@@ -187,12 +193,11 @@ struct Shot {
   /// The sizes of all lists, from which `delta` finds later additions.
   struct Snapshot {
     std::vector<size_t> lists;
-    bool medium = false;
   };
   Snapshot snapshot() const;
   /// A shot with the additions since the snapshot.
   Shot delta(const Snapshot& snapshot) const;
-  /// Appends all lists of another shot and takes its medium, if it has one.
+  /// Appends all lists of another shot.
   void add(const Shot& more);
 };
 

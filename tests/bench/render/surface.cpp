@@ -75,8 +75,7 @@ int main(int argc, char** argv) {
       active +=
           static_cast<double>(builder.level_set(object.mesh->volume).statistics().active_voxels);
     const double grids = held();
-    const render::Scene scene =
-        picture::build_scene(builder, picture::plan_picture(loaded.shot).render);
+    const render::Scene scene = picture::build_scene(builder, picture::plan_picture(loaded.shot));
     const double made = held();
     const render::PreparedScene world(scene);
     const double tree = held(), peak = peak_memory();

@@ -8,10 +8,13 @@
 #include <vug/image/ocio_view.h>
 #include <vug/loading/placement/check.h>
 #include <vug/loading/validate.h>
+#include <vug/picture/picture_plan.h>
 #include <vug/shot/lsystem_plan.h>
 #include <vug/shot/queries.h>
 #include <vug/volume/fitting_voxel.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace vug::cli {
 namespace {
@@ -66,6 +69,38 @@ void check_memory(loading::Loaded& loaded) {
   }
 }
 
+/// Adds the mistakes of placement in the parts of the scene that its pictures show, each once.
+void check_placement(loading::Loaded& loaded) {
+  const shot::Shot& shot = loaded.shot;
+  std::vector<const shot::Shot*> parts;
+  std::vector<picture::PicturePlan> plans;  // own the parts
+  for (const shot::RenderPlan& each : shot.renders) {
+    picture::PictureOptions options;
+    options.render = each.name;
+    plans.push_back(picture::plan_picture(shot, options));
+    const shot::RenderSettings& settings = each.settings;
+    parts.push_back(settings.lights || settings.objects ? plans.back().shown.get() : &shot);
+  }
+  const bool whole = parts.empty() || std::count(parts.begin(), parts.end(), &shot) > 0;
+  if (whole) return loading::check_placement(loaded, {}, loaded.diagnostics);
+  Diagnostics found;
+  for (size_t i = 0; i < parts.size(); ++i)
+    loading::check_placement(
+        loaded, {picture::camera_name(shot, plans[i].render), loading::Accuracy::bounds, parts[i]},
+        found);
+  const auto is_known = [&](const Diagnostic& one) {
+    return std::any_of(loaded.diagnostics.all().begin(), loaded.diagnostics.all().end(),
+                       [&](const Diagnostic& other) {
+                         return other.where == one.where && other.message == one.message;
+                       });
+  };
+  for (const Diagnostic& one : found.all())
+    if (!is_known(one))
+      one.severity == Severity::error
+          ? loaded.diagnostics.error(one.where, one.message, one.hint)
+          : loaded.diagnostics.warning(one.where, one.message, one.hint);
+}
+
 bool is_without_products(const shot::Shot& shot) {
   return shot.volumes.empty() && shot.meshes.empty() && shot.objects.empty() &&
          shot.instancers.empty() && shot.renders.empty() && shot::declared_cells(shot).empty();
@@ -100,7 +135,7 @@ loading::Loaded load_and_check(const Options& options) {
         {options.scene.scene, 0, 0}, "the scene declares nothing to build or to render",
         "declare a volume or a mesh, such as volume rock = level_set(sphere(1m), voxel: 5cm)");
   check_memory(loaded);
-  loading::check_placement(loaded, {}, loaded.diagnostics);
+  check_placement(loaded);
   return loaded;
 }
 

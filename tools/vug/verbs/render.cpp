@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arguments.h"
 #include "progress_bar.h"
-#include "scene_at_frame.h"
-#include "scene_options.h"
-#include "setting_options.h"
+#include "render_pictures.h"
 
 #include <fmt/format.h>
-#include <vug/base/atomic_file.h>
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/delivery/write_products.h>
-#include <vug/loading/dependencies.h>
-#include <vug/loading/placement/check.h>
 #include <vug/picture/frame_sequence.h>
 #include <vug/picture/stereo_views.h>
 
@@ -22,22 +17,8 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
-  SceneOptions scene;
-  WorkOptions work;
-  std::string output;
-  std::string products;
-  std::string tile, samples, frames, eye;
-  std::string part, checkpoint, preview, guiding;
-  std::string ocio;
-  bool anyway = false;
-  SettingOptions settings;
-  picture::PictureOptions picture;
-  picture::RenderOptions render;
-};
-
 /// The choice of the picture from the texts of the options.
-picture::PictureOptions parse_picture(const Options& options) {
+picture::PictureOptions parse_picture(const RenderOptions& options) {
   picture::PictureOptions picture = options.picture;
   picture.settings = options.settings.values();
   picture.config = options.ocio;
@@ -51,10 +32,7 @@ constexpr const char* kOutputs =
     "write -o and an .exr for a picture, --part and a file for a partial render, or --guiding and "
     "a file to learn only";
 
-/// True if the guiding file is the only product.
-bool learns_only(const Options& options) { return options.output.empty() && options.part.empty(); }
-
-void parse(Options& options) {
+void parse(RenderOptions& options) {
   options.picture = parse_picture(options);
   picture::RenderOptions& render = options.render;
   if (!options.tile.empty()) {
@@ -98,7 +76,7 @@ void print_estimate(double before, double seconds, double bytes) {
 }
 
 /// Renders and writes one picture of the loaded scene.
-void render_one(const Options& options, building::Builder& builder,
+void render_one(const RenderOptions& options, building::Builder& builder,
                 const picture::PicturePlan& plan, double start) {
   if (learns_only(options)) {
     picture::learn_light(builder, plan, options.guiding);
@@ -119,6 +97,21 @@ void render_one(const Options& options, building::Builder& builder,
     for (const auto& path : picture::write_picture(options.output, views, builder.progress()))
       fmt::print("{}\n", path.string());
   }
+  std::fflush(stdout);
+}
+
+/// Renders all pictures with one builder. `start`: the seconds of the run before this frame.
+void render_all(const std::vector<PlannedPicture>& pictures, building::Builder& builder,
+                double start) {
+  for (const auto& [options, plan] : pictures) {
+    render_one(options, builder, plan, start);
+    start = stage_times().total_seconds();
+  }
+}
+
+/// Writes the products of the scene, after its pictures.
+void finish(const RenderOptions& options, building::Builder& builder) {
+  if (learns_only(options)) return;
   if (!options.products.empty())
     for (const auto& path : delivery::write_products(builder, options.products))
       fmt::print("{}\n", path.string());
@@ -126,99 +119,33 @@ void render_one(const Options& options, building::Builder& builder,
   picture::remove_checkpoint(options.render);
 }
 
-void require_outputs(const Options& options, const loading::Loaded& loaded,
-                     const picture::PicturePlan& plan) {
-  std::vector<std::filesystem::path> outputs;
-  for (const std::string& path :
-       {options.output, options.part, options.checkpoint, options.guiding})
-    if (!path.empty()) outputs.emplace_back(path);
-  if (!options.output.empty()) outputs.push_back(picture::png_path(options.output));
-  // The preview may have the same name as the final picture.
-  if (!options.preview.empty() &&
-      (options.output.empty() || options.preview != picture::png_path(options.output)))
-    outputs.emplace_back(options.preview);
-  if (!options.output.empty() && plan.render.settings.deep)
-    outputs.push_back(picture::deep_path(options.output));
-  if (!options.products.empty())
-    for (auto& path : delivery::product_paths(loaded.shot, options.products))
-      outputs.push_back(std::move(path));
-  vug::require_outputs(outputs, loading::file_dependencies(loaded));
-}
-
-/// Refuses a scene whose camera or lights are in rock, whose props float or whose voids are filled.
-void require_placement(const Options& options, const loading::Loaded& loaded,
-                       const picture::PicturePlan& plan, loading::Accuracy accuracy) {
-  if (options.anyway) return;
-  Diagnostics mistakes;
-  loading::check_placement(loaded, {picture::camera_name(loaded.shot, plan.render), accuracy},
-                           mistakes);
-  if (!mistakes.has_errors()) return;
-  clear_progress_bar();
-  fmt::print(stderr, "{}the render was not started; --anyway renders the scene as it is\n",
-             loaded.report(mistakes));
-  throw ExitRequest{kUnusable};
-}
-
-/// The options with the frame number inserted into file names that contain a placeholder.
-Options with_frame_number(const Options& options, int frame) {
-  Options out = options;
-  for (std::string* path :
-       {&out.output, &out.part, &out.checkpoint, &out.products, &out.preview, &out.guiding})
-    if (picture::has_frame_number(*path)) *path = picture::frame_path(*path, frame).string();
-  out.render.part = out.part, out.render.checkpoint = out.checkpoint;
-  out.render.preview = out.preview, out.render.guiding = out.guiding;
-  return out;
-}
-
-/// The options for one picture of a sequence.
-Options options_at_frame(const Options& options, int frame) {
-  for (const std::string* path :
-       {&options.output, &options.part, &options.checkpoint, &options.products, &options.guiding})
-    if (!path->empty())
-      picture::frame_path(*path, frame);  // throws for a name without a placeholder
-  Options out = with_frame_number(options, frame);
-  if (out.checkpoint.empty()) out.render.resume = false;  // only complete frames are kept
-  return out;
-}
-
-/// `require_placement` with exact values, as stages.
-void check_placement(const Options& options, SceneAtFrame& scene, const picture::PicturePlan& plan,
-                     Progress& progress) {
-  if (options.anyway) return;
-  scene.builder.compute_deferred();
-  run_stage(progress, "checking the placement",
-            [&] { require_placement(options, scene.loaded, plan, loading::Accuracy::exact); });
-}
-
-int run_frames(const Options& options, const loading::SceneSource& source, Progress& progress) {
+int run_frames(const RenderOptions& options, const loading::SceneSource& source,
+               Progress& progress) {
   const std::vector<int> frames = picture::parse_frames(options.frames);
   for (const int frame : frames) options_at_frame(options, frame);  // check names before any work
   for (const int frame : frames) {  // and the animation before the first picture
     if (options.anyway) break;
     const loading::Loaded loaded = source.at(frame);
     if (!loaded.usable()) break;  // reported at this frame
-    require_placement(options, loaded, picture::plan_picture(loaded.shot, options.picture),
-                      loading::Accuracy::bounds);
+    for (const PlannedPicture& each : plan_pictures(options, loaded.shot))
+      require_placement(each, loaded, loading::Accuracy::bounds);
   }
   std::unique_ptr<SceneAtFrame> now;
   double seconds = 0;
   size_t rendered = 0, skipped = 0;
   for (size_t i = 0; i < frames.size(); ++i) {
-    const Options one = options_at_frame(options, frames[i]);
     const double start = stage_times().total_seconds();
     auto next = std::make_unique<SceneAtFrame>(options.scene.load(source, frames[i]), options.work,
                                                progress);
     if (now) next->builder.reuse_from(std::move(now->builder));
     now = std::move(next);
-    const picture::PicturePlan plan = picture::plan_picture(now->loaded.shot, one.picture);
-    if (options.render.resume && !one.output.empty() &&
-        picture::is_finished(one.output, now->loaded.shot, plan)) {
-      picture::remove_checkpoint(one.render);
+    std::vector<PlannedPicture> pictures = plan_pictures(options, now->loaded.shot, frames[i]);
+    if (options.render.resume) skip_finished(pictures, now->loaded.shot);
+    if (pictures.empty()) {
       ++skipped;
       continue;
     }
-    require_outputs(one, now->loaded, plan);
-    check_placement(options, *now, plan, progress);
+    check_pictures(pictures, *now, progress);
     if (!options.work.quiet) {
       clear_progress_bar();
       fmt::print(stderr, "frame {}, {} of {}", frames[i], i + 1, frames.size());
@@ -229,7 +156,8 @@ int run_frames(const Options& options, const loading::SceneSource& source, Progr
       fmt::print(stderr, "\n");
     }
     try {
-      render_one(one, now->builder, plan, start);
+      render_all(pictures, now->builder, start);
+      finish(options_at_frame(options, frames[i]), now->builder);
     } catch (Error& error) {
       throw error.within(fmt::format("rendering frame {}", frames[i]));
     }
@@ -243,7 +171,7 @@ int run_frames(const Options& options, const loading::SceneSource& source, Progr
   return kDone;
 }
 
-int run(Options options) {
+int run(RenderOptions options) {
   parse(options);
   Progress& progress = terminal_progress(options.work.bar_mode());
   const loading::SceneSource source = options.scene.source();
@@ -254,10 +182,10 @@ int run(Options options) {
     options = with_frame_number(options, static_cast<int>(*frame));
   SceneAtFrame scene(options.scene.load(source, options.scene.frame.value_or(1)), options.work,
                      progress);
-  const picture::PicturePlan plan = picture::plan_picture(scene.loaded.shot, options.picture);
-  require_outputs(options, scene.loaded, plan);
-  check_placement(options, scene, plan, progress);
-  render_one(options, scene.builder, plan, 0);
+  const std::vector<PlannedPicture> pictures = plan_pictures(options, scene.loaded.shot);
+  check_pictures(pictures, scene, progress);
+  render_all(pictures, scene.builder, 0);
+  finish(options, scene.builder);
   options.work.summarise(scene.builder);
   return kDone;
 }
@@ -267,7 +195,7 @@ int run(Options options) {
 Verb render_verb() {
   return {
       "render", "Renders a picture: an EXR with AOVs, and a PNG next to it.", [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
+        auto options = std::make_shared<RenderOptions>();
         options->scene.add_to(app, &options->work);
         auto& render = options->render;
         auto& picture = options->picture;
@@ -278,7 +206,12 @@ Verb render_verb() {
                        "Seed of the samples; --seed changes the scene itself")
             ->check(seed_number());
         app.add_option("--camera", picture.camera, "Name of the camera");
-        app.add_option("--render", picture.render, "Name of the render block");
+        app.add_option("--render", options->renders,
+                       "Names of the render blocks, or `all`; required if the scene has several, "
+                       "whose files are then named OUTPUT_RENDER.exr")
+            ->delimiter(',')
+            ->allow_extra_args(false)
+            ->type_name("NAME");
         app.add_option("--eye", options->eye,
                        "Render only one view of a stereo camera: left or right")
             ->check(one_of({"left", "right"}));

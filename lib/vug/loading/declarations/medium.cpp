@@ -21,27 +21,23 @@ shot::VolumePtr read_density(const scene::Declaration& declaration, ReadContext&
 
 const DeclarationKind& medium_declaration() {
   static const DeclarationKind kind = {
-      kind_declaration_info("medium",
-                            "The participating medium of the scene: medium NAME = haze(...), or "
-                            "with the density of a "
-                            "fog medium NAME on VOLUME { kind cloud }.",
-                            "medium", ""),
+      kind_declaration_info(
+          "medium",
+          "A participating medium, which fills the scene: medium NAME = haze(...), "
+          "or with the density of a fog medium NAME on VOLUME { kind cloud }.",
+          "medium", ""),
       [](const scene::Declaration& declaration, ReadContext& context) {
         const Value value = read_kind_declaration("medium", "", declaration, context);
         const shot::VolumePtr volume =
             declaration.target ? read_density(declaration, context) : nullptr;
         if (const auto* medium = value.object<render::MediumPtr>()) {
-          if (context.shot.medium)
-            context.diagnostics.error(declaration.where, "a scene can have only one medium");
           if ((*medium)->needs_density() && !declaration.target)
             context.diagnostics.error(declaration.where, "this medium needs a density",
                                       "medium NAME on VOLUME { kind cloud }, or a 'file'");
           if (volume && !(*medium)->needs_density())
             context.diagnostics.error(declaration.target->where, "this medium has its own density",
                                       "leave out 'on'");
-          context.shot.medium = *medium;
-          context.shot.medium_name = declaration.name;
-          context.shot.medium_volume = volume;
+          context.shot.media.push_back({declaration.name, *medium, volume, declaration.where});
         }
         return value;
       },

@@ -68,11 +68,12 @@ void check_lights(const Set& set, Accuracy accuracy, Diagnostics& diagnostics) {
 
 void check_placement(const Loaded& scene, const PlacementOptions& options,
                      Diagnostics& diagnostics) {
-  const Set set = set_of(scene);
+  const shot::Shot& part = options.part ? *options.part : scene.shot;
+  const Set set = set_of(scene, part);
   check_cameras(scene, set, options, diagnostics);
   check_lights(set, options.accuracy, diagnostics);
   check_props(set, options.accuracy, diagnostics);
-  check_voids(scene, options.accuracy, diagnostics);
+  check_voids(scene, part, options.accuracy, diagnostics);
 }
 
 }  // namespace vug::loading

@@ -11,6 +11,7 @@ namespace vug::loading {
 struct PlacementOptions {
   std::string camera;  ///< The only camera to check; empty: all of them.
   Accuracy accuracy = Accuracy::bounds;
+  const shot::Shot* part = nullptr;  ///< The part of the shot to check; null: all of it.
 };
 
 /// Adds an error for each mistake of a scene without errors, at the declaration of the camera, the

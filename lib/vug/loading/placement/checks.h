@@ -11,7 +11,8 @@ void check_cameras(const Loaded& scene, const Set& set, const PlacementOptions& 
                    Diagnostics& diagnostics);
 void check_lights(const Set& set, Accuracy accuracy, Diagnostics& diagnostics);
 void check_props(const Set& set, Accuracy accuracy, Diagnostics& diagnostics);
-void check_voids(const Loaded& scene, Accuracy accuracy, Diagnostics& diagnostics);
+void check_voids(const Loaded& scene, const shot::Shot& part, Accuracy accuracy,
+                 Diagnostics& diagnostics);
 
 /// "(0, 1.5, -2)", rounded to centimetres.
 std::string position_text(const Vec3d& p);

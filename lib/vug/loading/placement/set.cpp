@@ -110,9 +110,9 @@ SourceLocation location_of(const Loaded& scene, const std::string& name,
 
 }  // namespace
 
-Set set_of(const Loaded& scene) {
+Set set_of(const Loaded& scene, const shot::Shot& part) {
   Set set;
-  for (const shot::ObjectPlan& object : shot::shown_objects(scene.shot)) {
+  for (const shot::ObjectPlan& object : shot::shown_objects(part)) {
     SetPiece piece;
     piece.name = fmt::format("'{}'", object.name);
     piece.where = location_of(scene, object.name, {"object", "mesh", "volume"});
@@ -121,11 +121,10 @@ Set set_of(const Loaded& scene) {
                                   [](const Solid& solid) { return solid.mesh != nullptr; });
     set.pieces.push_back(std::move(piece));
   }
-  for (const auto& [name, light] : scene.shot.lights)
+  for (const auto& [name, light] : part.lights)
     if (!light->is_infinite())
       set.lights.push_back({name, location_of(scene, name, {"light"}), points_of(*light)});
-  for (const shot::PointInstancer& plan : scene.shot.instancers)
-    add_instances(scene.shot, plan, set);
+  for (const shot::PointInstancer& plan : part.instancers) add_instances(scene.shot, plan, set);
   return set;
 }
 

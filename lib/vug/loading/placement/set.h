@@ -29,7 +29,8 @@ struct Set {
   std::vector<SetLight> lights;
 };
 
-Set set_of(const Loaded& scene);
+/// The set of a part of the scene's shot.
+Set set_of(const Loaded& scene, const shot::Shot& part);
 
 /// Which solids are rock to a camera or a light.
 using IsOpen = bool (Solid::*)(const Vec3d&) const;

@@ -68,8 +68,9 @@ Content content_of(const Void& one, const Box3d& box, int count, double slack, A
 
 }  // namespace
 
-void check_voids(const Loaded& scene, Accuracy accuracy, Diagnostics& diagnostics) {
-  for (const shot::VolumePtr& volume : scene.shot.volumes) {
+void check_voids(const Loaded& scene, const shot::Shot& part, Accuracy accuracy,
+                 Diagnostics& diagnostics) {
+  for (const shot::VolumePtr& volume : part.volumes) {
     if (volume->source_mesh || volume->fog) continue;
     Box3d region = volume->field.bounds();
     if (volume->from) region = intersection(region, Box3d(*volume->from, *volume->to));

@@ -69,7 +69,8 @@ struct LightSet::AlongRay {
   }
 };
 
-LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& objects)
+LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& objects,
+                   const std::vector<std::string>& omitted)
     : lights_(std::move(lights)), emitters_(objects) {
   lights_.erase(std::remove(lights_.begin(), lights_.end(), nullptr), lights_.end());
   bool portals = false;
@@ -106,11 +107,11 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
   for (const LightTree* tree : {&light_tree_, &emitter_tree_})
     for (LightId id = 0; id < scene_light_count() + emitters_.size(); ++id)
       if (tree->contains(id)) all_.push_back(id);
-  link(objects);
+  link(objects, omitted);
   size_ = sampled_skies_.size() + light_tree_.size() + emitter_tree_.size();
 }
 
-void LightSet::link(const std::vector<Object>& objects) {
+void LightSet::link(const std::vector<Object>& objects, const std::vector<std::string>& omitted) {
   std::vector<std::string> names;
   for (const Object& object : objects) {
     names.push_back(object.name);
@@ -123,7 +124,9 @@ void LightSet::link(const std::vector<Object>& objects) {
     std::vector<bool> lit;
     if (only || !linking.except.empty()) lit.assign(objects.size(), !only);
     for (const std::string& name : only ? linking.only : linking.except) {
-      bool found = false;
+      bool found = std::any_of(omitted.begin(), omitted.end(), [&](const std::string& each) {
+        return name == each || name.compare(0, each.size() + 1, each + "/") == 0;
+      });
       for (size_t i = 0; i < names.size(); ++i)
         if (names[i] == name || names[i].compare(0, name.size() + 1, name + "/") == 0)
           lit[i] = only, found = true;

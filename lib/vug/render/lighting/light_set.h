@@ -18,8 +18,10 @@ namespace vug::render {
 /// weighted one by one; within a branch the choice descends its tree.
 class LightSet {
  public:
-  /// Error(bad_input) if a light is linked to an object name that does not exist.
-  LightSet(std::vector<LightPtr> lights, const std::vector<Object>& objects);
+  /// Links to the objects `omitted` have no effect. Error(bad_input) if a light is linked to
+  /// another object name that does not exist.
+  LightSet(std::vector<LightPtr> lights, const std::vector<Object>& objects,
+           const std::vector<std::string>& omitted = {});
   LightSet(const LightSet&) = delete;
   LightSet& operator=(const LightSet&) = delete;
 
@@ -117,7 +119,7 @@ class LightSet {
   };
   struct AtPoint;
   struct AlongRay;
-  void link(const std::vector<Object>& objects);
+  void link(const std::vector<Object>& objects, const std::vector<std::string>& omitted);
   uint32_t group_of(const std::string& name);
   LightId scene_light_count() const { return static_cast<LightId>(lights_.size()); }
   LightChoices choose_evenly(float u, uint32_t object, LightSelection& selection) const;
