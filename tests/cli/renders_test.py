@@ -108,6 +108,22 @@ class Renders(VugTest):
         self.write("j.vug", 'include "door.vug"\n')
         self.assertIn("'door.vug' is the name of 2 files", self.expect(2, "check", "j.vug").err)
 
+    def test_usd_contains_all_variants(self):
+        self.expect(0, "export", "s.vug", "-o", "out", "--variants")
+        text = (self.folder / "out/s.usda").read_text()
+        shared, own = text.split('variantSet "variant" = {')
+        self.assertIn('string variant = "default"', shared)
+        self.assertEqual(own.count('def Xform "stone"'), 2)
+        self.assertEqual(shared.count('def Xform "screen"'), 1)
+        self.assertEqual(own.count('def Xform "screen"'), 0)
+        for name in ("s_rock.vdb", "s_small_rock.vdb"):
+            self.assertIn(f"@./{name}@", own)
+            self.assertIn(name, [path.name for path in (self.folder / "out").iterdir()])
+        err = self.expect(2, "export", "s.vug", "-o", "out", "--variants", "--for", "blender").err
+        self.assertIn("--variants: files for blender have no variants", err)
+        self.write("none.vug", "volume rock = level_set(sphere(1m), voxel: 20cm)\n")
+        self.assertIn("the scene has no variants", self.expect(2, "export", "none.vug", "-o", "x", "--variants").err)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -83,11 +83,11 @@ class Exporter {
     vdb_.metadata["vug:metersPerUnit"] = space_.metres_per_unit;
   }
 
-  ExportResult all() {
+  /// Builds the assembly and writes the files of its volumes and cells.
+  exchange::Assembly assemble() {
     AssemblyResult made = build_assembly(builder_);
     exchange::add_levels(made.assembly, options_.levels, builder_.progress());
-    const int levels = levels_of(made.assembly);
-    report_levels(made.assembly, levels);
+    report_levels(made.assembly, levels_of(made.assembly));
     const shot::Shot& shot = builder_.shot();
     for (const shot::VolumePtr& plan : shot.volumes)
       made.assembly.volumes.push_back(write(export_volume(builder_, plan), names_.volume(*plan)));
@@ -99,15 +99,34 @@ class Exporter {
             fmt::format("the haze '{}', which fills all space and has no grid", plan.name));
     for (const shot::CellsPtr& plan : shot::declared_cells(shot)) write(plan);
     out_.unsupported = std::move(made.unsupported);
+    return std::move(made.assembly);
+  }
+
+  /// Writes the files of the assembly with its variants.
+  ExportResult write_scene(const exchange::Assembly& assembly,
+                           std::vector<exchange::AssemblyVariant> variants) {
+    variants_ = std::move(variants);
+    const int levels = levels_of(assembly);
     for (const std::string& name : options_.program->formats) {
       const exchange::Format& format = exchange::format(name);
       const std::filesystem::path whole = names_.scene(name);
-      add_report(write(format, made.assembly, whole), whole);
+      add_report(write(format, assembly, whole), whole);
       // Coarser files differ only in their meshes; all messages have been reported already.
       for (int level = 1; level <= levels && !format.levels; ++level)
-        write(format, exchange::at_level(made.assembly, level), names_.scene(name, level), whole);
+        write(format, exchange::at_level(assembly, level), names_.scene(name, level), whole);
     }
     return std::move(out_);
+  }
+
+  /// Adds the files and the messages of another variant.
+  void add_result(const std::string& variant, const Exporter& other) {
+    out_.files.insert(out_.files.end(), other.out_.files.begin(), other.out_.files.end());
+    for (const std::string& what : other.out_.unsupported)
+      if (std::find(out_.unsupported.begin(), out_.unsupported.end(), what) ==
+          out_.unsupported.end())
+        out_.unsupported.push_back(fmt::format("{} (variant {})", what, variant));
+    for (const std::string& what : other.out_.levels)
+      out_.levels.push_back(fmt::format("{} (variant {})", what, variant));
   }
 
  private:
@@ -118,6 +137,7 @@ class Exporter {
                               const std::filesystem::path& pictures_of = {}) {
     exchange::FormatOptions options = options_.program->options;
     options.pictures_of = pictures_of;
+    options.variants = variants_;
     exchange::WriteReport more =
         exchange::write(format, assembly, space_, file, options, builder_.progress());
     out_.files.insert(out_.files.end(), more.files.begin(), more.files.end());
@@ -201,10 +221,16 @@ class Exporter {
   exchange::Space space_;
   Transform to_space_;
   volume::WriteOptions vdb_;
+  std::vector<exchange::AssemblyVariant> variants_;
   ExportResult out_;
 };
 
 }  // namespace
+
+bool has_variants(const exchange::Program& program) {
+  return std::all_of(program.formats.begin(), program.formats.end(),
+                     [](const std::string& name) { return exchange::format(name).variants; });
+}
 
 std::vector<std::filesystem::path> export_paths(const shot::Shot& shot,
                                                 const std::filesystem::path& folder,
@@ -218,6 +244,12 @@ std::vector<std::filesystem::path> export_paths(const shot::Shot& shot,
     if (plan->writes("grids")) paths.push_back(names.grids(*plan));
     if (plan->writes("points")) paths.push_back(names.points(*plan));
   }
+  for (const ExportVariant& each : options.variants) {
+    ExportOptions alone = options;
+    alone.variants.clear();
+    for (auto& path : export_paths(each.builder->shot(), folder, alone))
+      paths.push_back(std::move(path));
+  }
   for (const std::string& format : options.program->formats) {
     paths.push_back(names.scene(format));
     for (int level = 1; level <= options.levels && !exchange::format(format).levels; ++level)
@@ -229,7 +261,17 @@ std::vector<std::filesystem::path> export_paths(const shot::Shot& shot,
 ExportResult export_set(building::Builder& builder, const std::filesystem::path& folder,
                         const ExportOptions& options) {
   for (const auto& path : export_paths(builder.shot(), folder, options)) require_writable(path);
-  return Exporter(builder, folder, options).all();
+  Exporter exporter(builder, folder, options);
+  const exchange::Assembly assembly = exporter.assemble();
+  std::vector<exchange::AssemblyVariant> variants;
+  for (const ExportVariant& each : options.variants) {
+    Exporter other(*each.builder, folder, options);
+    auto version = std::make_shared<exchange::Assembly>(other.assemble());
+    version->name = assembly.name;
+    exporter.add_result(each.name, other);
+    variants.push_back({each.name, std::move(version)});
+  }
+  return exporter.write_scene(assembly, std::move(variants));
 }
 
 }  // namespace vug::delivery

@@ -14,7 +14,14 @@ const Format& format(const std::string& name) {
 WriteReport write(const Format& format, const Assembly& assembly, const Space& space,
                   const std::filesystem::path& file, const FormatOptions& options,
                   Progress& progress) {
-  return format.write(converted(assembly, format.space.value_or(space)), file, options, progress);
+  const Space& there = format.space.value_or(space);
+  FormatOptions with_variants = options;
+  if (!options.variants.empty() && !format.variants)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("files of the format {} have no variants", format.info.name));
+  for (AssemblyVariant& each : with_variants.variants)
+    each.assembly = std::make_shared<const Assembly>(converted(*each.assembly, there));
+  return format.write(converted(assembly, there), file, with_variants, progress);
 }
 
 std::vector<std::pair<std::string, std::string>> read_metadata(const std::filesystem::path& file) {

@@ -7,11 +7,18 @@
 #include <vug/exchange/assembly.h>
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace vug::exchange {
+
+/// Another version of an assembly, such as one with other parameters.
+struct AssemblyVariant {
+  std::string name;
+  std::shared_ptr<const Assembly> assembly;
+};
 
 struct FormatOptions {
   /// Write repeated prototypes as instances instead of copies.
@@ -21,6 +28,8 @@ struct FormatOptions {
   /// File next to which the environment maps exist already; empty: they are written next to the own
   /// file.
   std::filesystem::path pictures_of = {};
+  /// Written with the assembly into one file; only for formats that can contain them.
+  std::vector<AssemblyVariant> variants = {};
 };
 
 /// The written files, and notes about them as full sentences.
@@ -42,6 +51,7 @@ struct Format {
   /// Parses the bytes of a whole file; see the function `read_metadata`.
   std::vector<std::pair<std::string, std::string>> (*read_metadata)(
       std::string_view bytes, const std::string& file) = nullptr;
+  bool variants = false;  ///< Files can contain variants of the whole assembly.
 };
 
 const std::vector<const Format*>& formats();
@@ -49,7 +59,7 @@ const std::vector<const Format*>& formats();
 const Format& format(const std::string& name);
 
 /// Converts to `space`, or to that of the format, and writes. The same assembly gives the same
-/// bytes.
+/// bytes. Error(bad_input) for variants that the format cannot contain.
 WriteReport write(const Format& format, const Assembly& assembly, const Space& space,
                   const std::filesystem::path& file, const FormatOptions& options = {},
                   Progress& progress = Progress::none());

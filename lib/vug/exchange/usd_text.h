@@ -16,7 +16,8 @@ namespace vug::exchange {
 /// as the same value.
 class UsdText {
  public:
-  explicit UsdText(const mesh::ByteSink& sink) : out_(sink) {}
+  /// `depth`: the number of blocks around the text.
+  explicit UsdText(const mesh::ByteSink& sink, size_t depth = 0) : out_(sink), depth_(depth) {}
 
   template <class... Parts>
   UsdText& line(fmt::format_string<Parts...> form, Parts&&... parts) {
@@ -57,7 +58,7 @@ class UsdText {
   void indent();
 
   mesh::ByteWriter out_;
-  size_t depth_ = 0;
+  size_t depth_;
 };
 
 /// The text in quotes with escapes.

@@ -176,5 +176,43 @@ TEST(Programs, NameExistingFormats) {
   EXPECT_THROW(format("fbx"), Error);
 }
 
+TEST_F(Usda, VariantsShareTheirEqualParts) {
+  const Assembly whole = sample();
+  auto moved = std::make_shared<Assembly>(sample());
+  moved->groups[0].places = {Transform::translation({5, 0, 0})};
+  auto other = std::make_shared<Assembly>(sample());
+  other->lights.pop_back();
+  FormatOptions options;
+  options.variants = {{"moved", moved}, {"no sky", other}};
+  const std::string text = text_of(whole, {}, options);
+  EXPECT_EQ(count(text, "prepend variantSets = \"variant\""), 1u);
+  EXPECT_EQ(count(text, "variants = { string variant = \"default\" }"), 1u);
+  const size_t set = text.find("variantSet \"variant\" = {");
+  ASSERT_NE(set, std::string::npos);
+  const std::string shared = text.substr(0, set), own = text.substr(set);
+  EXPECT_EQ(count(shared, "def PointInstancer \"strewn\""), 1u);
+  EXPECT_EQ(count(own, "def PointInstancer"), 0u);
+  EXPECT_EQ(count(shared, "def Xform \"cube\""), 0u);
+  EXPECT_EQ(count(own, "def Xform \"cube\""), 3u);
+  EXPECT_EQ(count(own, "(5, 0, 0, 1)"), 1u);
+  EXPECT_EQ(count(shared, "def DomeLight"), 0u);
+  EXPECT_EQ(count(own, "def DomeLight"), 2u);
+  for (const char* name : {"\"default\" {", "\"moved\" {", "\"no_sky\" {"})
+    EXPECT_EQ(count(own, name), 1u) << name;
+  EXPECT_EQ(count(text, "{"), count(text, "}"));
+  EXPECT_EQ(count(text, "prepend references"), 0u);
+}
+
+TEST_F(Usda, OtherFormatsHaveNoVariants) {
+  FormatOptions options;
+  options.variants = {{"other", std::make_shared<const Assembly>(sample())}};
+  try {
+    write(format("glb"), sample(), {}, folder_ / "a.glb", options);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()), "files of the format glb have no variants");
+  }
+}
+
 }  // namespace
 }  // namespace vug::exchange

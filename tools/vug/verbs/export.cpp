@@ -11,6 +11,8 @@
 #include <vug/delivery/export_set.h>
 #include <vug/loading/dependencies.h>
 
+#include <memory>
+
 namespace vug::cli {
 namespace {
 
@@ -21,7 +23,53 @@ struct Options {
   std::string program = "usd";
   std::string up, unit;
   int levels = 0;
+  bool variants = false;
 };
+
+/// A variant of the scene with its builder.
+struct BuiltVariant {
+  BuiltVariant(const Options& options, const std::string& name)
+      : loaded(load(options, name)),
+        shot(with_name(loaded, name)),
+        builder(shot, options.work.build_options(loaded),
+                terminal_progress(options.work.bar_mode())) {}
+
+  loading::Loaded loaded;
+  shot::Shot shot;
+  building::Builder builder;
+
+ private:
+  static loading::Loaded load(const Options& options, const std::string& name) {
+    SceneOptions scene = options.scene;
+    scene.variant = name;
+    return scene.load();
+  }
+  static shot::Shot with_name(const loading::Loaded& loaded, const std::string& name) {
+    shot::Shot shot = delivery::with_meshes(loaded.shot);
+    shot.name += "_" + name;
+    return shot;
+  }
+};
+
+/// All variants of the scene. Error(bad_input) if it has none or the program cannot have any.
+std::vector<std::unique_ptr<BuiltVariant>> build_variants(const Options& options,
+                                                          const loading::Loaded& loaded,
+                                                          delivery::ExportOptions& what) {
+  std::vector<std::unique_ptr<BuiltVariant>> all;
+  if (!options.variants) return all;
+  if (!delivery::has_variants(*what.program))
+    throw Error(ErrorCode::bad_input,
+                fmt::format("--variants: files for {} have no variants", options.program), {},
+                "export one at a time with --variant NAME, or all of them with --for usd");
+  if (loaded.variants.empty())
+    throw Error(ErrorCode::bad_input, "--variants: the scene has no variants", {},
+                "declare one, such as variant wet { WATER 2cm }");
+  for (const loading::Variant& each : loaded.variants) {
+    all.push_back(std::make_unique<BuiltVariant>(options, each.name));
+    what.variants.push_back({each.name, &all.back()->builder});
+  }
+  return all;
+}
 
 int run(const Options& options) {
   delivery::ExportOptions what;
@@ -31,6 +79,7 @@ int run(const Options& options) {
   what.levels = options.levels;
   const loading::Loaded loaded = options.scene.load();
   const shot::Shot shot = delivery::with_meshes(loaded.shot);
+  const std::vector<std::unique_ptr<BuiltVariant>> variants = build_variants(options, loaded, what);
   require_outputs(delivery::export_paths(shot, options.folder, what),
                   loading::file_dependencies(loaded));
   building::Builder builder(shot, options.work.build_options(loaded),
@@ -69,6 +118,9 @@ Verb export_verb() {
                    "--lod", options->levels,
                    "Number of additional levels of detail, each with a quarter of the triangles")
                 ->check(integer_in(0, 8));
+            app.add_flag("--variants", options->variants,
+                         "All variants of the scene as variants of the root prim (USD)")
+                ->excludes("--variant");
             options->work.add_to(app);
             return [options] {
               return with_threads(options->work.threads, [&] { return run(*options); });

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Internal to exchange/: several versions of an assembly in one USD text.
+#pragma once
+
+#include <vug/exchange/format.h>
+#include <vug/mesh/format.h>
+
+namespace vug::exchange {
+
+/// Writes the assembly and the variants of the options as the variant set "variant" of the root
+/// prim, in which the assembly is called "default". Parts that are equal in all versions are
+/// written once, outside of the variants.
+void write_usd_variants(const Assembly& assembly, const std::filesystem::path& file,
+                        const FormatOptions& options, const mesh::ByteSink& sink,
+                        WriteReport& written, Progress& progress);
+
+}  // namespace vug::exchange
