@@ -18,6 +18,23 @@ bool contains(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// The name of the declaration: "lamp" for the element "lamp[2]" of a loop.
+std::string without_index(const std::string& name) {
+  return name.ends_with(']') ? name.substr(0, name.rfind('[')) : name;
+}
+
+/// Whether the names select a thing: by its name or by that of all elements of its loop.
+bool are_selecting(const Names& names, const std::string& name) {
+  return contains(names, name) || contains(names, without_index(name));
+}
+
+/// Whether the name selects one of the things.
+bool selects_any(const std::string& name, const Names& known) {
+  return std::any_of(known.begin(), known.end(), [&](const std::string& each) {
+    return each == name || without_index(each) == name;
+  });
+}
+
 Names light_names(const Shot& shot) {
   Names names;
   for (const auto& [name, light] : shot.lights) names.push_back(name);
@@ -55,7 +72,7 @@ void add_volumes(const MeshPtr& mesh, std::set<VolumePtr>& volumes) {
 void select_objects(const Shot& shot, const Names& names, Shot& part) {
   part.instancers.clear(), part.objects.clear(), part.meshes.clear(), part.volumes.clear();
   std::copy_if(shot.instancers.begin(), shot.instancers.end(), std::back_inserter(part.instancers),
-               [&](const PointInstancer& each) { return contains(names, each.name); });
+               [&](const PointInstancer& each) { return are_selecting(names, each.name); });
   Names placed;
   std::vector<MeshPtr> meshes;
   for (const PointInstancer& place : part.instancers)
@@ -64,7 +81,7 @@ void select_objects(const Shot& shot, const Names& names, Shot& part) {
       if (!model.mesh && !model.scene) placed.push_back(model.name);
     }
   for (const ObjectPlan& object : shown_objects(shot))
-    if (contains(names, object.name)) part.objects.push_back(object);
+    if (are_selecting(names, object.name)) part.objects.push_back(object);
   for (const ObjectPlan& object : shot.objects)
     if (contains(placed, object.name)) part.objects.push_back(object);
   for (const ObjectPlan& object : part.objects) meshes.push_back(object.mesh);
@@ -112,9 +129,9 @@ std::vector<SelectionFault> find_selection_faults(const Shot& shot,
   const Names lights = light_names(shot), objects = selectable_objects(shot);
   Names media = medium_names(shot);
   for (const std::string& name : settings.lights.value_or(Names()))
-    if (!contains(lights, name)) unknown("lights", name, "light", suggestion(name, lights));
+    if (!selects_any(name, lights)) unknown("lights", name, "light", suggestion(name, lights));
   for (const std::string& name : settings.objects.value_or(Names()))
-    if (!contains(objects, name))
+    if (!selects_any(name, objects))
       unknown("objects", name, "object or place", object_hint(shot, name, objects));
   if (settings.air.empty() && media.size() > 1)
     faults.push_back({"air", "",
@@ -142,7 +159,7 @@ std::shared_ptr<const Shot> selected_part(const Shot& shot, const RenderSettings
   auto part = std::make_shared<Shot>(without_derivations(shot));
   if (settings.lights)
     std::erase_if(part->lights,
-                  [&](const auto& each) { return !contains(*settings.lights, each.first); });
+                  [&](const auto& each) { return !are_selecting(*settings.lights, each.first); });
   if (settings.objects) select_objects(shot, *settings.objects, *part);
   part->media.clear();
   if (air) part->media.push_back(*air);

@@ -139,6 +139,22 @@ TEST(SelectionOfMeshes, WorksWithoutObjects) {
   EXPECT_EQ(object_names(build_scene(builder, plan_of(loaded.shot, "none"))), Names{});
 }
 
+TEST(SelectionOfLoops, TakesAllElementsOrOne) {
+  const loading::Loaded loaded = loaded_scene(
+      "volume a = level_set(sphere(1m), voxel: 20cm)\n"
+      "light lamp[x in [2, 3, 4]] = sphere(center: (x * 1m, 0, 0), radius: 10cm)\n"
+      "render all { lights lamp }\nrender one { lights [lamp[1]] }\n");
+  const auto names = [&](const char* render, const NamedValues& settings = {}) {
+    Names all;
+    const PicturePlan plan = plan_of(loaded.shot, render, settings);
+    for (const auto& [name, light] : plan.shown->lights) all.push_back(name);
+    return all;
+  };
+  EXPECT_EQ(names("all"), (Names{"lamp[0]", "lamp[1]", "lamp[2]"}));
+  EXPECT_EQ(names("one"), Names{"lamp[1]"});
+  EXPECT_EQ(names("one", {{"lights", List{"lamp"}}}).size(), 3u);
+}
+
 TEST(SelectionOfPlacement, IgnoresWhatIsOmitted) {
   const loading::Loaded loaded = loaded_scene(
       "volume rock = level_set(box(size: (4, 4, 4)), voxel: 20cm)\n"

@@ -41,6 +41,19 @@ const Value* add_names(const Value& value, List& texts) {
   return nullptr;
 }
 
+/// The name of a declaration; for a loop, the list of the names of its elements.
+Value name_value(const scene::Declaration& declaration, ReadContext& context) {
+  if (!declaration.loop) return Value::Name{declaration.name};
+  const std::optional<Value> made = context.resolver.declared(
+      declaration.kind, declaration.name, declaration.where, context.diagnostics);
+  const List* elements = made ? made->get<List>() : nullptr;
+  if (!elements) return Value();
+  List names;
+  for (size_t i = 0; i < elements->size(); ++i)
+    names.push_back(Value::Name{fmt::format("{}[{}]", declaration.name, i)});
+  return names;
+}
+
 /// The names that an entry selects, as texts. They are not the values of the declarations: a name
 /// that a light and a mesh share means the light.
 Value selected_names(const scene::Entry& entry, const NameEntry& selects,
@@ -48,7 +61,7 @@ Value selected_names(const scene::Entry& entry, const NameEntry& selects,
   scene::Scope names;
   for (const scene::Declaration& each : context.document.declarations)
     if (std::find(selects.kinds.begin(), selects.kinds.end(), each.kind) != selects.kinds.end())
-      names.names.emplace_back(each.name, Value::Name{each.name});
+      names.names.emplace_back(each.name, name_value(each, context));
   names.names.emplace_back(shot::kNoAir, Value::Name{shot::kNoAir});
   List all;
   for (const Value& value :
