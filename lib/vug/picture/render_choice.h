@@ -10,7 +10,7 @@
 
 namespace vug::picture {
 
-/// Stands for all render blocks of a scene.
+/// Stands for all render blocks of a scene, unless one of them has this name.
 inline constexpr const char* kAllRenders = "all";
 
 /// The names of the render blocks to render, in the order of `wanted`, in which "all" stands for
