@@ -128,7 +128,7 @@ class Modelling(VugTest):
 
     def test_scenes_are_named_as_their_files(self):
         for name, grammar in (("front", "front"), ("my front 2", "my_front_2"), ("panes", "facade_panes"),
-                              ("s", "facade_s"), ("frame", "facade_frame")):
+                              ("s", "s"), ("cm", "facade_cm"), ("frame", "facade_frame")):
             self.model("s.json", "--scene", f"out/{name}.vug")
             self.assertIn(f"grammar {grammar}: facade {{", (self.folder / f"out/{name}.vug").read_text())
             self.expect(0, "check", f"out/{name}.vug")

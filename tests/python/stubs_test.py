@@ -32,7 +32,7 @@ class Stubs(Case):
     def test_signatures_can_be_called(self):
         load = self.functions["load"].args
         self.assertEqual([a.arg for a in load.args], ["file", "params"])
-        self.assertEqual([a.arg for a in load.kwonlyargs], ["seed", "frame"])
+        self.assertEqual([a.arg for a in load.kwonlyargs], ["seed", "frame", "variant"])
         self.assertEqual(load.kwarg.arg, "kwargs")
         self.assertEqual(ast.unparse(load.args[0].annotation), "Union[str, os.PathLike]")
         [build] = [n for n in self.classes["Scene"].body if getattr(n, "name", "") == "build"]

@@ -22,9 +22,20 @@ std::string describe_render(const shot::Shot& shot, const shot::RenderPlan& plan
                      fmt::join(plan.settings.size, "x"));
 }
 
+/// The blocks of the scene's own text, or else those of included files.
+std::vector<const shot::RenderPlan*> own_renders(const shot::Shot& shot) {
+  std::vector<const shot::RenderPlan*> own, all;
+  for (const shot::RenderPlan& plan : shot.renders) {
+    all.push_back(&plan);
+    if (!plan.included) own.push_back(&plan);
+  }
+  return own.empty() ? all : own;
+}
+
 Error none_chosen(const shot::Shot& shot) {
   Names blocks;
-  for (const shot::RenderPlan& plan : shot.renders) blocks.push_back(describe_render(shot, plan));
+  for (const shot::RenderPlan* plan : own_renders(shot))
+    blocks.push_back(describe_render(shot, *plan));
   return Error(ErrorCode::bad_input,
                fmt::format("the scene has {} renders, and none is chosen", blocks.size()), {},
                fmt::format("write --render NAME or --render {}; its renders: {}", kAllRenders,
@@ -34,9 +45,10 @@ Error none_chosen(const shot::Shot& shot) {
 }  // namespace
 
 Names choose_renders(const shot::Shot& shot, const Names& wanted) {
-  Names known, chosen;
+  Names known, own, chosen;
   for (const shot::RenderPlan& plan : shot.renders) known.push_back(plan.name);
-  if (wanted.empty() && known.size() > 1) throw none_chosen(shot);
+  for (const shot::RenderPlan* plan : own_renders(shot)) own.push_back(plan->name);
+  if (wanted.empty() && own.size() > 1) throw none_chosen(shot);
   const auto add = [&](const std::string& name) {
     if (std::find(chosen.begin(), chosen.end(), name) == chosen.end()) chosen.push_back(name);
   };
@@ -45,7 +57,7 @@ Names choose_renders(const shot::Shot& shot, const Names& wanted) {
     if (is_known)
       add(name);
     else if (name == kAllRenders)
-      std::for_each(known.begin(), known.end(), add);
+      std::for_each(own.begin(), own.end(), add);
     else
       throw Error(ErrorCode::bad_input, fmt::format("the scene has no render '{}'", name), {},
                   suggestion(name, known));

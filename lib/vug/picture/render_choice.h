@@ -14,9 +14,10 @@ namespace vug::picture {
 inline constexpr const char* kAllRenders = "all";
 
 /// The names of the render blocks to render, in the order of `wanted`, in which "all" stands for
-/// every block in the order of the text. An empty list chooses the only block. A scene without
-/// blocks has one picture with an empty name. Error(bad_input), which lists the blocks, if none of
-/// several is chosen; with the nearest name for an unknown one.
+/// every block in the order of the text. An empty list chooses the only block. Blocks of included
+/// files only count if the scene's own text has none, or by name. A scene without blocks has one
+/// picture with an empty name. Error(bad_input), which lists the blocks, if none of several is
+/// chosen; with the nearest name for an unknown one.
 std::vector<std::string> choose_renders(const shot::Shot& shot,
                                         const std::vector<std::string>& wanted);
 

@@ -154,7 +154,8 @@ struct CameraPlan {
 struct RenderPlan {
   std::string name = "main";
   RenderSettings settings;
-  SourceLocation where;  ///< Location of the name in the text.
+  SourceLocation where;   ///< Location of the name in the text.
+  bool included = false;  ///< Declared in an included file.
 };
 
 /// The derivation of a grammar, kept for `vug tree` and for production counts.

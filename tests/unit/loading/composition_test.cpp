@@ -43,6 +43,19 @@ TEST(Composition, DeclaresLightsPlacesAndCamerasForEachElement) {
   EXPECT_EQ(scene.provenance.find("light", "lamp[2]")->where.line, 5);
 }
 
+TEST(Composition, GrammarsDoNotSeeTheVariablesOfALoop) {
+  EXPECT_NE(
+      composed(
+          "light lamp[r in [1m, 2m]] = sphere(radius: r, center: (0, at_height, 0), lumen: 9)\n"
+          "let at_height = hidden(g)\n"
+          "def hidden(field) = 0\n"
+          "grammar g {\n  axiom A\n  A -> + sphere(r)\n}\n"
+          "volume v = level_set(g, voxel: 20cm)\n")
+          .report()
+          .find("'radius' expects a number, not the name 'r'"),
+      std::string::npos);
+}
+
 TEST(Composition, RejectsLoopsOfOtherDeclarations) {
   EXPECT_EQ(problems("volume v[i in 0..2] = level_set(sphere(1m), voxel: 10cm)\n"),
             "a volume cannot be declared for each element of a list;");

@@ -33,6 +33,21 @@ std::string fault(const std::string& text, const Names& wanted) {
   }
 }
 
+TEST(RenderChoice, BlocksOfIncludedFilesDoNotCountNextToOwnOnes) {
+  loading::LoadOptions options;
+  options.include_folders = {VUG_DATA};
+  const auto loaded = loading::load_text(
+      "include \"scenes/teaching/skylight.vug\"\nrender other {}\n", "t.vug", options);
+  ASSERT_EQ(loaded.report(), "");
+  ASSERT_EQ(loaded.shot.renders.size(), 2u);
+  EXPECT_EQ(choose_renders(loaded.shot, {}), Names{"other"});
+  EXPECT_EQ(choose_renders(loaded.shot, {"all"}), Names{"other"});
+  EXPECT_EQ(choose_renders(loaded.shot, {"main"}), Names{"main"});
+  const auto only =
+      loading::load_text("include \"scenes/teaching/skylight.vug\"\n", "t.vug", options);
+  EXPECT_EQ(choose_renders(only.shot, {}), Names{"main"});
+}
+
 TEST(RenderChoice, TakesTheOnlyBlock) {
   EXPECT_EQ(chosen("", {}), Names{""});
   EXPECT_EQ(chosen("", {"all"}), Names{""});

@@ -111,7 +111,9 @@ const DeclarationKind& render_declaration() {
               context.diagnostics.error(entry.where, fault->message, fault->hint);
           return Value();
         }
-        context.shot.renders.push_back({declaration.name, std::move(*settings), declaration.where});
+        const bool included = declaration.where.file != context.document.sources.at(0)->file;
+        context.shot.renders.push_back(
+            {declaration.name, std::move(*settings), declaration.where, included});
         return Value(Value::Name{declaration.name});
       }};
   return kind;
