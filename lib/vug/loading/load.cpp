@@ -193,7 +193,8 @@ void register_declarations(const scene::Document& document, ReadContext& context
   }
   for (const scene::Grammar& grammar : document.grammars)
     context.resolver.declare("grammar", grammar.name, [&grammar, &context, &cached] {
-      // A declaration with a loop may be the first to use the grammar, which must not see its names.
+      // A declaration with a loop may be the first to use the grammar, which must not see its
+      // names.
       const scene::Evaluator::DeclarationScope scope(context.evaluator, nullptr);
       return cached("grammar", grammar.name, [&] { return bind_grammar(grammar, context); });
     });
