@@ -22,15 +22,20 @@ class ExtentVisitor {
     for (const Param& one : document.params) {
       part(one.extent, one.where);
       for (const ExprPtr& each : {one.value, one.low, one.high}) part(one.extent, each);
+      if (one.given) part(one.given->extent, one.given);
     }
-    for (const Let& one : document.lets) {
+    for (const Let& one : document.lets) let(one);
+    for (const Def& one : document.defs) {
       part(one.extent, one.where);
-      part(one.extent, one.value);
+      formals(one.extent, one.formals);
+      part(one.extent, one.body);
+      locals(one.extent, one.locals);
     }
     for (const Declaration& one : document.declarations) {
       for (const SourceLocation* each : {&one.kind_where, &one.where}) part(one.extent, *each);
       for (const ExprPtr& each : {one.value, one.target}) part(one.extent, each);
       for (const ExprPtr& each : one.more_targets) part(one.extent, each);
+      if (one.loop) loop(one.extent, *one.loop);
       entries(one.extent, one.entries);
     }
     for (const Grammar& one : document.grammars) grammar(one);
@@ -47,7 +52,33 @@ class ExtentVisitor {
     expression_(*expr);
     for (const Operand& operand : expr->operands) {
       visit_(expr->extent, operand.where);
+      formals(operand.where, operand.binds);
       part(expr->extent, operand.value);
+    }
+  }
+  /// The loop of a declaration, which is not an expression by itself.
+  void loop(const SourceLocation& parent, const Expr& loop) const {
+    part(parent, loop.extent);
+    for (const Operand& clause : loop.operands) {
+      part(loop.extent, clause.where);
+      formals(clause.where, clause.binds);
+      if (!clause.name.empty()) part(clause.where, clause.value);
+    }
+  }
+  void formals(const SourceLocation& parent, const std::vector<Formal>& all) const {
+    for (const Formal& one : all) {
+      part(parent, one.where);
+      part(parent, one.fallback);
+    }
+  }
+  void let(const Let& one) const {
+    part(one.extent, one.where);
+    part(one.extent, one.value);
+  }
+  void locals(const SourceLocation& parent, const std::vector<Let>& all) const {
+    for (const Let& one : all) {
+      part(parent, one.extent);
+      let(one);
     }
   }
   void entries(const SourceLocation& parent, const std::vector<Entry>& all) const {
@@ -71,9 +102,10 @@ class ExtentVisitor {
     for (const Rule& one : grammar.rules) {
       part(grammar.extent, one.extent);
       part(one.extent, one.where);
-      for (const Formal& each : one.formals) part(one.extent, each.where);
+      formals(one.extent, one.formals);
       for (const ExprPtr& each : {one.weight, one.guard}) part(one.extent, each);
       items(one.extent, one.items);
+      locals(one.extent, one.locals);
     }
     if (grammar.lsystem) lsystem(grammar.extent, *grammar.lsystem);
   }
@@ -103,7 +135,7 @@ class ExtentVisitor {
   void patterns(const SourceLocation& parent, const std::vector<Pattern>& all) const {
     for (const Pattern& one : all) {
       part(parent, one.where);
-      for (const Formal& each : one.formals) part(one.where, each.where);
+      formals(one.where, one.formals);
     }
   }
   void word(const SourceLocation& parent, const ModuleString& word) const {
