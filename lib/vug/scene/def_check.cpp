@@ -93,9 +93,12 @@ class CallGraph {
 
   /// The called function, which may be that of a module.
   std::map<std::string, Entry>::iterator find(const Expr& call) {
-    if (const auto own = defs_.find(full_name(call)); own != defs_.end()) return own;
-    if (!call.method || call.operands[0].value->kind != ExprKind::name) return defs_.end();
-    return defs_.find(full_name(*call.operands[0].value) + "." + call.text);
+    if (call.method && call.operands[0].value->kind == ExprKind::name) {
+      const std::string module = full_name(*call.operands[0].value);
+      if (const auto other = defs_.find(module + "." + call.text); other != defs_.end())
+        return other;
+    }
+    return defs_.find(full_name(call));
   }
 
   double work_of_loop(const Expr& loop, size_t clause) {

@@ -314,9 +314,9 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   if (expr.text == "if") return choose(expr, context);
   if (expr.text == "pick") return pick(expr, context);
   if (expr.text == "keys") return keys(expr, context);
+  if (is_module_call(expr)) return call_member(expr, context);
   if (const auto def = defs_.find(full_name(expr)); def != defs_.end())
     return call_def(def->second, expr, 0, context);
-  if (is_module_call(expr)) return call_member(expr, context);
   const Arguments given = arguments(expr, context.key, context.scope);
   const bool reported = std::any_of(given.begin(), given.end(),
                                     [](const Argument& each) { return each.value.empty(); });

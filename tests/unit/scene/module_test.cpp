@@ -51,6 +51,11 @@ TEST(Module, NamesHaveThePrefix) {
   EXPECT_EQ(value_with(kit, "include \"parts.vug\" as p\nlet x = p.a + p.b\n"), "3");
 }
 
+TEST(Module, FunctionsOfTheTextMayHaveTheNamesOfThoseOfModules) {
+  const std::string wrapper = "include \"kit.vug\" as k\ndef f(a) = k.f(a) + k.g(size: 1m)\n";
+  EXPECT_EQ(value_with(kit, wrapper + "let x = [f(1m), k.f(1m)]\n"), "[3m, 2m]");
+}
+
 TEST(Module, ParametersAreGivenByTheIncludeOrFromOutside) {
   const std::string two =
       "include \"kit.vug\" as a { size 3m }\ninclude \"kit.vug\" as b\nlet x = [a.f(0m), "
