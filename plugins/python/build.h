@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds of a scene, as seen from Python.
+// Builds of a scene, as seen from Python, with the progress callbacks of a build and of its single
+// calls.
 #pragma once
 
 #include "image.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the cases of an image test and reports their outcomes.
+// Runs the cases of an image test and reports their outcomes, also of cases without a reference.
 #pragma once
 
 #include "image_case.h"

@@ -8,6 +8,29 @@
 
 namespace vug {
 
+struct Value::ListData {
+  List items;
+  size_t elements;  ///< See element_count.
+};
+
+Value::Value(std::string text) : data_(std::make_shared<const std::string>(std::move(text))) {}
+
+Value::Value(List list) {
+  size_t elements = 1;
+  for (const Value& item : list) elements += item.element_count();
+  data_ = std::make_shared<const ListData>(ListData{std::move(list), elements});
+}
+
+const List* Value::list() const {
+  const auto* data = std::get_if<std::shared_ptr<const ListData>>(&data_);
+  return data ? &(*data)->items : nullptr;
+}
+
+size_t Value::element_count() const {
+  const auto* data = std::get_if<std::shared_ptr<const ListData>>(&data_);
+  return data ? (*data)->elements : 1;
+}
+
 std::string quantity_text(double value, Dimension dimension) {
   if (value == 0) return "0";
   if (dimension == Dimension::angle) return fmt::format("{:.6g}deg", value * 180 / kPi);

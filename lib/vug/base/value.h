@@ -6,7 +6,10 @@
 #include <vug/base/vec.h>
 
 #include <any>
+#include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -39,8 +42,6 @@ class Value {
     Vec3d value;
     Dimension dimension = Dimension::none;
   };
-  using Data = std::variant<std::monostate, Number, Vector, bool, std::string, Name, List, Object>;
-
   Value() = default;
   Value(double number) : data_(Number{number}) {}                    // NOLINT
   Value(int number) : data_(Number{static_cast<double>(number)}) {}  // NOLINT
@@ -48,15 +49,22 @@ class Value {
   Value(const Vec3d& vector) : data_(Vector{vector}) {}              // NOLINT
   Value(Vector vector) : data_(vector) {}                            // NOLINT
   Value(bool truth) : data_(truth) {}                                // NOLINT
-  Value(const char* text) : data_(std::string(text)) {}              // NOLINT
-  Value(std::string text) : data_(std::move(text)) {}                // NOLINT
+  Value(const char* text) : Value(std::string(text)) {}              // NOLINT
+  Value(std::string text);                                           // NOLINT
   Value(Name name) : data_(std::move(name)) {}                       // NOLINT
-  Value(List list) : data_(std::move(list)) {}                       // NOLINT
+  Value(List list);                                                  // NOLINT
   Value(Object object) : data_(std::move(object)) {}                 // NOLINT
 
   template <class T>
   const T* get() const {
-    return std::get_if<T>(&data_);
+    if constexpr (std::is_same_v<T, List>) {
+      return list();
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      const auto* text = std::get_if<std::shared_ptr<const std::string>>(&data_);
+      return text ? text->get() : nullptr;
+    } else {
+      return std::get_if<T>(&data_);
+    }
   }
   /// The object's data as T, or null if this is not an object of that C++ type.
   template <class T>
@@ -64,12 +72,20 @@ class Value {
     const Object* o = get<Object>();
     return o ? std::any_cast<T>(&o->data) : nullptr;
   }
+  /// The number of elements of a list, including those of nested lists; 1 for other values.
+  size_t element_count() const;
   bool empty() const { return std::holds_alternative<std::monostate>(data_); }
   /// The type with its article, for messages: "a number", "a vector", "a field", ...
   std::string type_name() const;
 
  private:
-  Data data_;
+  struct ListData;
+  const List* list() const;
+
+  // Copies share lists and texts, so that a long one costs no more than a number.
+  std::variant<std::monostate, Number, Vector, bool, std::shared_ptr<const std::string>, Name,
+               std::shared_ptr<const ListData>, Object>
+      data_;
 };
 
 /// The value as scene text; numbers are in the shortest form that parses to the same value.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dripstone in caves: the positions of drips and the speleothems that grow there.
+// Dripstone in caves: the search for the positions of drips, and the speleothems that grow there.
 #pragma once
 
 #include <vug/field/noise.h>

@@ -150,7 +150,7 @@ void declare_loop(const scene::Declaration& declaration, const DeclarationKind& 
       if (each->in_loops) allowed.push_back(each->info.name);
     context.diagnostics.error(
         declaration.loop->where,
-        fmt::format("a {} cannot be declared for each element of a list", declaration.kind),
+        fmt::format("'{}' cannot be declared for each element of a list", declaration.kind),
         fmt::format("possible for: {}; a solid can be a union of a list: union([for ...])",
                     fmt::join(allowed, ", ")));
     context.resolver.declare(declaration.kind, declaration.name, [] { return Value(); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options of an L-system's block, in addition to its axiom and rules. For the turtle's options see
-// turtle.h.
+// Options of an L-system's block (steps, time, limit, seed), in addition to its axiom and rules;
+// those of the turtle (step length, angle, width) are in turtle.h.
 #pragma once
 
 #include <vug/base/schema.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parses the parts of expressions that bind names: comprehensions, parameters of functions,
 // `where`.
+#include <vug/scene/check.h>
 #include <vug/scene/expr_parser.h>
 #include <vug/scene/path_scope.h>
 
@@ -53,6 +54,9 @@ void ExprParser::bound_names(Operand& clause) {
   do {
     const Token& name = cursor_.expect_name("the name of a loop variable");
     clause.binds.push_back({std::string(name.text), cursor_.where(name)});
+    if (!may_name(clause.binds.back().name))
+      cursor_.error(name, fmt::format("'{}' cannot be used as a name", name.text),
+                    "it is a unit or a word of the language");
   } while (cursor_.accept(","));
   if (!cursor_.peek().is_name("in"))
     cursor_.unexpected(fmt::format("'in' and a list after '{}'", clause.binds.back().name));

@@ -53,6 +53,22 @@ bool Evaluator::admit(double work, const char* what, const SourceLocation& where
   return false;
 }
 
+/// Reports work on long lists and texts that exceeds the limit, as in a loop around it.
+bool Evaluator::spend_on(const Arguments& values, const SourceLocation& where) {
+  constexpr double kElements = 20, kBytes = 500;  // these take the time of one iteration
+  for (const Argument& each : values) {
+    if (each.value.get<List>())
+      done_ += static_cast<double>(each.value.element_count()) / kElements;
+    else if (const auto* text = each.value.get<std::string>())
+      done_ += static_cast<double>(text->size()) / kBytes;
+  }
+  if (done_ <= kMaxWork) return true;
+  FaultSite{where, *diagnostics_}.fault(
+      "the loops around this take too long: its lists or texts are read too often",
+      "name a value that does not change with 'let' or 'where'");
+  return false;
+}
+
 /// The whole numbers of `lo..hi`, both included; `lo..lo - 1` is empty.
 std::optional<List> Evaluator::whole_numbers(const Expr& range, const Context& context) {
   double ends[2] = {0, 0};

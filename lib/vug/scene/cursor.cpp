@@ -170,11 +170,12 @@ bool Cursor::starts_statement(size_t at) const {
   if (third.is("[") && third.touches && kind(3) == TokenKind::name && kind(4) != TokenKind::end &&
       (tokens_[at + 4].is_name("in") || tokens_[at + 4].is(",")))
     return true;
+  if (third.is_name("on") && kind(3) == TokenKind::name) return true;
   return third.is("=") || third.is("{") ||
          (third.is(":") && tokens_[at].is_name("grammar") && kind(3) == TokenKind::name);
 }
 
-void Cursor::recover_statement() {
+void Cursor::recover_statement(int column) {
   brackets_ = 0;
   int braces = 0;
   // The faulty token itself may be the start of the next statement.
@@ -186,7 +187,9 @@ void Cursor::recover_statement() {
       ++at_;
       return;
     }
-    if (token.kind == TokenKind::newline && braces == 0 && !tokens_[at_ + 1].is("{")) return;
+    const bool ends = is_line_break(token) && braces == 0 && !tokens_[at_ + 1].is("{");
+    if (token.text == ";" && token.kind == TokenKind::newline && braces == 0) return;
+    if (ends && tokens_[at_ + 1].column <= column) return;
   }
 }
 

@@ -51,6 +51,7 @@ struct Def {
   std::vector<Let> locals;
   /// The number of calls and loop iterations that one call makes as far as the text determines it.
   double work = 1;
+  bool broken = false;  ///< Has a reported fault: calls have no value.
 
   const Formal* find_formal(const std::string& formal) const;
 };

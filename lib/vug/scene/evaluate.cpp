@@ -78,8 +78,9 @@ Value Evaluator::name(const Expr& expr, const Context& context) {
     resolver_.use_frame();
     return options_.frame;
   }
-  if (auto value = declaration(full, expr.where, {})) return *std::move(value);
+  // A mesh `m` hides no metre: declarations are used where their kind is expected.
   if (const auto unit = with_unit(1, expr.text)) return *unit;
+  if (auto value = declaration(full, expr.where, {})) return *std::move(value);
   if (document_.skipped.may_declare(expr.text)) return {};
   return Value::Name{expr.text};
 }
@@ -108,6 +109,12 @@ bool Evaluator::is_known(const Value& value, const Expr& expr) {
 std::string Evaluator::name_hint(const std::string& name) const {
   std::vector<std::string> names = resolver_.known_names();
   for (const auto& [known, value] : globals_) names.push_back(known);
+  if (defs_.count(name)) return fmt::format("'{0}' is a function: call it as {0}(...)", name);
+  if (document_.find_module(name)) return fmt::format("'{0}' is a module: write {0}.NAME", name);
+  if (const size_t dot = name.find('.');
+      dot != std::string::npos && !document_.find_module(name.substr(0, name.rfind('.'))))
+    return fmt::format("'{0}' is not a module; write {0}[0] for the first component of a vector",
+                       name.substr(0, dot));
   if (nearest_name(name, names) != name) return did_you_mean(name, names);
   for (const Declaration& made : document_.declarations)  // it exists, but has another kind
     if (made.name == name && made.target && made.target->kind == ExprKind::name)
@@ -142,7 +149,7 @@ Value Evaluator::parts(const Expr& expr, const Context& context) {
 /// The list as a value, unless it has too many elements.
 Value Evaluator::checked_size(List list, const Expr& expr) {
   Value value(std::move(list));
-  return may_have_elements(element_count(value), site(expr)) ? value : Value();
+  return may_have_elements(value.element_count(), site(expr)) ? value : Value();
 }
 
 Value Evaluator::unary(const Expr& expr, const Context& context) {
@@ -175,6 +182,7 @@ Value Evaluator::binary(const Expr& expr, const Context& context) {
   const Value a = evaluate(left, context);
   const Value b = evaluate(right, context);
   if (a.empty() || b.empty()) return {};
+  if (!spend_on({{"", a, left.where}, {"", b, right.where}}, expr.where)) return {};
   const bool comparison = std::string_view("<>=!").find(expr.text[0]) != std::string_view::npos;
   if (comparison) {
     if (auto result = compare(expr.text, a, b, site(expr))) return *std::move(result);
@@ -321,6 +329,7 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   const bool reported = std::any_of(given.begin(), given.end(),
                                     [](const Argument& each) { return each.value.empty(); });
   const Function* builtin = find_function(expr.text);
+  if (!(builtin && !builtin->reads_elements) && !spend_on(given, expr.where)) return {};
   if (builtin && reported) return {};
   if (builtin)
     if (auto result = builtin->apply(given, site(expr))) return *std::move(result);
@@ -332,6 +341,12 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
     return site(expr).fault(
         fmt::format("'{}' takes {}{}", expr.text, builtin->takes,
                     given.size() == 1 ? ", not " + given[0].value.type_name() : ""));
+  if (globals_.count(full_name(expr))) {
+    diagnostics_->error(word_at(expr.where, expr.text),
+                        fmt::format("'{}' is a value, not a function", expr.text),
+                        fmt::format("functions are declared by 'def {}(...) = ...'", expr.text));
+    return {};
+  }
   std::vector<std::string> names = resolver_.known_calls();
   for (const Function& function : functions()) names.emplace_back(function.name);
   for (const auto& [name, def] : defs_) names.push_back(name);

@@ -227,6 +227,11 @@ bool Evaluator::in_range(const ParamValue& param, Value& value, const SourceLoca
       !unify_dimensions(given, most, fmt::format("param '{}' cannot mix", name), there))
     return false;
   value = given;
+  if (least.value > most.value) {
+    FaultSite{param.param->low->where, *diagnostics_}.fault(
+        fmt::format("the range of param '{}' is reversed", name), "write the smaller end first");
+    return false;
+  }
   if (given.value >= least.value && given.value <= most.value) return true;
   there.fault(fmt::format("param '{}' is {}, outside {}..{}", name, to_string(value),
                           to_string(Value(least)), to_string(Value(most))));

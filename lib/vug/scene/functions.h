@@ -19,6 +19,7 @@ struct Function {
   /// Returns nothing if the arguments have other types. The call is then passed to the resolver, so
   /// that a kind may have the same name: round(2.4) is a function, round(10cm) a kind.
   std::optional<Value> (*apply)(const Arguments& arguments, const FaultSite& site);
+  bool reads_elements = true;  ///< Takes time in proportion to the length of its lists.
 };
 
 const std::vector<Function>& functions();

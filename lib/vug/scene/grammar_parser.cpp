@@ -61,6 +61,11 @@ void GrammarParser::parse(Grammar& grammar, RuleLookahead& lookahead) {
       if (!cursor_.at_line_end()) cursor_.unexpected("the end of the line");
     } catch (const SyntaxFault&) {
       cursor_.recover_entry();
+      while (is_rule && is_where(cursor_.beyond_newlines())) {
+        cursor_.skip_newlines();
+        cursor_.take();
+        cursor_.recover_entry();
+      }
       if (is_rule) grammar.broken_rules.emplace(first.text);
     }
   }
@@ -276,7 +281,8 @@ Entry parse_entry(Cursor& cursor, ExprParser& exprs) {
   Entry entry;
   const Token& key = cursor.expect_name("a name");
   entry.key = std::string(key.text);
-  entry.where = cursor.where(key);
+  while (cursor.accept(".")) entry.key += fmt::format(".{}", cursor.expect_name("a name").text);
+  entry.where = cursor.since(key);
   const Token& next = cursor.peek();
   if (next.is("=") || next.is(":"))
     cursor.fail(next, fmt::format("expected the value of '{}', found '{}'", key.text, next.text),

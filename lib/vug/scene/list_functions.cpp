@@ -78,7 +78,7 @@ std::vector<const List*> lists_of(const Arguments& arguments) {
 size_t total_of(const std::vector<const List*>& lists) {
   size_t total = 0;
   for (const List* list : lists)
-    for (const Value& item : *list) total += element_count(item);
+    for (const Value& item : *list) total += item.element_count();
   return total;
 }
 
@@ -126,14 +126,6 @@ ListResult sum(const Arguments& arguments, const FaultSite& site) {
 
 }  // namespace
 
-size_t element_count(const Value& value) {
-  const List* list = value.get<List>();
-  if (!list) return 1;
-  size_t total = 1;
-  for (const Value& item : *list) total += element_count(item);
-  return total;
-}
-
 bool may_have_elements(size_t count, const FaultSite& site) {
   if (count > kMaxElements)
     site.fault(fmt::format("the list would have {} elements, more than {}", count, kMaxElements));
@@ -144,8 +136,8 @@ std::vector<Function> list_functions() {
   return {
       {"min", "numbers or a list of numbers", "the smallest", extreme<true>},
       {"max", "numbers or a list of numbers", "the largest", extreme<false>},
-      {"len", "a list", "number of elements", len},
-      {"at", "a list or vector and a number", "the element with that index, from 0", at},
+      {"len", "a list", "number of elements", len, false},
+      {"at", "a list or vector and a number", "the element with that index, from 0", at, false},
       {"concat", "lists", "one list with the elements of all", concat},
       {"zip", "lists of the same length",
        "a list of the lists of their first elements, second "

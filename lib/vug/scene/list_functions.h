@@ -8,11 +8,8 @@
 
 namespace vug::scene {
 
-/// The number of elements of a value, including those of nested lists; 1 if it is not a list.
-size_t element_count(const Value& value);
-
-/// False, with an error, if a list of that many elements (see element_count) would be too long: a
-/// chain of lists could double its size with each `let`.
+/// False, with an error, if a list of that many elements (see Value::element_count) would be too
+/// long: a chain of lists could double its size with each `let`.
 bool may_have_elements(size_t count, const FaultSite& site);
 
 /// min, max, len, at, concat, zip, sum.

@@ -88,6 +88,7 @@ class Loader {
     document_.modules.push_back({wanted.name, wanted.name_where});
     const auto module = std::make_shared<const std::string>(prefix);
     if (!include(wanted.path, from, wanted.where, module)) return false;
+    if (!options_.check_modules) return true;
     std::vector<std::string> names;
     for (const Param& param : document_.params)
       if (param.name.compare(0, prefix.size(), prefix) == 0)

@@ -9,7 +9,8 @@ namespace vug::scene {
 
 namespace {
 
-const std::vector<std::string> kWords = {"seed", "param", "let", "def", "include", "grammar"};
+const std::vector<std::string> kWords = {"seed",    "param",   "let",    "def",
+                                         "include", "grammar", "variant"};
 
 class StatementParser {
  public:
@@ -34,7 +35,7 @@ class StatementParser {
             !cursor_.at_statement())
           cursor_.unexpected("the end of the line");
       } catch (const SyntaxFault&) {
-        cursor_.recover_statement();
+        cursor_.recover_statement(first.column);
       }
       set_extents(before, cursor_.since(first));
       if (cursor_.faults() != faults) lose(before, start, first.is_name("include"));
@@ -87,8 +88,10 @@ class StatementParser {
     }
     for (size_t i = before.lets; i < now.lets; ++i)
       document_.lets[i].value = broken(document_.lets[i].where);
-    for (size_t i = before.defs; i < now.defs; ++i)
+    for (size_t i = before.defs; i < now.defs; ++i) {
       document_.defs[i].body = broken(document_.defs[i].where);
+      document_.defs[i].broken = true;
+    }
     for (size_t i = before.declarations; i < now.declarations; ++i) {
       Declaration& made = document_.declarations[i];
       made.broken = made.broken || made.value;
@@ -279,6 +282,8 @@ class StatementParser {
       const Token& key = cursor_.peek();
       try {
         made.entries.push_back(parse_entry(cursor_, exprs_));
+        if (made.kind == "variant" && cursor_.module())  // it sets parameters of its own file
+          made.entries.back().key.insert(0, *cursor_.module());
         if (!cursor_.at_line_end() && cursor_.peek().kind != TokenKind::name)
           cursor_.unexpected("',', a name or the end of the line");
         misplaced_unit();

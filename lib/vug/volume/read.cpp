@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading of grids and of their headers from .vdb files.
+// Reading of grids and of their headers from .vdb files, which another process may replace
+// meanwhile.
 #include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
 #include <vug/volume/grid_access.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// vug facade fit: fits a grammar to a photograph and writes its tree, scene and pictures, all or none.
 #include "arguments.h"
 #include "file_transaction.h"
 #include "fit_summary.h"

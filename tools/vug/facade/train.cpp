@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// vug facade train: learns the looks of walls, windows and doors from labelled photographs.
 #include "arguments.h"
 #include "progress_bar.h"
 #include "scene_options.h"
