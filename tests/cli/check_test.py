@@ -244,10 +244,11 @@ class Check(VugTest):
     def test_provenance_through_an_include(self):
         self.write("lamps.vug", "light lamp = sphere(\n  center: (0, 3, 0))\n")
         self.write("s.vug", 'include "lamps.vug"\ncamera main {}\n'
+                   "def slab(at) =\n  sphere(1m)\n  .translate(at)\n"
                    "grammar cave {\n  axiom Room\n  Room -> + sphere(1m)\n}\n")
         lines = self.expect(0, "check", "s.vug", "--provenance").out.splitlines()
-        self.assertEqual(lines[1:], ["camera main: s.vug:2:1-2:15", "grammar cave: s.vug:3:1-6:2",
-                                     "rule cave/Room: s.vug:5:3-5:23",
+        self.assertEqual(lines[1:], ["camera main: s.vug:2:1-2:15", "def slab: s.vug:3:1-5:17",
+                                     "grammar cave: s.vug:6:1-9:2", "rule cave/Room: s.vug:8:3-8:23",
                                      "light lamp: lamps.vug:1:1-2:21, included from s.vug:1:9"])
 
     def test_a_picture_of_nothing(self):

@@ -13,6 +13,7 @@ namespace vug::loading {
 ProvenanceTable::ProvenanceTable(const scene::Document& document) {
   for (const scene::Declaration& each : document.declarations)
     declared_.push_back({each.kind, each.name, each.extent});
+  for (const scene::Def& each : document.defs) declared_.push_back({"def", each.name, each.extent});
   for (const scene::Grammar& grammar : document.grammars) {
     declared_.push_back({"grammar", grammar.name, grammar.extent});
     const auto add = [&](const std::string& head, const SourceLocation& where) {

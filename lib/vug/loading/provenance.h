@@ -17,9 +17,9 @@ namespace vug::loading {
 /// identity nor their costs.
 class ProvenanceTable {
  public:
-  /// A declaration, or a rule of a grammar.
+  /// A declaration, a function, or a rule of a grammar.
   struct Declared {
-    std::string kind;  ///< "volume", "light", ..., "grammar" or "rule".
+    std::string kind;  ///< "volume", "light", ..., "def", "grammar" or "rule".
     std::string name;  ///< A rule has those of its grammar and its head: "cave/Room".
     SourceLocation where;
   };
@@ -32,7 +32,7 @@ class ProvenanceTable {
   ProvenanceTable() = default;
   explicit ProvenanceTable(const scene::Document& document);
 
-  /// Declarations and rules by file in the order of the text.
+  /// Declarations, functions and rules by file in the order of the text.
   const std::vector<Declared>& declared() const { return declared_; }
   /// The declaration of that kind and name, such as an object, light, material or camera; null if
   /// there is none.

@@ -48,6 +48,21 @@ TEST_F(Provenance, OfANodeThroughNamesAndIncludes) {
   EXPECT_EQ(of_node(made, "box"), "cave.vug:2:27-2:50, in field 'both' at cave.vug:2:7");
 }
 
+TEST_F(Provenance, OfASolidIncludesTheFunctionsThatWereCalled) {
+  write_text(folder_.path() / "kit.vug", "def slab(at) =\n  box(size: (1, 1, 1)).translate(at)\n");
+  const Loaded made = loaded(
+      "include \"kit.vug\" as kit\n"
+      "def pair(at) = kit.slab(at) + sphere(1m)\n"
+      "volume rock = level_set(pair((0, 0, 0)), voxel: 20cm)\n");
+  EXPECT_EQ(of_node(made, "box"),
+            "kit.vug:2:3-2:23, in def 'kit.slab' at cave.vug:2:20, in def 'pair' at cave.vug:3:25, "
+            "in volume 'rock' at cave.vug:3:8, included from cave.vug:1:9");
+  EXPECT_EQ(of_node(made, "sphere"),
+            "cave.vug:2:31-2:41, in def 'pair' at cave.vug:3:25, in volume 'rock' at cave.vug:3:8");
+  ASSERT_NE(made.provenance.find("def", "kit.slab"), nullptr);
+  EXPECT_EQ(plain(range_text(made.provenance.find("def", "kit.slab")->where)), "kit.vug:1:1-2:37");
+}
+
 TEST_F(Provenance, OfAShapeIsTheRuleThatMadeIt) {
   const Loaded made = loaded(
       "grammar cave {\n  axiom Room(2)\n  Room(n) -> + sphere(1m)\n}\n"

@@ -163,7 +163,7 @@ std::string pluralize(size_t count, const std::string& one, const std::string& m
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-/// Prints each declaration and rule with the range of its text.
+/// Prints each declaration, function and rule with the range of its text.
 void print_provenance(const loading::Loaded& loaded) {
   for (const auto& each : loaded.provenance.declared())
     fmt::print("{} {}: {}\n", each.kind, each.name,
@@ -198,7 +198,7 @@ Verb check_verb() {
             app.add_flag("--quiet,-q", options->quiet, "No output if the scene has no faults");
             app.add_flag("--json", options->json, "Machine-readable output");
             app.add_flag("--provenance", options->provenance,
-                         "Also prints the text range of each declaration and rule");
+                         "Also prints the text range of each declaration, function and rule");
             return [options] { return run(*options); };
           }};
 }
