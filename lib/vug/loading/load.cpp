@@ -58,7 +58,8 @@ void check_target(const scene::Declaration& declaration, const DeclarationKind& 
 /// be rebuilt.
 std::string recipe(const scene::Document& document, const LoadOptions& options, uint64_t seed,
                    bool moves) {
-  std::string text = document.sources.empty() ? "" : document.sources[0]->text;
+  std::string text =
+      joined_text(document.sources.empty() ? "" : document.sources[0]->text, options.appended);
   for (const auto& changes :
        {options.overrides, variant_overrides(document, options.variant, options.overrides)})
     for (const scene::Override& change : changes)
@@ -200,6 +201,29 @@ void register_declarations(const scene::Document& document, ReadContext& context
     });
 }
 
+/// The functions of the document except those that are private to a module.
+std::vector<KindInfo> callable_functions(const scene::Document& document) {
+  std::vector<KindInfo> all;
+  for (const scene::Def& def : document.defs)
+    if (def.name.find("._") == std::string::npos) all.push_back(scene::info_of(def));
+  return all;
+}
+
+/// The value of an expression that is not part of the text.
+Value evaluate_expression(const std::string& text, scene::Evaluator& evaluator, Loaded& loaded) {
+  const std::string file = "expression";
+  loaded.sources.push_back(std::make_shared<const scene::Source>(scene::Source{file, text}));
+  const scene::ExprPtr expr = scene::parse_expression(text, file, loaded.diagnostics);
+  if (!expr) return {};
+  Value value = evaluator.eval(*expr, evaluator.root().at(file));
+  const auto* name = value.get<Value::Name>();
+  if (!name || expr->kind != scene::ExprKind::name || name->text != expr->text) return value;
+  Diagnostics found;
+  found.error(expr->where, fmt::format("unknown name '{}'", name->text));
+  evaluator.report(found, {{"", value, expr->where}});
+  return {};
+}
+
 Loaded evaluate(const scene::Document& document, Loaded loaded, const std::filesystem::path& file,
                 const LoadOptions& options) {
   volume::install_grid_loader();
@@ -237,6 +261,9 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   loaded.shot.animated = resolver.frame_uses() > 0;
   for (scene::VariantValues& each : evaluator.variants())
     loaded.variants.push_back({each.variant->name, std::move(each.values), each.variant->where});
+  loaded.functions = callable_functions(document);
+  if (!options.expression.empty())
+    loaded.value = evaluate_expression(options.expression, evaluator, loaded);
   loaded.provenance = std::move(resolver.provenance());
   loaded.shot.recipe = recipe(document, options, evaluator.seed(), loaded.shot.animated);
   return loaded;
@@ -248,10 +275,20 @@ std::string Loaded::report(const Diagnostics& others) const {
   return scene::report(others, sources);
 }
 
+std::string joined_text(std::string text, const std::vector<std::string>& appended) {
+  for (const std::string& each : appended) {
+    if (!text.empty() && text.back() != '\n') text += '\n';
+    text += each;
+  }
+  if (!appended.empty() && !text.empty() && text.back() != '\n') text += '\n';
+  return text;
+}
+
 Loaded load_text(std::string text, const std::string& file, const LoadOptions& options) {
   Loaded loaded;
   scene::ParseOptions parse_options;
   parse_options.include_folders = options.include_folders;
+  parse_options.appended = options.appended;
   const scene::Document document =
       scene::parse(std::move(text), file, loaded.diagnostics, parse_options);
   return evaluate(document, std::move(loaded), file, options);

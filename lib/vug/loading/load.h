@@ -25,6 +25,8 @@ struct StaticCache {
 struct LoadOptions {
   std::vector<scene::Override> overrides;              ///< -D NAME=VALUE, in order.
   std::string variant;                                 ///< Name of a variant; empty: none.
+  std::vector<std::string> appended;                   ///< Further statements of the text.
+  std::string expression;                              ///< Evaluated as Loaded::value; or empty.
   std::optional<uint64_t> seed;                        ///< Overrides the scene's seed.
   std::vector<std::filesystem::path> include_folders;  ///< Searched after the scene's own folder.
   std::vector<std::filesystem::path>
@@ -62,7 +64,10 @@ struct Loaded {
   std::vector<std::shared_ptr<const scene::Source>> sources;
   std::vector<Parameter> parameters;  ///< In the order of the text.
   std::vector<Variant> variants;      ///< In the order of the text.
-  ProvenanceTable provenance;         ///< The text from which each thing was made.
+  /// The functions that the text can call, in its order; those of modules have their prefix.
+  std::vector<KindInfo> functions;
+  Value value;                 ///< That of LoadOptions::expression.
+  ProvenanceTable provenance;  ///< The text from which each thing was made.
 
   bool usable() const { return !diagnostics.has_errors(); }
   /// The diagnostics with source lines and carets, as printed by `vug check`.
@@ -70,6 +75,9 @@ struct Loaded {
   /// Formats other diagnostics in the same way, for instance warnings of the Builder.
   std::string report(const Diagnostics& others) const;
 };
+
+/// A text with the statements that are appended to it.
+std::string joined_text(std::string text, const std::vector<std::string>& appended);
 
 /// Reads, parses and evaluates the whole scene, and derives its grammars. All faults of the text
 /// are collected in `diagnostics`. Error(bad_input) only if the file cannot be read.

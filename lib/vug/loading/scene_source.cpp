@@ -13,9 +13,12 @@ SceneSource::SceneSource(std::string text, std::string file, LoadOptions options
 SceneSource::SceneSource(const std::filesystem::path& file, LoadOptions options)
     : SceneSource(read_text(file), file.string(), std::move(options)) {}
 
-Loaded SceneSource::at(double frame) const {
+Loaded SceneSource::at(double frame) const { return evaluate("", frame); }
+
+Loaded SceneSource::evaluate(const std::string& expression, double frame) const {
   const std::lock_guard lock(mutex_);
   LoadOptions options = options_;
+  options.expression = expression;
   options.frame = frame;
   options.static_cache = &static_cache_;
   return load_text(text_, file_, options);

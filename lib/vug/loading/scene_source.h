@@ -21,6 +21,8 @@ class SceneSource {
 
   /// The scene at a frame. All faults of the text are in its diagnostics.
   Loaded at(double frame) const;
+  /// The scene with the value of an expression (LoadOptions::expression).
+  Loaded evaluate(const std::string& expression, double frame) const;
   /// The shot at a frame. Error(bad_input) with the first fault of the text.
   std::shared_ptr<const shot::Shot> shot_at(double frame) const;
 

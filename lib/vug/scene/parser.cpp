@@ -204,7 +204,12 @@ class Loader {
 Document parse(std::string text, const std::string& file, Diagnostics& diagnostics,
                const ParseOptions& options) {
   Document document;
-  Loader(document, diagnostics, options).load(std::move(text), file, {});
+  Loader loader(document, diagnostics, options);
+  loader.load(std::move(text), file, {});
+  const fs::path folder = fs::path(file).parent_path();
+  for (size_t i = 0; i < options.appended.size(); ++i)
+    loader.load(options.appended[i],
+                folder / (i == 0 ? "appended" : fmt::format("appended {}", i + 1)), {});
   check_names(document, diagnostics);
   return document;
 }

@@ -19,7 +19,10 @@ struct ParseOptions {
   std::vector<std::filesystem::path> include_folders;
   /// Reads a file; returns nothing if it does not exist. The default reads from disk.
   std::function<std::optional<std::string>(const std::filesystem::path&)> read;
-  bool check_modules = true;          ///< Report unknown parameters of modules.
+  bool check_modules = true;  ///< Report unknown parameters of modules.
+  /// Texts of further statements that belong to the text. Messages call them `appended`, `appended
+  /// 2`, ..., and relative paths in them start at the folder of the text.
+  std::vector<std::string> appended;
   int max_nesting = 200;              ///< Nesting depth of brackets.
   int max_depth = 1000;               ///< Height of an expression tree.
   int max_errors = 100;               ///< Reported errors per file; further ones are dropped.

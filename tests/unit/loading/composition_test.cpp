@@ -107,6 +107,42 @@ TEST(Composition, RulesHaveLocalNames) {
             std::string::npos);
 }
 
+TEST(Composition, ListsTheFunctionsThatTheTextCanCall) {
+  const Loaded scene = composed(
+      "include \"kit/rocks.vug\" as rocks\n"
+      "def ring(count \"number of stones\", radius = 2m) \"Points on a circle.\" = [for i in "
+      "1..count: (radius, 0, 0)]\n");
+  std::string names;
+  for (const KindInfo& each : scene.functions) names += each.name + ";";
+  EXPECT_EQ(names, "rocks.slab;rocks.rubble;ring;");
+  ASSERT_EQ(scene.functions.size(), 3u);
+  EXPECT_EQ(scene.functions[2].doc, "Points on a circle.");
+  ASSERT_EQ(scene.functions[2].params.size(), 2u);
+  EXPECT_EQ(scene.functions[2].params[0].doc, "number of stones");
+  EXPECT_TRUE(scene.functions[2].params[0].required);
+  EXPECT_FALSE(scene.functions[2].params[1].required);
+}
+
+std::string appended(const std::vector<std::string>& texts, const std::string& expression) {
+  LoadOptions options;
+  options.appended = texts;
+  options.expression = expression;
+  const Loaded scene = load_text("let a = 2m\ndef twice(x) = 2 * x", "f/t.vug", options);
+  return scene.usable() ? to_string(scene.value) : scene.report();
+}
+
+TEST(Composition, EvaluatesExpressionsWithAppendedStatements) {
+  EXPECT_EQ(appended({}, "twice(a)"), "4m");
+  EXPECT_EQ(appended({"let b = twice(a)", "let c = b + a"}, "[b, c]"), "[4m, 6m]");
+  EXPECT_EQ(appended({}, "+X"), "+X");
+  EXPECT_EQ(appended({"let bend = 1"}, "bent"),
+            "expression:1:1: error: unknown name 'bent'\nbent\n^~~~\nhint: did you mean 'bend'?\n");
+  EXPECT_EQ(appended({"let b = 1", "let b = 2"}, "b").substr(0, 18), "f/appended 2:1:5: ");
+  EXPECT_EQ(joined_text("let a = 1", {"let b = 2\n", "let c = 3"}),
+            "let a = 1\nlet b = 2\nlet c = 3\n");
+  EXPECT_EQ(joined_text("let a = 1", {}), "let a = 1");
+}
+
 TEST(Composition, LibrariesHaveFunctions) {
   EXPECT_EQ(
       problems("include \"kit/rocks.vug\" as rocks { edge 4cm }\n"
