@@ -44,6 +44,16 @@ object pane on blade { material surface(thin: true, color: (0.1, 0.3, 0.05), spe
 object veil on blade { material surface(thin: true, specular: 0, opacity: attribute(name: "leaf_along")) }
 """
 
+KIT = """param edge = 20cm  in 10cm..1m  "edge of a block"
+def block(at) = box(size: edge * (1, 1, 1)).translate(at)
+"""
+BLOCKS = """include "kit.vug" as rocks
+include "kit.vug" as pebbles { edge 10cm }
+param HIGH = 1m
+volume heap = level_set(rocks.block((0, HIGH, 0)) + pebbles.block((2m, HIGH, 0)), voxel: 2cm)
+mesh heap on heap {}
+"""
+
 
 class Addon(VugTest):
     def prepare(self):
@@ -53,6 +63,8 @@ class Addon(VugTest):
         self.write("bad.vug", SCENE.replace("fog(sphere", "fog(spere"))
         self.write("stones.vug", SCENE)
         self.write("leaf.vug", LEAF)
+        self.write("kit.vug", KIT)
+        self.write("blocks.vug", BLOCKS)
 
     def blender(self, part):
         program = require_blender()

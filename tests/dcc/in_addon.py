@@ -331,8 +331,27 @@ def opacity():
     bpy.data.collections.remove(leaf)
 
 
+def modules():
+    """Parameters of modules have sliders, which are grouped by module."""
+    from vug_addon import parameters as sliders
+    bpy.ops.vug.add(filepath=f"{folder}/blocks.vug", use_camera=False)
+    blocks = bpy.data.collections["blocks"]
+    equal(sliders.groups(blocks), {"": [("HIGH", "HIGH")], "rocks": [("edge", "rocks.edge")],
+                                   "pebbles": [("edge", "pebbles.edge")]})
+    ui = blocks.id_properties_ui("rocks.edge").as_dict()
+    near((ui["min"], ui["max"], ui["default"]), (0.1, 1, 0.2), 1e-12)
+    equal(ui["description"], "edge of a block")
+    blocks["rocks.edge"] = 0.4
+    equal(bpy.ops.vug.update(cave="blocks"), {"FINISHED"})
+    wall = next(each for each in blocks.objects if each["vug_name"] == "heap")
+    near(volume_of(wall.data), 0.4**3 + 0.1**3, 2e-3)
+    for each in list(blocks.objects):
+        bpy.data.objects.remove(each)
+    bpy.data.collections.remove(blocks)
+
+
 CHECKS = {"use": (install, empty, adds, parameters, geometry, attributes, lights, sky, cloud, slider, nothing_is_built,
-                  stale, deleted, units, cancel, faults, block_out, opacity, save, sweeps, memory),
+                  stale, deleted, units, cancel, faults, block_out, opacity, modules, save, sweeps, memory),
           "again": (reloads,)}
 for check in CHECKS[part]:
     check()

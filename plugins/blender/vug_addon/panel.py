@@ -27,8 +27,12 @@ class VUG_PT_cave(bpy.types.Panel):
         if parameters.variants(collection):
             layout.operator_menu_enum("vug.variant", "variant", text="Variant")
         column = layout.column()
-        for param, key in parameters.shown(collection):
-            column.prop(collection, f'["{bpy.utils.escape_identifier(key)}"]', text=param["name"])
+        for module, sliders in parameters.groups(collection).items():
+            part = column.box() if module else column
+            if module:
+                part.label(text=module)
+            for label, key in sliders:
+                part.prop(collection, f'["{bpy.utils.escape_identifier(key)}"]', text=label)
         if collection.vug.stale:
             box = layout.box()
             box.alert = True

@@ -86,6 +86,16 @@ def shown(collection):
             if key_of(param["name"]) in collection]
 
 
+def groups(collection):
+    """Lists of (label, key) of the parameters that can be set, by the module that declares them: '' is the scene,
+    which comes first. The label of `rocks.edge` is `edge`."""
+    out = {"": []}
+    for param, key in shown(collection):
+        module, _, label = param["name"].rpartition(".")
+        out.setdefault(module, []).append((label, key))
+    return out
+
+
 def missing(collection):
     """Names of parameters whose properties were deleted."""
     return [param["name"] for param in about(collection) if key_of(param["name"]) not in collection
