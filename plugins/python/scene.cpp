@@ -114,6 +114,37 @@ SharedScene change(const Scene& scene, const py::dict& params, const Seed& seed,
       with_changes(scene.settings(), params, {seed, frame, variant}, more));
 }
 
+SharedScene append(const Scene& scene, const std::string& statements) {
+  LoadSettings settings = scene.settings();
+  settings.load.appended.push_back(statements);
+  return std::make_shared<Scene>(scene.text(), scene.file(), std::move(settings));
+}
+
+py::object evaluate(const Scene& scene, const std::string& expression) {
+  if (expression.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw py::value_error("the expression is empty: write a value of the scene language");
+  loading::Loaded loaded;
+  {
+    const py::gil_scoped_release others;
+    loaded = scene.source().evaluate(expression, scene.settings().load.frame);
+  }
+  if (!loaded.usable()) raise(loaded, loaded.diagnostics);
+  return to_plain_python(loaded.value);
+}
+
+py::dict functions(const Scene& scene) {
+  const py::module_ types = py::module_::import("vug._functions");
+  py::dict out;
+  for (const KindInfo& each : scene.loaded().functions) {
+    py::dict parameters;
+    for (const ParamInfo& param : each.params)
+      parameters[py::str(param.name)] =
+          types.attr("FunctionParam")(param.name, param.doc, param.required);
+    out[py::str(each.name)] = types.attr("Function")(each.name, each.doc, parameters);
+  }
+  return out;
+}
+
 py::dict variants(const Scene& scene) {
   py::dict out;
   for (const loading::Variant& each : scene.loaded().variants) {
@@ -230,6 +261,21 @@ void bind_scene(py::module_& module) {
            "the\n"
            "scene language: '30%', '2m', '45deg'. variant: a variant of the scene, over which\n"
            "parameters take precedence; '' for none.")
+      .def("with_text", &append, "statements"_a,
+           "Returns the scene with statements appended to its text, such as\n"
+           "scene.with_text('volume slabs = level_set(slab((0, 0, 0)), voxel: 5cm)'). Errors in "
+           "them\n"
+           "name the file 'appended' ('appended 2', ... for further texts).")
+      .def("evaluate", &evaluate, "expression"_a,
+           "Returns the value of an expression of the scene language with the names of the scene:\n"
+           "scene.evaluate('len(spots)'). Numbers are in metres and radians, vectors are tuples, "
+           "lists\n"
+           "are lists. Objects, such as solids and lights, raise a TypeError.")
+      .def_property_readonly("functions", &functions,
+                             "vug.Function by name, with doc and parameters; in the order of the "
+                             "text. Those of modules\n"
+                             "have its prefix. A call returns the text of the call: "
+                             "scene.functions['slab']((0, 1, 0)).")
       .def_property_readonly(
           "variants", &variants,
           "The variants of the scene: dicts of parameter values by the name of the variant.")
@@ -248,7 +294,10 @@ void bind_scene(py::module_& module) {
       .def_property_readonly(
           "files", &files,
           "Paths of all input files: scene texts, and the meshes, grids and pictures they use.")
-      .def_property_readonly("text", &Scene::text)
+      .def_property_readonly(
+          "text",
+          [](const Scene& s) { return loading::joined_text(s.text(), s.settings().load.appended); },
+          "The text, with the statements that were appended.")
       .def_property_readonly("seed", [](const Scene& s) { return s.shot().seed; })
       .def_property_readonly("frame", [](const Scene& s) { return s.shot().frame; })
       .def_property_readonly(
@@ -273,6 +322,8 @@ void bind_scene(py::module_& module) {
              "variant"_a = py::none(),
              "Loads a scene from a text. Files are searched relative to the folder `base`, and\n"
              "messages call the text `name`.");
+  module.def("argument_text", &argument_text, "name"_a, "value"_a,
+             "The text of an argument of a function in the scene language.");
   module.def(
       "scene_of", &scene_of, "file"_a, "base"_a = ".",
       "Loads the scene from which a file was built: a .vdb, mesh, picture or exported file. Files\n"

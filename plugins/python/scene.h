@@ -27,6 +27,7 @@ class Scene {
 
   const loading::Loaded& loaded() const { return loaded_; }
   const shot::Shot& shot() const { return loaded_.shot; }
+  /// The text without the statements that are appended to it.
   const std::string& text() const { return source_->text(); }
   const std::string& file() const { return source_->file(); }
   const LoadSettings& settings() const { return settings_; }
@@ -52,8 +53,15 @@ struct Derivation {
 /// the scene language, and a path becomes a quoted string. Throws TypeError or ValueError.
 std::string override_text(const std::string& name, const py::handle& value);
 
+/// The text of an argument of a function: like override_text, and lists. A tuple or array of three
+/// numbers is a vector; all other sequences are lists.
+std::string argument_text(const std::string& name, const py::handle& value);
+
 /// Converts a value to None, a number, a bool, a str, a tuple of three numbers, or a list of these,
 /// in metres and radians.
 py::object to_python(const Value& value);
+
+/// The same for a value that must not contain objects. Throws TypeError.
+py::object to_plain_python(const Value& value);
 
 }  // namespace vug::python

@@ -16,6 +16,7 @@ from . import _requirements  # noqa: F401  reports missing requirements before a
 from . import _vug
 from ._catalogue import Catalogue, Kind, KindParam
 from ._errors import Cancelled, Diagnostic, Error, SceneWarning
+from ._functions import Function, FunctionParam
 from ._params import Param
 from ._vug import (Build, Cells, Derivation, Diff, Grid, Image, LevelSet, Mesh, Scene, __version__,
                    diff, load, load_plugin, loads, read_mesh, scene_of)
@@ -23,7 +24,7 @@ from ._vug import (Build, Cells, Derivation, Diff, Grid, Image, LevelSet, Mesh, 
 catalogue = Catalogue()
 
 __all__ = ["Build", "Cancelled", "Catalogue", "Cells", "Derivation", "Diagnostic", "Diff", "Error",
-           "Grid", "Image", "Kind", "KindParam", "LevelSet", "Mesh", "Param", "Scene",
+           "Function", "FunctionParam", "Grid", "Image", "Kind", "KindParam", "LevelSet", "Mesh", "Param", "Scene",
            "SceneWarning", "catalogue", "diff", "load", "load_plugin", "loads",
            "read_mesh", "scene_of"]
 
