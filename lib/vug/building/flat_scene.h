@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Flattens a shot into a list of objects and lights, with the contents of placed scenes as
-// instances, and adds the light of scenes without lights.
+// instances and their transforms while the shutter is open, and adds the light of scenes without
+// lights.
 #pragma once
 
 #include <vug/building/builder.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulation of rules on a network: attributes, states and the step counter.
+// Simulation of rules on a network: attributes, states, the step counter and
+// its progress.
 #pragma once
 
 #include <vug/base/progress.h>

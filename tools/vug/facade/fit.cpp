@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// vug facade fit: fits a grammar to a photograph and writes its tree, scene and pictures, all or none.
+// vug facade fit: fits a grammar to a photograph and writes its tree, scene and pictures, all or
+// none.
 #include "arguments.h"
 #include "file_transaction.h"
 #include "fit_summary.h"
