@@ -4,6 +4,7 @@
 blender --background --factory-startup --python in_addon.py -- use|again FOLDER ZIP
 """
 import os
+import shutil
 import sys
 
 import bpy
@@ -333,7 +334,7 @@ def opacity():
 
 def modules():
     """Parameters of modules have sliders, which are grouped by module."""
-    from vug_addon import parameters as sliders
+    from vug_addon import folders, parameters as sliders
     bpy.ops.vug.add(filepath=f"{folder}/blocks.vug", use_camera=False)
     blocks = bpy.data.collections["blocks"]
     equal(sliders.groups(blocks), {"": [("HIGH", "HIGH")], "rocks": [("edge", "rocks.edge")],
@@ -348,6 +349,7 @@ def modules():
     for each in list(blocks.objects):
         bpy.data.objects.remove(each)
     bpy.data.collections.remove(blocks)
+    shutil.rmtree(os.path.join(folders.store(), "blocks"))
 
 
 CHECKS = {"use": (install, empty, adds, parameters, geometry, attributes, lights, sky, cloud, slider, nothing_is_built,
