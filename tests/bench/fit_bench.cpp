@@ -105,7 +105,7 @@ void measure_chains(const Rules& rules, double millions) {
     SamplerOptions options;
     options.steps = static_cast<int64_t>(1e6 * millions);
     const double begin = processor_seconds();
-    sample(context, options, RandomKey(1), Progress::none(), &found.front());
+    sample(context, options, RandomKey(1), Progress::none(), {found.front()});
     const double used = (processor_seconds() - begin) / millions;
     fmt::print(
         "8 chains of 1 M proposals: {:.1f} s of the processor, {:.1f} s on {} cores ({} s: {})\n",

@@ -85,7 +85,7 @@ void Plant(benchmark::State& state, const char* text, int steps) {
     Derivation word;
     rewriter.start(word);
     for (int step = 0; step < steps; ++step) {
-      rewriter.rewrite(system->books[0], word, Mode::step);
+      rewriter.rewrite(system->books[0], word, RewriteMode::step);
       made += static_cast<int64_t>(word.word.size());
     }
     benchmark::DoNotOptimize(word.word.symbols().data());
@@ -166,7 +166,7 @@ void Steady(benchmark::State& state, const char* text) {
   if (system->random)
     for (size_t i = 0; i < kRow; ++i) word.keys.push_back(i);
   by_one_and_two(state, [&] {
-    rewriter.rewrite(system->books[0], word, Mode::step);
+    rewriter.rewrite(system->books[0], word, RewriteMode::step);
     return static_cast<int64_t>(kRow);
   });
 }
