@@ -51,6 +51,18 @@ TEST(Comprehension, WorkIsLimitedBeforeItIsDone) {
             "! this takes more than 1000000 loop iterations");
 }
 
+TEST(Comprehension, WorkOnLongListsAndTextsCounts) {
+  const std::string stop =
+      "! the loops around this take too long: its lists or texts are read too often";
+  const std::string list = "let s = [for i in 0..400000: i]\n";
+  EXPECT_EQ(value_of(list + "let x = [for i in 0..500000: sum(s) + i]\n"), stop);
+  EXPECT_EQ(value_of(list + "let x = [for i in 0..500000: len(concat(s, s))]\n"), stop);
+  EXPECT_EQ(value_of(list + "let x = len([for i in 0..400000: len(s) + s[i]])\n"), "400001");
+  EXPECT_EQ(
+      value_of("let t = \"" + std::string(9000, 'a') + "\"\nlet x = [for i in 0..500000: t + i]\n"),
+      stop);
+}
+
 TEST(Comprehension, FaultyLoopsAreReported) {
   EXPECT_EQ(x("[for i in 0m..2m: i]"), "! a loop counts in whole numbers, not from or to 0m");
   EXPECT_EQ(x("[for i in 5..2: i]"), "! a loop cannot count from 5 down to 2");

@@ -10,7 +10,8 @@ namespace {
 
 /// The value of `let x`; errors as "! message".
 std::string value_with(const std::map<std::string, std::string>& files, const std::string& text,
-                       const std::vector<Override>& overrides = {}) {
+                       const std::vector<Override>& overrides = {},
+                       const std::string& variant = {}) {
   ParseOptions parsing;
   parsing.read = [&](const std::filesystem::path& path) -> std::optional<std::string> {
     const auto file = files.find(path.generic_string());
@@ -21,6 +22,7 @@ std::string value_with(const std::map<std::string, std::string>& files, const st
   FakeResolver resolver;
   EvaluatorOptions options;
   options.overrides = overrides;
+  options.variant = variant;
   Evaluator evaluator(document, resolver, diagnostics, options);
   evaluator.check_all();
   std::string out;
@@ -64,6 +66,15 @@ TEST(Module, ParametersAreGivenByTheIncludeOrFromOutside) {
   EXPECT_EQ(value_with(kit, two, {{"b.size", "5"}, {"a.size", "1m"}}), "[0.5m, 2.5m]");
   EXPECT_EQ(value_with(kit, "include \"kit.vug\" as a { size 9m }\nlet x = a.size\n"),
             "! param 'a.size' is 9m, outside 1m..5m");
+}
+
+TEST(Module, VariantsSetParametersOfModules) {
+  const std::map<std::string, std::string> file = {
+      {"m.vug", "param A = 2m\nvariant big { A 3m }\n"}};
+  const std::string text = "include \"m.vug\" as k\nvariant wide { k.A 5m }\nlet x = k.A\n";
+  EXPECT_EQ(value_with(file, text), "2m");
+  EXPECT_EQ(value_with(file, text, {}, "wide"), "5m");
+  EXPECT_EQ(value_with(file, text, {}, "k.big"), "3m");
 }
 
 TEST(Module, DoesNotSeeTheNamesOfTheScene) {

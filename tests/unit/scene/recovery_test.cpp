@@ -71,5 +71,12 @@ TEST(Report, SortsQuotesAndCounts) {
   EXPECT_EQ(report(diagnostics, {source}, 1), "a.vug:1:1: error: first\none\n^\n... and 2 more\n");
 }
 
+TEST(Recovery, LinesFurtherRightContinueAFaultyFunction) {
+  const std::string text =
+      "def post(x, lean  0deg) =\n    [x,\n    lean]\n    where tilt = 3\nlet q = post(1) + "
+      "post(2)\n";
+  EXPECT_EQ(faults(text), "1: expected ')' after the parameters, found the number 0deg\n");
+}
+
 }  // namespace
 }  // namespace vug::scene
