@@ -9,13 +9,17 @@
 
 namespace vug {
 
+void Diagnostics::add(Diagnostic diagnostic) {
+  if (diagnostic.severity == Severity::error) ++errors_;
+  all_.push_back(std::move(diagnostic));
+}
+
 void Diagnostics::error(SourceLocation where, std::string message, std::string hint) {
-  all_.push_back({Severity::error, std::move(where), std::move(message), std::move(hint)});
-  ++errors_;
+  add({Severity::error, std::move(where), std::move(message), std::move(hint)});
 }
 
 void Diagnostics::warning(SourceLocation where, std::string message, std::string hint) {
-  all_.push_back({Severity::warning, std::move(where), std::move(message), std::move(hint)});
+  add({Severity::warning, std::move(where), std::move(message), std::move(hint)});
 }
 
 void Diagnostics::append(const Diagnostics& other) {

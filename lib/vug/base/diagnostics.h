@@ -25,6 +25,7 @@ class Diagnostics {
   void error(SourceLocation where, std::string message, std::string hint = {});
   void warning(SourceLocation where, std::string message, std::string hint = {});
 
+  void add(Diagnostic diagnostic);
   /// Appends another list, in order.
   void append(const Diagnostics& other);
 

@@ -22,10 +22,9 @@ struct AlreadyReported {};
 void add_context(Diagnostics& diagnostics, size_t first, const std::string& doing) {
   Diagnostics out;
   for (size_t i = 0; i < diagnostics.all().size(); ++i) {
-    const Diagnostic& d = diagnostics.all()[i];
-    const std::string message = i < first ? d.message : d.message + ", while " + doing;
-    d.severity == Severity::error ? out.error(d.where, message, d.hint)
-                                  : out.warning(d.where, message, d.hint);
+    Diagnostic one = diagnostics.all()[i];
+    if (i >= first) one.message += ", while " + doing;
+    out.add(std::move(one));
   }
   diagnostics = std::move(out);
 }

@@ -129,12 +129,17 @@ Value report_unknown(const KindRegistry& registry, const std::string& name,
   return Value();
 }
 
+/// Whether the expression calls a kind rather than a function of the text or a method.
+bool is_kind_call(const scene::Expr& expr, const ReadContext& context) {
+  return expr.kind == scene::ExprKind::call && !expr.method &&
+         !context.evaluator.find_def(full_name(expr));
+}
+
 }  // namespace
 
 Value kind_value(const KindRegistry& registry, const scene::Expr& expr, RandomKey key,
                  ReadContext& context) {
-  const bool called = expr.kind == scene::ExprKind::call && !expr.method &&
-                      !context.evaluator.find_def(full_name(expr));
+  const bool called = is_kind_call(expr, context);
   if ((called || expr.kind == scene::ExprKind::name) && registry.find(expr.text))
     return *make(registry, expr.text, called ? context.evaluator.arguments(expr, key) : Arguments{},
                  expr.where, context);
@@ -189,8 +194,7 @@ Value read_kind_declaration(const std::string& type, const std::string& fallback
   if (!declaration.value) return read_kind_block(registry, fallback, declaration, context);
   const scene::Expr& expr = *declaration.value;
   const RandomKey key = context.evaluator.key(declaration);
-  const bool called = expr.kind == scene::ExprKind::call && !expr.method &&
-                      !context.evaluator.find_def(full_name(expr));
+  const bool called = is_kind_call(expr, context);
   if (called && registry.find(expr.text)) {
     const Arguments arguments = context.evaluator.arguments(expr, key);
     return *make(registry, expr.text, arguments, expr.where, context);

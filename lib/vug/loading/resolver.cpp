@@ -23,9 +23,7 @@ ValidArguments::ValidArguments(const Arguments& given) {
 void ValidArguments::report(const Diagnostics& found, const SourceLocation& where,
                             Diagnostics& diagnostics) const {
   for (const Diagnostic& one : found.all()) {
-    if (!complete && one.where == where) continue;
-    one.severity == Severity::error ? diagnostics.error(one.where, one.message, one.hint)
-                                    : diagnostics.warning(one.where, one.message, one.hint);
+    if (complete || one.where != where) diagnostics.add(one);
   }
 }
 
@@ -108,12 +106,19 @@ void Resolver::record(const Value& value, const SourceLocation& where) {
 
 namespace {
 
+/// The parameter of an argument that is given by name or (if the name is empty) by position; null
+/// if there is none.
+const ParamInfo* find_param(const KindInfo& kind, size_t position, const std::string& name) {
+  if (name.empty()) return position < kind.params.size() ? &kind.params[position] : nullptr;
+  for (const ParamInfo& param : kind.params)
+    if (param.name == name) return &param;
+  return nullptr;
+}
+
 /// Whether the kind has parameters for all named arguments.
 bool accepts(const KindInfo& kind, const Arguments& arguments) {
   return std::all_of(arguments.begin(), arguments.end(), [&](const Argument& given) {
-    return given.name.empty() ||
-           std::any_of(kind.params.begin(), kind.params.end(),
-                       [&](const ParamInfo& param) { return param.name == given.name; });
+    return given.name.empty() || find_param(kind, 0, given.name);
   });
 }
 
@@ -148,13 +153,11 @@ std::string_view Resolver::expected_type(const std::string& call, size_t positio
   for (const KindRegistry& registry : kind_registries()) {
     const RegisteredKind* kind = registry.find(call);
     if (!kind) continue;
-    const std::vector<ParamInfo>& params = kind->info->params;
-    for (size_t i = 0; i < params.size(); ++i) {
-      if (argument.empty() ? i != position : params[i].name != argument) continue;
-      std::string_view type = params[i].type;
-      if (type.substr(0, kList.size()) == kList) type.remove_prefix(kList.size());
-      return type;
-    }
+    const ParamInfo* param = find_param(*kind->info, position, argument);
+    if (!param) continue;
+    std::string_view type = param->type;
+    if (type.starts_with(kList)) type.remove_prefix(kList.size());
+    return type;
   }
   return {};
 }
@@ -164,9 +167,8 @@ bool Resolver::is_choice(const std::string& call, size_t position, const std::st
   for (const KindRegistry& registry : kind_registries()) {
     const RegisteredKind* kind = registry.find(call);
     if (!kind) continue;
-    const std::vector<ParamInfo>& params = kind->info->params;
-    const bool placed = argument.empty() && position < params.size();
-    if (has_choice(*kind->info, placed ? params[position].name : argument, word)) return true;
+    const ParamInfo* param = find_param(*kind->info, position, argument);
+    if (param && has_choice(*kind->info, param->name, word)) return true;
   }
   return false;
 }

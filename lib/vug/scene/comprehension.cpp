@@ -54,14 +54,14 @@ bool Evaluator::admit(double work, const char* what, const SourceLocation& where
 }
 
 /// Reports work on long lists and texts that exceeds the limit, as in a loop around it.
-bool Evaluator::spend_on(const Arguments& values, const SourceLocation& where) {
+bool Evaluator::spend_on(const Value& value, const SourceLocation& where) {
   constexpr double kElements = 20, kBytes = 500;  // these take the time of one iteration
-  for (const Argument& each : values) {
-    if (each.value.get<List>())
-      done_ += static_cast<double>(each.value.element_count()) / kElements;
-    else if (const auto* text = each.value.get<std::string>())
-      done_ += static_cast<double>(text->size()) / kBytes;
-  }
+  if (value.get<List>())
+    done_ += static_cast<double>(value.element_count()) / kElements;
+  else if (const auto* text = value.get<std::string>())
+    done_ += static_cast<double>(text->size()) / kBytes;
+  else
+    return true;
   if (done_ <= kMaxWork) return true;
   FaultSite{where, *diagnostics_}.fault(
       "the loops around this take too long: its lists or texts are read too often",

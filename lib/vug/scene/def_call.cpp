@@ -3,7 +3,6 @@
 #include <vug/scene/evaluator.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -39,7 +38,7 @@ Value Evaluator::call_member(const Expr& expr, const Context& context) {
     return call_def(def->second, expr, 1, context);
   std::vector<std::string> names;
   for (const auto& [name, def] : defs_)
-    if (name.compare(0, module.size(), module) == 0 && name[module.size()] != '_')
+    if (name.starts_with(module) && name[module.size()] != '_')
       names.push_back(name.substr(module.size()));
   return FaultSite{word_at(expr.where, expr.text), *diagnostics_}.fault(
       fmt::format("the module '{}' has no function '{}'", expr.operands[0].value->text, expr.text),
@@ -69,13 +68,11 @@ Value Evaluator::call_def(const DefEntry& entry, const Expr& expr, size_t first,
   Diagnostics* const outer = std::exchange(diagnostics_, &found);
   Value value = evaluate(*def.body, {key, &scope, context.expected});
   diagnostics_ = outer;
-  for (const Diagnostic& one : found.all()) {
+  for (Diagnostic one : found.all()) {
     if (!reported_in_defs_.insert(fmt::format("{} {}", to_string(one.where), one.message)).second)
       continue;
-    const std::string message =
-        fmt::format("{}, in the call of '{}' at {}", one.message, def.name, to_string(word));
-    one.severity == Severity::error ? diagnostics_->error(one.where, message, one.hint)
-                                    : diagnostics_->warning(one.where, message, one.hint);
+    one.message += fmt::format(", in the call of '{}' at {}", def.name, to_string(word));
+    diagnostics_->add(std::move(one));
   }
   return value;
 }
@@ -142,15 +139,10 @@ Value Evaluator::local(const Let& let, const Scope& scope, const SourceLocation&
   Locals& locals = *scope.locals;
   auto known = locals.values.find(let.name);
   if (known == locals.values.end()) {
-    std::vector<std::string>& pending = locals.pending;
-    const auto first = std::find(pending.begin(), pending.end(), let.name);
-    if (first != pending.end())
-      return FaultSite{where, *diagnostics_}.fault(
-          fmt::format("'{}' depends on itself", let.name),
-          fmt::format("{} -> {}", fmt::join(first, pending.end(), " -> "), let.name));
-    pending.push_back(let.name);
+    if (is_cyclic(locals.pending, let.name, where)) return {};
+    locals.pending.push_back(let.name);
     Binding made = measured(let.name, *let.value, {locals.key.at(let.name), &scope, {}});
-    pending.pop_back();
+    locals.pending.pop_back();
     known = locals.values.emplace(let.name, std::move(made)).first;
   }
   return use(known->second.value, known->second.height, where);

@@ -20,14 +20,8 @@ const Param* Document::find_param(const std::string& name) const {
 
 const Let* Document::find_let(const std::string& name) const { return find_named(lets, name); }
 
-const Def* Document::find_def(const std::string& name) const { return find_named(defs, name); }
-
 const ImportedModule* Document::find_module(const std::string& name) const {
   return find_named(modules, name);
-}
-
-const Formal* Def::find_formal(const std::string& formal) const {
-  return find_named(formals, formal);
 }
 
 const Declaration* Document::find(const std::string& name, const std::string& kind) const {

@@ -52,8 +52,6 @@ struct Def {
   /// The number of calls and loop iterations that one call makes as far as the text determines it.
   double work = 1;
   bool broken = false;  ///< Has a reported fault: calls have no value.
-
-  const Formal* find_formal(const std::string& formal) const;
 };
 
 /// `key value, value ...` inside braces; also an option of a grammar and a clause of an item.
@@ -181,7 +179,6 @@ struct Document {
 
   const Param* find_param(const std::string& name) const;
   const Let* find_let(const std::string& name) const;
-  const Def* find_def(const std::string& name) const;
   const ImportedModule* find_module(const std::string& name) const;
   /// The first declaration with that name, of the given kind or (empty) of any kind.
   const Declaration* find(const std::string& name, const std::string& kind = {}) const;

@@ -16,6 +16,12 @@ namespace {
 
 constexpr int kMaxDepth = 2000;
 
+/// Whether such an expression can have an object as its value, or a list of objects.
+bool can_be_object(ExprKind kind) {
+  return kind != ExprKind::number && kind != ExprKind::text && kind != ExprKind::truth &&
+         kind != ExprKind::vector && kind != ExprKind::range;
+}
+
 bool is_axis(const std::string& name) { return name == "X" || name == "Y" || name == "Z"; }
 
 class DepthScope {
@@ -182,7 +188,7 @@ Value Evaluator::binary(const Expr& expr, const Context& context) {
   const Value a = evaluate(left, context);
   const Value b = evaluate(right, context);
   if (a.empty() || b.empty()) return {};
-  if (!spend_on({{"", a, left.where}, {"", b, right.where}}, expr.where)) return {};
+  if (!spend_on(a, expr.where) || !spend_on(b, expr.where)) return {};
   const bool comparison = std::string_view("<>=!").find(expr.text[0]) != std::string_view::npos;
   if (comparison) {
     if (auto result = compare(expr.text, a, b, site(expr))) return *std::move(result);
@@ -281,9 +287,9 @@ Arguments Evaluator::arguments(const Expr& call, RandomKey key, const Scope* sco
   for (size_t i = 0; i < call.operands.size(); ++i) {
     const Operand& part = call.operands[i];
     const bool word = part.value->kind == ExprKind::name;
-    const std::string_view expected = part.value->kind == ExprKind::number
-                                          ? std::string_view()
-                                          : resolver_.expected_type(call.text, i, part.name);
+    const std::string_view expected = can_be_object(part.value->kind)
+                                          ? resolver_.expected_type(call.text, i, part.name)
+                                          : std::string_view();
     const bool choice = word && resolver_.is_choice(call.text, i, part.name, part.value->text);
     Value value = choice ? Value(Value::Name{part.value->text})
                          : evaluate(*part.value, {key, scope_or_default(scope), expected});
@@ -298,8 +304,7 @@ void Evaluator::report(const Diagnostics& found, const Arguments& given) {
       if (const auto* unknown = argument.value.get<Value::Name>();
           unknown && one.hint.empty() && argument.where == one.where)
         one.hint = name_hint(unknown->text);
-    one.severity == Severity::error ? diagnostics_->error(one.where, one.message, one.hint)
-                                    : diagnostics_->warning(one.where, one.message, one.hint);
+    diagnostics_->add(std::move(one));
   }
 }
 
@@ -329,7 +334,9 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   const bool reported = std::any_of(given.begin(), given.end(),
                                     [](const Argument& each) { return each.value.empty(); });
   const Function* builtin = find_function(expr.text);
-  if (!(builtin && !builtin->reads_elements) && !spend_on(given, expr.where)) return {};
+  if (!builtin || builtin->reads_elements)
+    for (const Argument& argument : given)
+      if (!spend_on(argument.value, expr.where)) return {};
   if (builtin && reported) return {};
   if (builtin)
     if (auto result = builtin->apply(given, site(expr))) return *std::move(result);

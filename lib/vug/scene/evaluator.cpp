@@ -119,18 +119,23 @@ std::optional<int> Evaluator::count(const Expr& expr, RandomKey key, const Scope
   return *low + static_cast<int>(stream.below(static_cast<uint32_t>(*high - *low) + 1));
 }
 
+/// Whether a name that is being evaluated is used again, which is an error.
+bool Evaluator::is_cyclic(const std::vector<std::string>& pending, const std::string& name,
+                          const SourceLocation& where) {
+  const auto first = std::find(pending.begin(), pending.end(), name);
+  if (first == pending.end()) return false;
+  FaultSite{where, *diagnostics_}.fault(
+      fmt::format("'{}' depends on itself", name),
+      fmt::format("{} -> {}", fmt::join(first, pending.end(), " -> "), name));
+  return true;
+}
+
 Value Evaluator::global(const std::string& name, Global& global, const SourceLocation& where) {
   if (global.value) {
     if (global.animated) resolver_.use_frame();
     return use(*global.value, global.height, where);
   }
-  const auto first = std::find(pending_.begin(), pending_.end(), name);
-  if (first != pending_.end()) {
-    const std::vector<std::string> cycle(first, pending_.end());
-    return FaultSite{where, *diagnostics_}.fault(
-        fmt::format("'{}' depends on itself", name),
-        fmt::format("{} -> {}", fmt::join(cycle, " -> "), name));
-  }
+  if (is_cyclic(pending_, name, where)) return {};
   if (pending_.size() >= Resolver::kMaxPending)
     return FaultSite{where, *diagnostics_}.fault(
         fmt::format("more than {} names depend on each other in a chain", Resolver::kMaxPending));

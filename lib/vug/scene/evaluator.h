@@ -176,7 +176,9 @@ class Evaluator {
   Value element(const Expr& expr, const Context& context);
   Value checked_size(List list, const Expr& expr);
   bool admit(double work, const char* what, const SourceLocation& where);
-  bool spend_on(const Arguments& values, const SourceLocation& where);
+  bool spend_on(const Value& value, const SourceLocation& where);
+  bool is_cyclic(const std::vector<std::string>& pending, const std::string& name,
+                 const SourceLocation& where);
   std::optional<Value> declaration(const std::string& full, const SourceLocation& where,
                                    std::string_view expected);
   std::optional<bool> truth(const Expr& expr, const Context& context);

@@ -91,8 +91,7 @@ class Loader {
     if (!options_.check_modules) return true;
     std::vector<std::string> names;
     for (const Param& param : document_.params)
-      if (param.name.compare(0, prefix.size(), prefix) == 0)
-        names.push_back(param.name.substr(prefix.size()));
+      if (param.name.starts_with(prefix)) names.push_back(param.name.substr(prefix.size()));
     for (const Entry& entry : wanted.entries) {
       const auto param =
           std::find_if(document_.params.begin(), document_.params.end(),
