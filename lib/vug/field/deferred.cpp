@@ -53,18 +53,20 @@ class DeferredNode final : public Node {
 
  private:
   const Node& made() const {
-    std::call_once(once_, [&] {
+    if (!ready_) {
+      // Not std::call_once: after an exception, that of glibc never returns under ThreadSanitizer.
+      const std::lock_guard lock(computing_);
       // Isolated: a thread that waits for its own loop must not start a task of an outer loop that
       // evaluates this field, because it would wait for itself.
-      tbb::this_task_arena::isolate([&] { field_ = make_(); });
+      if (!ready_) tbb::this_task_arena::isolate([&] { field_ = make_(); });
       ready_ = true;
-    });
+    }
     return *field_.node();
   }
 
   std::string work_;
   std::function<Field()> make_;
-  mutable std::once_flag once_;
+  mutable std::mutex computing_;
   mutable std::atomic<bool> ready_ = false;
   mutable Field field_;
 };

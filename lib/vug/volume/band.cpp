@@ -7,12 +7,12 @@
 namespace vug::volume {
 namespace {
 
-using Leaf = openvdb::FloatTree::LeafNodeType;
+using FloatLeaf = openvdb::FloatTree::LeafNodeType;
 
 /// The leaves of a tree and the number of active voxels before each.
-template <class Node, class Tree>
+template <class Node, class GridTree>
 struct Leaves {
-  explicit Leaves(Tree& tree) {
+  explicit Leaves(GridTree& tree) {
     tree.getNodes(nodes);
     for (const auto* leaf : nodes) {
       begin.push_back(count);
@@ -31,15 +31,15 @@ Vec3f to_vec3f(const openvdb::Vec3d& v) {
 template <class GridType, class T>
 Grid filled(const LevelSet& level_set, const std::vector<T>& values) {
   initialise_openvdb();
-  using Tree = typename GridType::TreeType;
+  using GridTree = typename GridType::TreeType;
   using Value = typename GridType::ValueType;
   const openvdb::FloatGrid& source = floats(level_set);
   const Value zero = openvdb::zeroVal<Value>();
-  const auto grid =
-      GridType::create(typename Tree::Ptr(new Tree(source.tree(), zero, openvdb::TopologyCopy())));
+  const auto grid = GridType::create(
+      typename GridTree::Ptr(new GridTree(source.tree(), zero, openvdb::TopologyCopy())));
   grid->setTransform(source.transform().copy());
   grid->setGridClass(openvdb::GRID_FOG_VOLUME);
-  const Leaves<typename Tree::LeafNodeType, Tree> leaves(grid->tree());
+  const Leaves<typename GridTree::LeafNodeType, GridTree> leaves(grid->tree());
   if (leaves.count != values.size())
     throw Error(ErrorCode::internal,
                 "the number of values differs from the number of voxels in the band");
@@ -55,7 +55,7 @@ Grid filled(const LevelSet& level_set, const std::vector<T>& values) {
 
 BandPoints band_points(const LevelSet& level_set) {
   const openvdb::FloatGrid& grid = floats(level_set);
-  const Leaves<const Leaf, const openvdb::FloatTree> leaves(grid.tree());
+  const Leaves<const FloatLeaf, const openvdb::FloatTree> leaves(grid.tree());
   BandPoints out;
   out.foot.resize(leaves.count);
   out.normal.resize(leaves.count);

@@ -19,8 +19,8 @@ namespace vug::volume {
 namespace {
 
 namespace vp = openvdb::points;
-using Tree = vp::PointDataTree;
-using Leaf = Tree::LeafNodeType;
+using PointTree = vp::PointDataTree;
+using PointLeaf = PointTree::LeafNodeType;
 using Stored = vp::FixedPointCodec<false, vp::PositionRange>;
 
 constexpr int kMostVoxels =
@@ -87,11 +87,11 @@ std::vector<Slot> sorted_slots(const Points& points, double voxel) {
       [&](size_t i) {
         const openvdb::Coord at = openvdb::Coord::round(index_of(points.position[i], voxel));
         const auto part = [&](int axis) {  // Increases with the coordinate.
-          return static_cast<uint32_t>((at[static_cast<size_t>(axis)] >> Leaf::LOG2DIM) +
+          return static_cast<uint32_t>((at[static_cast<size_t>(axis)] >> PointLeaf::LOG2DIM) +
                                        kMostVoxels);
         };
         slots[i] = {uint64_t{part(0)} << 32 | part(1), part(2), static_cast<uint32_t>(i),
-                    Leaf::coordToOffset(at)};
+                    PointLeaf::coordToOffset(at)};
       },
       4096);
   parallel_sort(slots.begin(), slots.end());
@@ -100,11 +100,11 @@ std::vector<Slot> sorted_slots(const Points& points, double voxel) {
 
 /// A leaf and its points: slots begin .. end - 1.
 struct LeafPoints {
-  Leaf* leaf = nullptr;
+  PointLeaf* leaf = nullptr;
   size_t begin = 0, end = 0;
 };
 
-std::vector<LeafPoints> make_leaves(Tree& tree, const std::vector<Slot>& slots,
+std::vector<LeafPoints> make_leaves(PointTree& tree, const std::vector<Slot>& slots,
                                     const Points& points, double voxel) {
   std::vector<LeafPoints> parts;
   for (size_t i = 0; i < slots.size(); ++i)
@@ -114,16 +114,16 @@ std::vector<LeafPoints> make_leaves(Tree& tree, const std::vector<Slot>& slots,
     }
   const auto descriptor = vp::AttributeSet::Descriptor::create(
       vp::TypedAttributeArray<openvdb::Vec3f, Stored>::attributeType());
-  std::vector<std::unique_ptr<Leaf>> leaves(parts.size());
+  std::vector<std::unique_ptr<PointLeaf>> leaves(parts.size());
   {
     const vp::AttributeArray::ScopedRegistryLock lock;
     parallel_for(parts.size(), [&](size_t n) {
       const LeafPoints& part = parts[n];
       const openvdb::Vec3d first = index_of(points.position[slots[part.begin].point], voxel);
-      auto leaf = std::make_unique<Leaf>(openvdb::Coord::round(first));
-      std::vector<Leaf::ValueType> ends(Leaf::SIZE);
+      auto leaf = std::make_unique<PointLeaf>(openvdb::Coord::round(first));
+      std::vector<PointLeaf::ValueType> ends(PointLeaf::SIZE);
       size_t next = part.begin;
-      for (openvdb::Index v = 0; v < Leaf::SIZE; ++v) {
+      for (openvdb::Index v = 0; v < PointLeaf::SIZE; ++v) {
         while (next < part.end && slots[next].voxel <= v) ++next;
         ends[v] = static_cast<openvdb::Index32>(next - part.begin);
       }
@@ -151,8 +151,9 @@ bool fits_half(float x) { return std::fabs(x) <= 65504 || !std::isfinite(x); }
 bool fits_half(const Vec3f& v) { return fits_half(v.x) && fits_half(v.y) && fits_half(v.z); }
 
 template <class Codec, class T>
-void add_attribute(Tree& tree, const std::vector<LeafPoints>& parts, const std::vector<Slot>& slots,
-                   const std::string& name, const std::vector<T>& values) {
+void add_attribute(PointTree& tree, const std::vector<LeafPoints>& parts,
+                   const std::vector<Slot>& slots, const std::string& name,
+                   const std::vector<T>& values) {
   using Value = decltype(stored(values[0]));
   vp::appendAttribute(tree, name, vp::TypedAttributeArray<Value, Codec>::attributeType());
   parallel_for(parts.size(), [&](size_t n) {
@@ -165,8 +166,8 @@ void add_attribute(Tree& tree, const std::vector<LeafPoints>& parts, const std::
   });
 }
 
-void add_attribute(Tree& tree, const std::vector<LeafPoints>& parts, const std::vector<Slot>& slots,
-                   const PointAttribute& attribute) {
+void add_attribute(PointTree& tree, const std::vector<LeafPoints>& parts,
+                   const std::vector<Slot>& slots, const PointAttribute& attribute) {
   const std::string& name = attribute.name;
   if (const auto* whole = std::get_if<std::vector<int32_t>>(&attribute.values))
     return add_attribute<vp::NullCodec>(tree, parts, slots, name, *whole);
@@ -183,8 +184,8 @@ void add_attribute(Tree& tree, const std::vector<LeafPoints>& parts, const std::
     add(std::get<std::vector<Vec3f>>(attribute.values));
 }
 
-void add_groups(Tree& tree, const std::vector<LeafPoints>& parts, const std::vector<Slot>& slots,
-                const std::vector<PointGroup>& groups) {
+void add_groups(PointTree& tree, const std::vector<LeafPoints>& parts,
+                const std::vector<Slot>& slots, const std::vector<PointGroup>& groups) {
   for (const PointGroup& group : groups) vp::appendGroup(tree, group.name);
   parallel_for(parts.size(), [&](size_t n) {
     const LeafPoints& part = parts[n];

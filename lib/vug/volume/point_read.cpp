@@ -16,7 +16,7 @@ namespace vug::volume {
 namespace {
 
 namespace vp = openvdb::points;
-using Leaf = vp::PointDataTree::LeafNodeType;
+using PointLeaf = vp::PointDataTree::LeafNodeType;
 
 const vp::PointDataGrid& point_data(const Grid& grid) {
   if (!is_points(grid))
@@ -29,7 +29,7 @@ const vp::PointDataGrid& point_data(const Grid& grid) {
 struct Leaves {
   explicit Leaves(const vp::PointDataGrid& grid) {
     grid.tree().getNodes(leaves);
-    for (const Leaf* leaf : leaves) {
+    for (const PointLeaf* leaf : leaves) {
       leaf->validateOffsets();  // Throws if they exceed the attributes.
       begin.push_back(count);
       count += leaf->pointCount();
@@ -41,14 +41,14 @@ struct Leaves {
     parallel_for(leaves.size(), [&](size_t n) { work(*leaves[n], begin[n]); });
   }
 
-  std::vector<const Leaf*> leaves;
+  std::vector<const PointLeaf*> leaves;
   std::vector<size_t> begin;
   size_t count = 0;
 };
 
 std::vector<Vec3f> positions(const vp::PointDataGrid& grid, const Leaves& leaves) {
   std::vector<Vec3f> out(leaves.count);
-  leaves.each([&](const Leaf& leaf, size_t begin) {
+  leaves.each([&](const PointLeaf& leaf, size_t begin) {
     if (leaf.pointCount() == 0) return;
     const vp::AttributeHandle<openvdb::Vec3f> from(leaf.constAttributeArray("P"));
     for (auto voxel = leaf.cbeginValueOn(); voxel; ++voxel) {
@@ -82,7 +82,7 @@ Vec3f plain(const openvdb::math::Vec3<T>& v) {
 template <class From>
 PointAttribute::Values values(const Leaves& leaves, size_t at) {
   std::vector<decltype(plain(From()))> out(leaves.count);
-  leaves.each([&](const Leaf& leaf, size_t begin) {
+  leaves.each([&](const PointLeaf& leaf, size_t begin) {
     const vp::AttributeHandle<From> from(leaf.constAttributeArray(at));
     for (openvdb::Index i = 0; i < leaf.pointCount(); ++i) out[begin + i] = plain(from.get(i));
   });
@@ -116,7 +116,7 @@ bool is_group(const vp::AttributeSet::Descriptor& descriptor, size_t at) {
 
 std::vector<uint8_t> members(const Leaves& leaves, const std::string& name) {
   std::vector<uint8_t> out(leaves.count);
-  leaves.each([&](const Leaf& leaf, size_t begin) {
+  leaves.each([&](const PointLeaf& leaf, size_t begin) {
     const vp::GroupHandle from = leaf.groupHandle(name);
     for (openvdb::Index i = 0; i < leaf.pointCount(); ++i) out[begin + i] = from.get(i) ? 1 : 0;
   });

@@ -13,9 +13,9 @@
 namespace vug::volume {
 namespace {
 
-using Leaf = openvdb::FloatTree::LeafNodeType;
+using FloatLeaf = openvdb::FloatTree::LeafNodeType;
 
-BandBlock block_of(const Leaf& leaf, double voxel) {
+BandBlock block_of(const FloatLeaf& leaf, double voxel) {
   BandBlock block;
   for (auto on = leaf.cbeginValueOn(); on; ++on) {
     const openvdb::Coord c = on.getCoord();
@@ -25,7 +25,7 @@ BandBlock block_of(const Leaf& leaf, double voxel) {
   return block;
 }
 
-void set_distances(Leaf& leaf, const std::vector<double>& distances, float background) {
+void set_distances(FloatLeaf& leaf, const std::vector<double>& distances, float background) {
   size_t n = 0;
   for (auto on = leaf.beginValueOn(); on; ++on, ++n) {
     const float sign = *on < 0 ? -1.0f : 1.0f;
@@ -49,7 +49,7 @@ LevelSet with_distances(const LevelSet& level_set, const BlockDistances& distanc
   const double half_width = level_set.background() / level_set.voxel();
   const int steps = static_cast<int>(std::ceil(half_width - 1e-3)) + 1;
   tree.topologyUnion(surface_mask(from.tree(), steps));
-  std::vector<Leaf*> leaves;
+  std::vector<FloatLeaf*> leaves;
   tree.getNodes(leaves);
   progress.begin("exact distances", leaves.size());
   parallel_for(leaves.size(), [&](size_t n) {

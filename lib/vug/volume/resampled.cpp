@@ -12,11 +12,11 @@ namespace {
 
 template <class ResultGrid, class Source, class Function>
 Grid resampled_on(const Source& where, const Function& value) {
-  using Tree = typename ResultGrid::TreeType;
-  using Leaf = typename Tree::LeafNodeType;
+  using ResultTree = typename ResultGrid::TreeType;
+  using Leaf = typename ResultTree::LeafNodeType;
   const auto nothing = openvdb::zeroVal<typename ResultGrid::ValueType>();
   const auto grid = ResultGrid::create(
-      typename Tree::Ptr(new Tree(where.tree(), nothing, openvdb::TopologyCopy())));
+      typename ResultTree::Ptr(new ResultTree(where.tree(), nothing, openvdb::TopologyCopy())));
   grid->setTransform(where.transform().copy());
   grid->setGridClass(openvdb::GRID_FOG_VOLUME);
   grid->tree().voxelizeActiveTiles();

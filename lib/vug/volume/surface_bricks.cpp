@@ -14,13 +14,12 @@ namespace vug::volume {
 namespace {
 
 using openvdb::Coord;
-using Leaf = openvdb::FloatTree::LeafNodeType;
-using Brick = SurfaceBricks::Brick;
-constexpr int kSize = SurfaceBricks::kSize;
+using FloatLeaf = openvdb::FloatTree::LeafNodeType;
+using SurfaceBrick = SurfaceBricks::Brick;
 
 // These bytes identify the content of an image.
-static_assert(std::has_unique_object_representations_v<Brick>);
-static_assert(Leaf::DIM == kSize);
+static_assert(std::has_unique_object_representations_v<SurfaceBrick>);
+static_assert(FloatLeaf::DIM == SurfaceBricks::kSize);
 
 /// All samples that the gradients of a crossed cell need are within this distance of the surface.
 constexpr double kReach = 4;  // Voxels.
@@ -30,26 +29,30 @@ int16_t rounded(float value, float units) {
   return static_cast<int16_t>(value <= 0 ? std::min(scaled, -1.0f) : scaled);
 }
 
-Brick brick_at(const openvdb::FloatGrid& grid, const Coord& origin, float units) {
+SurfaceBrick brick_at(const openvdb::FloatGrid& grid, const Coord& origin, float units) {
   const auto accessor = grid.getConstUnsafeAccessor();
-  const Leaf* leaves[27];
+  const FloatLeaf* leaves[27];
   float without[27];
   for (int n = 0; n < 27; ++n) {
     const Coord at =
-        origin.offsetBy((n / 9 - 1) * kSize, (n / 3 % 3 - 1) * kSize, (n % 3 - 1) * kSize);
+        origin.offsetBy((n / 9 - 1) * SurfaceBricks::kSize, (n / 3 % 3 - 1) * SurfaceBricks::kSize,
+                        (n % 3 - 1) * SurfaceBricks::kSize);
     leaves[n] = accessor.probeConstLeaf(at);
     without[n] = leaves[n] ? 0 : accessor.getValue(at);
   }
-  Brick brick;
+  SurfaceBrick brick;
   brick.first = {origin.x(), origin.y(), origin.z()};
   size_t to = 0;
-  const auto block = [](int x) { return (x + kSize) / kSize; };
-  const auto within = [](int x) { return static_cast<unsigned>(x + kSize) % kSize; };
-  for (int i = -1; i < kSize + 2; ++i)
-    for (int j = -1; j < kSize + 2; ++j)
-      for (int k = -1; k < kSize + 2; ++k) {
+  const auto block = [](int x) { return (x + SurfaceBricks::kSize) / SurfaceBricks::kSize; };
+  const auto within = [](int x) {
+    return static_cast<unsigned>(x + SurfaceBricks::kSize) % SurfaceBricks::kSize;
+  };
+  for (int i = -1; i < SurfaceBricks::kSize + 2; ++i)
+    for (int j = -1; j < SurfaceBricks::kSize + 2; ++j)
+      for (int k = -1; k < SurfaceBricks::kSize + 2; ++k) {
         const int n = block(i) * 9 + block(j) * 3 + block(k);
-        const unsigned offset = within(i) * kSize * kSize + within(j) * kSize + within(k);
+        const unsigned offset = within(i) * SurfaceBricks::kSize * SurfaceBricks::kSize +
+                                within(j) * SurfaceBricks::kSize + within(k);
         brick.values[to++] = rounded(leaves[n] ? leaves[n]->getValue(offset) : without[n], units);
       }
   brick.find_crossed();
@@ -62,8 +65,9 @@ std::vector<Coord> candidates(const openvdb::FloatGrid& grid) {
   std::vector<Coord> all;
   for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf)
     for (int n = 0; n < 8; ++n)
-      all.push_back(
-          leaf->origin().offsetBy(-(n >> 2) * kSize, -(n >> 1 & 1) * kSize, -(n & 1) * kSize));
+      all.push_back(leaf->origin().offsetBy(-(n >> 2) * SurfaceBricks::kSize,
+                                            -(n >> 1 & 1) * SurfaceBricks::kSize,
+                                            -(n & 1) * SurfaceBricks::kSize));
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
@@ -105,11 +109,11 @@ SurfaceBricks::SurfaceBricks(const LevelSet& level_set, double smallest_piece)
 }
 
 void SurfaceBricks::Brick::find_crossed() {
-  mask.fill(0), low.fill(kSize), high.fill(0);
-  for (int i = 0; i < kSize; ++i)
-    for (int j = 0; j < kSize; ++j) {
-      const int row = i * kSize + j;
-      for (int k = 0; k < kSize; ++k) {
+  mask.fill(0), low.fill(SurfaceBricks::kSize), high.fill(0);
+  for (int i = 0; i < SurfaceBricks::kSize; ++i)
+    for (int j = 0; j < SurfaceBricks::kSize; ++j) {
+      const int row = i * SurfaceBricks::kSize + j;
+      for (int k = 0; k < SurfaceBricks::kSize; ++k) {
         int inside = 0;
         for (int corner = 0; corner < 8; ++corner)
           inside += at(i + (corner >> 2), j + (corner >> 1 & 1), k + (corner & 1)) < 0;
@@ -125,7 +129,7 @@ void SurfaceBricks::Brick::find_crossed() {
 }
 
 Box3d SurfaceBricks::box(size_t number) const {
-  const Brick& brick = bricks_[number];
+  const SurfaceBrick& brick = bricks_[number];
   Box3d out;
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<size_t>(axis);

@@ -13,58 +13,60 @@
 namespace vug::volume {
 namespace {
 
-using Brick = SurfaceBricks::Brick;
-using Point = std::array<int, 3>;
-constexpr int kSize = SurfaceBricks::kSize;
-constexpr uint32_t kPoints = kSize * kSize * kSize;
+using SurfaceBrick = SurfaceBricks::Brick;
+using GridPoint = std::array<int, 3>;
+constexpr uint32_t kPoints = SurfaceBricks::kSize * SurfaceBricks::kSize * SurfaceBricks::kSize;
 constexpr uint32_t kNone = ~0u;
 
-uint32_t within(const Point& p) {
-  return static_cast<uint32_t>((p[0] * kSize + p[1]) * kSize + p[2]);
+uint32_t within(const GridPoint& p) {
+  return static_cast<uint32_t>((p[0] * SurfaceBricks::kSize + p[1]) * SurfaceBricks::kSize + p[2]);
 }
 
 template <class Visit>
 void each_point(int from, int to, const Visit& visit) {
   for (int i = from; i < to; ++i)
     for (int j = from; j < to; ++j)
-      for (int k = from; k < to; ++k) visit(Point{i, j, k});
+      for (int k = from; k < to; ++k) visit(GridPoint{i, j, k});
 }
 
 /// Finds bricks by position; they are sorted by it.
 class BrickFinder {
  public:
-  explicit BrickFinder(const std::vector<Brick>& bricks) : bricks_(bricks) {}
+  explicit BrickFinder(const std::vector<SurfaceBrick>& bricks) : bricks_(bricks) {}
   uint32_t brick(const std::array<int32_t, 3>& first) const {
-    const auto found = std::lower_bound(
-        bricks_.begin(), bricks_.end(), first,
-        [](const Brick& brick, const std::array<int32_t, 3>& at) { return brick.first < at; });
+    const auto found =
+        std::lower_bound(bricks_.begin(), bricks_.end(), first,
+                         [](const SurfaceBrick& brick, const std::array<int32_t, 3>& at) {
+                           return brick.first < at;
+                         });
     if (found == bricks_.end() || found->first != first) return kNone;
     return static_cast<uint32_t>(found - bricks_.begin());
   }
   /// The bricks around a brick, with itself in the middle; by x, y, z.
-  std::array<uint32_t, 27> around(const Brick& brick) const {
+  std::array<uint32_t, 27> around(const SurfaceBrick& brick) const {
     std::array<uint32_t, 27> out;
     for (int n = 0; n < 27; ++n)
-      out[static_cast<size_t>(n)] = this->brick({brick.first[0] + (n / 9 - 1) * kSize,
-                                                 brick.first[1] + (n / 3 % 3 - 1) * kSize,
-                                                 brick.first[2] + (n % 3 - 1) * kSize});
+      out[static_cast<size_t>(n)] =
+          this->brick({brick.first[0] + (n / 9 - 1) * SurfaceBricks::kSize,
+                       brick.first[1] + (n / 3 % 3 - 1) * SurfaceBricks::kSize,
+                       brick.first[2] + (n % 3 - 1) * SurfaceBricks::kSize});
     return out;
   }
 
  private:
-  const std::vector<Brick>& bricks_;
+  const std::vector<SurfaceBrick>& bricks_;
 };
 
 /// The surrounding brick that contains a point, and its index there.
 struct Owner {
   size_t which;
-  Point point;
+  GridPoint point;
 
-  explicit Owner(const Point& p) {
+  explicit Owner(const GridPoint& p) {
     size_t n = 0;
     for (size_t axis = 0; axis < 3; ++axis) {
-      n = n * 3 + static_cast<size_t>((p[axis] + kSize) / kSize);
-      point[axis] = (p[axis] + kSize) % kSize;
+      n = n * 3 + static_cast<size_t>((p[axis] + SurfaceBricks::kSize) / SurfaceBricks::kSize);
+      point[axis] = (p[axis] + SurfaceBricks::kSize) % SurfaceBricks::kSize;
     }
     which = n;
   }
@@ -90,14 +92,14 @@ size_t SurfaceBricks::flip_small_sets(double smallest) {
   mesh::DisjointSets sets(bricks_.size() * kPoints);
   std::vector<uint32_t> open;
   for (uint32_t b = 0; b < bricks_.size(); ++b) {
-    const Brick& brick = bricks_[b];
+    const SurfaceBrick& brick = bricks_[b];
     const auto around = finder.around(brick);
-    const auto inside = [&](const Point& p) { return brick.at(p[0], p[1], p[2]) < 0; };
-    each_point(0, kSize, [&](const Point& p) {
+    const auto inside = [&](const GridPoint& p) { return brick.at(p[0], p[1], p[2]) < 0; };
+    each_point(0, SurfaceBricks::kSize, [&](const GridPoint& p) {
       const uint32_t own = b * kPoints + within(p);
       for (size_t axis = 0; axis < 3; ++axis)
         for (const int step : {-1, 1}) {
-          Point next = p;
+          GridPoint next = p;
           next[axis] += step;
           if (inside(p) != inside(next)) continue;
           const Owner owner(next);
@@ -110,9 +112,9 @@ size_t SurfaceBricks::flip_small_sets(double smallest) {
   }
   std::unordered_map<uint32_t, Set> all;
   for (uint32_t b = 0; b < bricks_.size(); ++b)
-    each_point(0, kSize, [&](const Point& p) {
+    each_point(0, SurfaceBricks::kSize, [&](const GridPoint& p) {
       Set& set = all[sets.root(b * kPoints + within(p))];
-      const Brick& brick = bricks_[b];
+      const SurfaceBrick& brick = bricks_[b];
       set.inside = brick.at(p[0], p[1], p[2]) < 0;
       set.box.extendBy(Vec3d(brick.first[0] + p[0], brick.first[1] + p[1], brick.first[2] + p[2]));
     });
@@ -134,10 +136,10 @@ size_t SurfaceBricks::flip_small_sets(double smallest) {
   parallel_for(
       bricks_.size(),
       [&](size_t b) {
-        Brick& brick = bricks_[b];
+        SurfaceBrick& brick = bricks_[b];
         const auto around = finder.around(brick);
         size_t value = 0;
-        each_point(-1, kSize + 2, [&](const Point& p) {
+        each_point(-1, SurfaceBricks::kSize + 2, [&](const GridPoint& p) {
           const Owner owner(p);
           const uint32_t in = around[owner.which];
           int16_t& here = brick.values[value++];
@@ -148,7 +150,7 @@ size_t SurfaceBricks::flip_small_sets(double smallest) {
       },
       16);
   bricks_.erase(std::remove_if(bricks_.begin(), bricks_.end(),
-                               [](const Brick& brick) { return !brick.any_crossed(); }),
+                               [](const SurfaceBrick& brick) { return !brick.any_crossed(); }),
                 bricks_.end());
   return count;
 }
