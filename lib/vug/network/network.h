@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The plan of a cave: a graph of stations joined by legs, in scene space (metres, y up). It comes
+// from a survey, a karst generator, a graph in the scene text or _nodes.dat/_links.dat files.
+#pragma once
+
+#include <vug/base/vec.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vug::network {
+
+/// The distances from a station to the walls in metres, seen along the passage, with the walls that
+/// were not measured left out.
+struct CrossSection {
+  std::optional<double> left;
+  std::optional<double> right;
+  std::optional<double> up;
+  std::optional<double> down;
+};
+
+/// What a station is to the water; several may hold.
+struct StationFlags {
+  bool entrance = false;
+  bool sink = false;
+  bool spring = false;
+  bool surface = false;
+};
+
+struct Station {
+  std::string name;  ///< E.g. "dow.choke2.14"; unique, or empty.
+  Vec3d position{0.0};
+  StationFlags flags;
+  std::optional<CrossSection> section;
+  /// Ends of splays: points on the walls, in scene space.
+  std::vector<Vec3d> splays;
+};
+
+/// The zone in which a passage formed.
+enum class Stage { unknown, vadose, phreatic };
+
+/// A leg between two stations, given by their indices. Water runs from `from` to `to`.
+struct Leg {
+  int from = 0;
+  int to = 0;
+  Stage stage = Stage::unknown;
+  std::string survey;    ///< The name of the survey or conduit to which the leg belongs.
+  double discharge = 0;  ///< Relative flow, 1 at each sink; 0 if unknown.
+  int tier = 0;  ///< The index of the water table that formed the leg; 0 is the present one.
+};
+
+struct Network {
+  std::vector<Station> stations;
+  std::vector<Leg> legs;
+};
+
+/// Legs at each station, in the order of Network::legs: the indices of the legs.
+std::vector<std::vector<int>> legs_at_stations(const Network& network);
+
+}  // namespace vug::network

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What surveyors wrote down, after calibration and conversion to metres: the input of `adjust`.
+// The readers of .svx, .th, .dat, .srv and .top files produce it.
+#pragma once
+
+#include <vug/survey/survey.h>
+
+namespace vug::survey {
+
+/// A symmetric 3x3 covariance in square metres.
+struct Covariance {
+  double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
+};
+
+/// A measured vector between two stations with its covariance.
+struct ObservedLeg {
+  Leg leg;
+  Vec3d vector{0.0};
+  Covariance covariance;
+  /// Tape length in metres, with which Survex counts the length of a survey.
+  double length = 0;
+};
+
+/// A station with given coordinates; without a covariance it does not move.
+struct Fix {
+  int station = 0;
+  Vec3d position{0.0};
+  std::optional<Covariance> covariance;
+  SourceLocation where;
+};
+
+/// Two names for the same point.
+struct Equate {
+  int a = 0;
+  int b = 0;
+  SourceLocation where;
+};
+
+struct Observations {
+  std::string title;
+  std::string coordinate_system;
+  std::vector<Station> stations;  ///< Positions are unused.
+  std::vector<ObservedLeg> legs;
+  std::vector<Equate> equates;
+  std::vector<Fix> fixes;
+  std::vector<Tube> tubes;
+};
+
+}  // namespace vug::survey
