@@ -17,8 +17,6 @@ struct ObservedLeg {
   Leg leg;
   Vec3d vector{0.0};
   Covariance covariance;
-  /// Tape length in metres, with which Survex counts the length of a survey.
-  double length = 0;
 };
 
 /// A station with given coordinates; without a covariance it does not move.
@@ -26,13 +24,6 @@ struct Fix {
   int station = 0;
   Vec3d position{0.0};
   std::optional<Covariance> covariance;
-  SourceLocation where;
-};
-
-/// Two names for the same point.
-struct Equate {
-  int a = 0;
-  int b = 0;
   SourceLocation where;
 };
 

@@ -49,6 +49,7 @@ struct Leg {
   bool surface = false;
   bool duplicate = false;
   bool splay = false;
+  double length = 0;   ///< Measured length in metres; 0 if the file contains coordinates only.
   std::string survey;  ///< The survey to which the leg belongs, e.g. "dow.choke2".
   std::optional<DateRange> date;
   SourceLocation where;
@@ -74,6 +75,13 @@ struct Scrap {
   std::vector<std::array<int, 3>> triangles;
 };
 
+/// Two stations that are the same point under different names.
+struct Equate {
+  int a = 0;
+  int b = 0;
+  SourceLocation where;
+};
+
 /// The misclosure of one traverse, a chain of legs between two junctions or fixed stations.
 struct Misclosure {
   std::vector<int> stations;  ///< In order, both ends included.
@@ -84,15 +92,25 @@ struct Misclosure {
   double e = 0, h = 0, v = 0;
 };
 
+/// A reading that is probably wrong: without it, its traverse would close much better.
+struct Blunder {
+  int leg = 0;          ///< Index in Survey::legs.
+  std::string reading;  ///< "tape", "compass", "clino", or "vector" of a leg without angles.
+  double sigmas = 0;    ///< The normalised residual, positive.
+  double error = 0;     ///< Estimated error of the reading, in metres or radians, signed.
+};
+
 struct Survey {
   std::string title;
-  std::string
-      coordinate_system;  ///< As written in the source, e.g. "EPSG:27700"; empty: local metres.
+  /// As written in the source, e.g. "EPSG:27700"; empty: local metres.
+  std::string coordinate_system;
   std::vector<Station> stations;
   std::vector<Leg> legs;
+  std::vector<Equate> equates;
   std::vector<Tube> tubes;
   std::vector<Scrap> scraps;
   std::vector<Misclosure> misclosures;
+  std::vector<Blunder> blunders;  ///< By traverse, the most likely first.
 };
 
 }  // namespace vug::survey
