@@ -49,7 +49,9 @@ struct Leg {
   bool surface = false;
   bool duplicate = false;
   bool splay = false;
-  double length = 0;   ///< Measured length in metres; 0 if the file contains coordinates only.
+  /// As measured, in metres: the length, its horizontal and its vertical part. All are 0 if the
+  /// file contains coordinates only.
+  double length = 0, plan_length = 0, vertical_length = 0;
   std::string survey;  ///< The survey to which the leg belongs, e.g. "dow.choke2".
   std::optional<DateRange> date;
   SourceLocation where;

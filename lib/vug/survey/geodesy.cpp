@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/survey/geodesy.h>
+
+#include <vug/base/error.h>
+#include <vug/base/maths.h>
+#include <vug/survey/coordinate_system.h>
+
+#include <fmt/format.h>
+#include <proj.h>
+
+#include <cmath>
+#include <map>
+
+namespace vug::survey {
+namespace {
+
+constexpr const char* kWgs84 = "EPSG:4326";
+
+struct DestroyTransformation {
+  void operator()(PJ* transformation) const { proj_destroy(transformation); }
+};
+using Transformation = std::unique_ptr<PJ, DestroyTransformation>;
+
+}  // namespace
+
+struct Geodesy::Cache {
+  PJ_CONTEXT* context = proj_context_create();
+  std::map<std::pair<std::string, std::string>, Transformation> transformations;
+
+  Cache() {
+    // Errors are thrown by the callers; PROJ must not print and must not use the network.
+    proj_log_level(context, PJ_LOG_NONE);
+    proj_context_set_enable_network(context, 0);
+  }
+  ~Cache() {
+    transformations.clear();
+    proj_context_destroy(context);
+  }
+
+  PJ* find(const std::string& from, const std::string& to) {
+    Transformation& known = transformations[{from, to}];
+    if (known) return known.get();
+    const Transformation raw(proj_create_crs_to_crs(context, from.c_str(), to.c_str(), nullptr));
+    if (raw) known.reset(proj_normalize_for_visualization(context, raw.get()));
+    if (known) return known.get();
+    throw Error(ErrorCode::bad_input,
+                fmt::format("PROJ cannot transform from '{}' to '{}'", from, to), {},
+                "check the coordinate systems");
+  }
+
+  Vec3d apply(const std::string& from, const std::string& to, const Vec3d& place) {
+    PJ* transformation = find(from, to);
+    proj_errno_reset(transformation);
+    const PJ_COORD out =
+        proj_trans(transformation, PJ_FWD, proj_coord(place.x, place.y, place.z, HUGE_VAL));
+    const Vec3d result(out.xyz.x, out.xyz.y, out.xyz.z);
+    if (proj_errno(transformation) == 0 && std::isfinite(result.x) && std::isfinite(result.y) &&
+        std::isfinite(result.z))
+      return result;
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the place ({:.2f}, {:.2f}, {:.2f}) of '{}' has no coordinates in '{}'",
+                            place.x, place.y, place.z, from, to),
+                {}, "check the coordinates and '*cs'");
+  }
+};
+
+namespace {
+
+/// The system of a name that is not local. Error(bad_input) for others.
+CoordinateSystem require_system(const std::string& name) {
+  const std::optional<CoordinateSystem> system = coordinate_system(name);
+  if (!system || system->definition.empty())
+    throw Error(ErrorCode::bad_input,
+                fmt::format("'{}' is not a coordinate system on the Earth", name));
+  return *system;
+}
+
+}  // namespace
+
+Geodesy::Geodesy() : cache_(std::make_unique<Cache>()) {}
+Geodesy::~Geodesy() = default;
+
+std::string Geodesy::fault_of(const std::string& name) {
+  const std::optional<CoordinateSystem> system = coordinate_system(name);
+  if (!system) return fmt::format("unknown coordinate system '{}'", name);
+  if (system->definition.empty()) return "";
+  try {
+    cache_->find(system->definition, kWgs84);
+  } catch (const Error&) {
+    return fmt::format("PROJ does not know the coordinate system '{}'", name);
+  }
+  return "";
+}
+
+Vec3d Geodesy::transform(const std::string& from, const std::string& to, const Vec3d& place) {
+  const CoordinateSystem source = require_system(from), target = require_system(to);
+  const Vec3d here = place + source.origin;
+  const bool same = source.definition == target.definition;
+  return (same ? here : cache_->apply(source.definition, target.definition, here)) - target.origin;
+}
+
+Geographic Geodesy::geographic(const std::string& from, const Vec3d& place) {
+  const CoordinateSystem source = require_system(from);
+  const Vec3d found = cache_->apply(source.definition, kWgs84, place + source.origin);
+  return {found.x, found.y, found.z};
+}
+
+double Geodesy::true_north(const std::string& grid, const Geographic& place) {
+  const CoordinateSystem target = require_system(grid);
+  constexpr double kStep = 1e-5;  // Degrees: about a metre to the north and to the south.
+  const auto at = [&](double latitude) {
+    return cache_->apply(kWgs84, target.definition, {place.longitude, latitude, place.height});
+  };
+  const Vec3d north = at(place.latitude + kStep) - at(place.latitude - kStep);
+  return maths::atan2(north.x, north.y);
+}
+
+}  // namespace vug::survey
