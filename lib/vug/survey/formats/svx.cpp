@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Survex .svx: measurements of a cave as text.
+#include <vug/survey/format_kind.h>
+#include <vug/survey/svx/reader.h>
+
+namespace vug::survey {
+namespace {
+
+Contents read_svx(std::string_view bytes, const std::filesystem::path& file,
+                  const ReadOptions& options, Diagnostics& warnings) {
+  svx::Reader reader(file, options, warnings);
+  reader.read(bytes, file);
+  return reader.finish();
+}
+
+}  // namespace
+}  // namespace vug::survey
+
+VUG_SURVEY_FORMAT(svx) {
+  return survey_format("svx",
+                       "Survex data: measurements of all data styles, with their errors, read with "
+                       "the included files",
+                       "survex2024", read_svx);
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/survey/leg_graph.h>
+
+#include <vug/survey/disjoint_stations.h>
+
+#include <fmt/format.h>
+
+namespace vug::survey {
+namespace {
+
+size_t as_index(int i) { return static_cast<size_t>(i); }
+
+/// For each station the first of the stations that are equated to it.
+std::vector<int> first_equals(const Observations& observations) {
+  DisjointStations sets(observations.stations.size());
+  for (const Equate& each : observations.equates) sets.join(each.a, each.b);
+  std::vector<int> first;
+  for (size_t i = 0; i < observations.stations.size(); ++i)
+    first.push_back(sets.root(static_cast<int>(i)));
+  return first;
+}
+
+int add_point(LegGraph& graph, int station) {
+  graph.station_of.push_back(station);
+  graph.positions.emplace_back();
+  return graph.points++;
+}
+
+void apply_fix(LegGraph& graph, const Fix& fix, const Observations& observations,
+               Diagnostics& warnings) {
+  const int point = graph.point_of[as_index(fix.station)];
+  if (fix.covariance) {
+    const int place = add_point(graph, -1);
+    graph.positions[as_index(place)] = fix.position;
+    graph.edges.push_back({place, point, Vec3d(0), *fix.covariance, -1});
+    return;
+  }
+  std::optional<Vec3d>& position = graph.positions[as_index(point)];
+  const std::string& name = observations.stations[as_index(fix.station)].name;
+  if (position && (*position - fix.position).length() > 1e-6)
+    throw Error(ErrorCode::bad_input, fmt::format("the station '{}' is fixed at two places", name),
+                fix.where, "equated stations are one place; remove a fix");
+  if (position)
+    warnings.warning(fix.where,
+                     fmt::format("the station '{}' is fixed again at the same place", name));
+  position = fix.position;
+}
+
+/// All points of stations: first the ends of legs, in the order of the legs, with named ones first
+/// in each, then the others.
+std::vector<int> anchor_candidates(const LegGraph& graph, const Observations& observations) {
+  std::vector<int> all;
+  for (const Edge& edge : graph.edges) {
+    if (edge.leg < 0) continue;
+    const int first = graph.station_of[as_index(edge.a)];
+    const bool anonymous = observations.stations[as_index(first)].anonymous();
+    all.push_back(anonymous ? edge.b : edge.a);
+    all.push_back(anonymous ? edge.a : edge.b);
+  }
+  for (int point = 0; point < graph.points; ++point)
+    if (graph.station_of[as_index(point)] >= 0) all.push_back(point);
+  return all;
+}
+
+/// Fixes a point in each component that has none.
+void anchor_components(LegGraph& graph, const Observations& observations, Diagnostics& warnings) {
+  std::vector<bool> reached(as_index(graph.points), false);
+  std::vector<int> open;
+  const auto spread = [&](int from) {
+    open.push_back(from);
+    reached[as_index(from)] = true;
+    while (!open.empty()) {
+      const int point = open.back();
+      open.pop_back();
+      for (const int edge : graph.edges_of[as_index(point)]) {
+        const int next = graph.across(edge, point);
+        if (!reached[as_index(next)]) open.push_back(next);
+        reached[as_index(next)] = true;
+      }
+    }
+  };
+  for (int point = 0; point < graph.points; ++point)
+    if (graph.positions[as_index(point)] && !reached[as_index(point)]) spread(point);
+  bool any_fix = !observations.fixes.empty();
+  for (const int point : anchor_candidates(graph, observations)) {
+    if (reached[as_index(point)]) continue;
+    const Station& station = observations.stations[as_index(graph.station_of[as_index(point)])];
+    if (any_fix)
+      warnings.warning(station.where,
+                       fmt::format("the station '{}' and those connected to it are not connected "
+                                   "to a fixed station; it is placed at the origin",
+                                   station.name),
+                       "connect them with *equate, or fix one of them");
+    any_fix = true;
+    graph.positions[as_index(point)] = Vec3d(0);
+    spread(point);
+  }
+}
+
+}  // namespace
+
+LegGraph make_leg_graph(const Observations& observations, Diagnostics& warnings) {
+  LegGraph graph;
+  const std::vector<int> first = first_equals(observations);
+  graph.point_of.resize(first.size());
+  for (size_t i = 0; i < first.size(); ++i)
+    graph.point_of[i] = as_index(first[i]) == i ? add_point(graph, static_cast<int>(i))
+                                                : graph.point_of[as_index(first[i])];
+  for (size_t i = 0; i < observations.legs.size(); ++i) {
+    const ObservedLeg& each = observations.legs[i];
+    if (each.leg.style == Style::nosurvey) continue;
+    graph.edges.push_back({graph.point_of[as_index(each.leg.from)],
+                           graph.point_of[as_index(each.leg.to)], each.vector, each.covariance,
+                           static_cast<int>(i)});
+  }
+  for (const Fix& fix : observations.fixes) apply_fix(graph, fix, observations, warnings);
+  graph.edges_of.resize(as_index(graph.points));
+  for (size_t i = 0; i < graph.edges.size(); ++i) {
+    graph.edges_of[as_index(graph.edges[i].a)].push_back(static_cast<int>(i));
+    graph.edges_of[as_index(graph.edges[i].b)].push_back(static_cast<int>(i));
+  }
+  anchor_components(graph, observations, warnings);
+  return graph;
+}
+
+}  // namespace vug::survey

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/survey/read_survey.h>
+
+#include <vug/base/atomic_file.h>
+#include <vug/survey/adjust.h>
+
+#include <fmt/format.h>
+
+namespace vug::survey {
+
+Survey read_survey(const std::filesystem::path& file, const ReadOptions& options,
+                   Diagnostics& warnings) {
+  const Format& format = format_of(file);
+  const std::string bytes = read_text(file);
+  Contents contents = format.read(bytes, file, options, warnings);
+  if (Survey* survey = std::get_if<Survey>(&contents)) return std::move(*survey);
+  return adjust(std::get<Observations>(std::move(contents)), warnings);
+}
+
+void write_survey(const Survey& survey, const std::filesystem::path& file) {
+  const Format& format = format_of(file);
+  if (format.write) return write_text(file, format.write(survey));
+  std::vector<std::string> written;
+  for (const Format* each : formats())
+    if (each->write) written.push_back(each->info.name);
+  throw Error(ErrorCode::bad_input,
+              fmt::format("surveys cannot be written as '{}'", format.info.name), {},
+              fmt::format("formats that can be written: {}", fmt::join(written, ", ")));
+}
+
+}  // namespace vug::survey

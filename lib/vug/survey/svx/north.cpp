@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/survey/svx/north.h>
+
+#include <vug/base/diagnostics.h>
+#include <vug/survey/dates.h>
+#include <vug/survey/geomagnetism.h>
+
+namespace vug::survey::svx {
+
+double North::correction(const Settings& settings, const std::string& grid,
+                         const SourceLocation& where, Diagnostics& warnings) {
+  const Declination& declination = settings.declination;
+  if (!declination.automatic) return declination.value;
+  if (!settings.date)
+    warnings.warning(where, "the leg has no date; its magnetic declination is taken as 0",
+                     "write the date of the measurements with *date");
+  const int day = settings.date ? (settings.date->first + settings.date->last) / 2 : INT_MIN;
+  const auto key = std::tuple(declination.coordinate_system, grid, declination.place.x,
+                              declination.place.y, declination.place.z, day);
+  if (const auto found = known_.find(key); found != known_.end()) return found->second;
+  const Geographic place = geodesy_.geographic(declination.coordinate_system, declination.place);
+  double angle = geodesy_.true_north(grid, place);
+  if (settings.date) angle += magnetic_declination(place, year_of(day));
+  return known_.emplace(key, angle).first->second;
+}
+
+}  // namespace vug::survey::svx
