@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The .mak format of Compass: a project with .dat files and fixed stations.
+#include <vug/survey/compass/mak.h>
+#include <vug/survey/format_kind.h>
+
+namespace vug::survey {
+namespace {
+
+Contents read_mak(std::string_view bytes, const std::filesystem::path& file,
+                  const ReadOptions& options, Diagnostics& warnings) {
+  InputFiles files(file, bytes.size(), options);
+  return compass::read_mak(bytes, files, warnings);
+}
+
+}  // namespace
+}  // namespace vug::survey
+
+VUG_SURVEY_FORMAT(mak) {
+  return survey_format("mak", "Compass projects: .dat files and fixed stations", "compass2024",
+                       read_mak);
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The .plt format of Compass: stations, legs and distances to the walls, in feet.
+#include <vug/survey/compass/plt.h>
+#include <vug/survey/format_kind.h>
+
+namespace vug::survey {
+namespace {
+
+Contents read_plt(std::string_view bytes, const std::filesystem::path& file, const ReadOptions&,
+                  Diagnostics& warnings) {
+  return compass::read_plt(bytes, file.string(), warnings);
+}
+
+}  // namespace
+}  // namespace vug::survey
+
+VUG_SURVEY_FORMAT(plt) {
+  return survey_format("plt", "Compass plots: stations, legs and distances to the walls",
+                       "compass2024", read_plt);
+}

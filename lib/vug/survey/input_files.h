@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that a survey text names, e.g. by `input` of Therion: finds and reads them within limits.
+#pragma once
+
+#include <vug/survey/format.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vug::survey {
+
+class InputFiles {
+ public:
+  /// `first` is the file that the user named, of which `bytes` are in memory already.
+  InputFiles(const std::filesystem::path& first, size_t bytes, const ReadOptions& options);
+
+  /// Reads a file that the file in progress names, and makes it the file in progress until `leave`.
+  /// The name is relative to the folder of the naming file; '\' is a separator, too. The search
+  /// continues with the extension appended, and with both in lower case. Throws Error(bad_input)
+  /// at `where` if the file does not exist, lies outside of the root folder, is in progress
+  /// already, or exceeds a limit.
+  std::string enter(const std::string& name, const std::string& extension,
+                    const SourceLocation& where);
+  void leave() { files_.pop_back(); }
+
+  /// The file in progress.
+  const std::filesystem::path& current() const { return files_.back(); }
+
+ private:
+  std::filesystem::path find(const std::string& name, const std::string& extension,
+                             const SourceLocation& where) const;
+
+  std::vector<std::filesystem::path> files_;  ///< The files in progress, the first one first.
+  std::filesystem::path root_;                ///< Empty: files may lie anywhere.
+  size_t bytes_;                              ///< The total of all files.
+  size_t max_bytes_;
+  int count_ = 0;
+};
+
+}  // namespace vug::survey

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// What holds for the reader of every survey format and any bytes: it fails with bad_input, or
+// returns finite values and valid indices; what it returns can be written and read again.
+#pragma once
+
+#include "require.h"
+
+#include <vug/survey/format.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace vug::survey {
+
+inline bool finite(const Vec3d& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+inline void check_tubes(const std::vector<Tube>& tubes, size_t stations) {
+  for (const Tube& tube : tubes)
+    for (const CrossSection& section : tube) {
+      require(section.station >= 0 && static_cast<size_t>(section.station) < stations,
+              "cross-sections name stations");
+      for (const auto& side : {section.left, section.right, section.up, section.down})
+        require(!side || std::isfinite(*side), "walls are finite");
+    }
+}
+
+inline void check_leg(const Leg& leg, size_t stations) {
+  for (const int end : {leg.from, leg.to})
+    require(end >= 0 && static_cast<size_t>(end) < stations, "legs name stations");
+  require(std::isfinite(leg.length), "lengths are finite");
+}
+
+inline void check(const Survey& survey) {
+  const size_t n = survey.stations.size();
+  for (const Station& station : survey.stations) require(finite(station.position), "finite");
+  for (const Leg& leg : survey.legs) check_leg(leg, n);
+  check_tubes(survey.tubes, n);
+  for (const Scrap& scrap : survey.scraps)
+    for (const auto& triangle : scrap.triangles)
+      for (const int corner : triangle)
+        require(corner >= 0 && static_cast<size_t>(corner) < scrap.points.size(), "corners");
+  for (const Misclosure& misclosure : survey.misclosures)
+    for (const int station : misclosure.stations)
+      require(static_cast<size_t>(station) < n, "traverses name stations");
+}
+
+inline void check(const Observations& survey) {
+  const size_t n = survey.stations.size();
+  for (const ObservedLeg& leg : survey.legs) {
+    check_leg(leg.leg, n);
+    const Covariance& c = leg.covariance;
+    require(finite(leg.vector), "vectors are finite");
+    require(finite({c.xx, c.yy, c.zz}) && finite({c.xy, c.yz, c.zx}), "covariances are finite");
+    require(c.xx >= 0 && c.yy >= 0 && c.zz >= 0, "variances are not negative");
+  }
+  for (const Equate& equate : survey.equates)
+    require(static_cast<size_t>(equate.a) < n && static_cast<size_t>(equate.b) < n, "equates");
+  for (const Fix& fix : survey.fixes)
+    require(static_cast<size_t>(fix.station) < n && finite(fix.position), "fixes");
+  check_tubes(survey.tubes, n);
+}
+
+inline void fuzz(const std::string& extension, const uint8_t* data, size_t size) {
+  const std::string file = "fuzz." + extension;
+  const Format& format = format_of(file);
+  // No file lies in this folder, so that texts cannot read files.
+  ReadOptions options;
+  options.root = "/no/such/folder";
+  Diagnostics warnings;
+  try {
+    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+    const Contents contents = format.read(bytes, file, options, warnings);
+    std::visit([](const auto& survey) { check(survey); }, contents);
+    if (!format.write) return;
+    std::string written;
+    try {
+      written = format.write(std::get<Survey>(contents));
+    } catch (const Error& error) {
+      require(error.code() == ErrorCode::bad_input, "the format cannot store the survey");
+      return;
+    }
+    check(std::get<Survey>(format.read(written, file, options, warnings)));
+  } catch (const Error& error) {
+    require(error.code() == ErrorCode::bad_input, "errors blame the input");
+    require(error.where().file == file, "errors name the file");
+  }
+}
+
+}  // namespace vug::survey
