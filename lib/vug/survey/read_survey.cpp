@@ -17,15 +17,19 @@ Survey read_survey(const std::filesystem::path& file, const ReadOptions& options
   return adjust(std::get<Observations>(std::move(contents)), warnings);
 }
 
-void write_survey(const Survey& survey, const std::filesystem::path& file) {
+const Format& writable_format_of(const std::filesystem::path& file) {
   const Format& format = format_of(file);
-  if (format.write) return write_text(file, format.write(survey));
+  if (format.write) return format;
   std::vector<std::string> written;
   for (const Format* each : formats())
     if (each->write) written.push_back(each->info.name);
   throw Error(ErrorCode::bad_input,
               fmt::format("surveys cannot be written as '{}'", format.info.name), {},
               fmt::format("formats that can be written: {}", fmt::join(written, ", ")));
+}
+
+void write_survey(const Survey& survey, const std::filesystem::path& file) {
+  write_text(file, writable_format_of(file).write(survey));
 }
 
 }  // namespace vug::survey

@@ -10,8 +10,11 @@ namespace vug::survey {
 Survey read_survey(const std::filesystem::path& file, const ReadOptions& options,
                    Diagnostics& warnings);
 
+/// The format of a file's extension. Error(bad_input) if it is unknown or only read.
+const Format& writable_format_of(const std::filesystem::path& file);
+
 /// Writes the survey in the format of the file's extension, through a temporary file.
-/// Error(bad_input) if the format is unknown or only read.
+/// Error(bad_input) as above.
 void write_survey(const Survey& survey, const std::filesystem::path& file);
 
 }  // namespace vug::survey

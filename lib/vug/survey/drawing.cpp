@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/survey/drawing.h>
+
+#include <vug/survey/extended_elevation.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::survey {
+namespace {
+
+/// Lines in metres, the second coordinate upwards.
+struct Canvas {
+  std::string content;
+  Vec2d low{kInfinity}, high{-kInfinity};
+
+  void extend(const Vec2d& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  void line(const Vec2d& a, const Vec2d& b, const char* style) {
+    extend(a);
+    extend(b);
+    content += fmt::format(
+        "<line class=\"{}\" x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"/>\n", style,
+        a.x, -a.y, b.x, -b.y);
+  }
+  void dot(const Vec2d& p, double radius, const char* style) {
+    extend(p);
+    content += fmt::format("<circle class=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>\n",
+                           style, p.x, -p.y, radius);
+  }
+};
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (static_cast<unsigned char>(c) >= 0x20 && static_cast<unsigned char>(c) < 0x80)
+      out += c;
+    else
+      out += '?';
+  }
+  return out;
+}
+
+const char* style_of_leg(const Leg& leg) {
+  return leg.splay                      ? "splay"
+         : leg.surface                  ? "surface"
+         : leg.duplicate                ? "duplicate"
+         : leg.style == Style::nosurvey ? "nosurvey"
+                                        : "leg";
+}
+
+/// The length of the scale bar: 1, 2 or 5 times a power of ten, at most a third of the width.
+double bar_length(double width) {
+  double length = 1;
+  while (length * 10 <= width / 3) length *= 10;
+  for (const double factor : {5.0, 2.0})
+    if (length * factor <= width / 3) return length * factor;
+  return length;
+}
+
+/// The document, with a margin, a title and a scale bar.
+std::string document(Canvas& canvas, const Survey& survey, const char* view) {
+  if (canvas.content.empty()) canvas.extend({0, 0});
+  const Vec2d size = canvas.high - canvas.low;
+  const double extent = std::max({size.x, size.y, 1.0}), margin = 0.08 * extent,
+               text = 0.025 * extent;
+  const double bar = bar_length(std::max(size.x, 1.0) + 2 * margin);
+  const double left = canvas.low.x - margin, top = -canvas.high.y - margin;
+  const double width = size.x + 2 * margin, height = size.y + 2 * margin;
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{:.2f} {:.2f} {:.2f} {:.2f}\">\n"
+      "<title>{}: {}</title>\n<style>line{{stroke:#222;stroke-width:{:.3f};stroke-linecap:round}}"
+      ".splay,.width{{stroke:#9ab}}.surface{{stroke:#5a5;stroke-dasharray:{:.3f}}}"
+      ".duplicate{{stroke:#999}}.nosurvey,.cut{{stroke-dasharray:{:.3f}}}"
+      ".entrance{{fill:#c33}}.fixed{{fill:#36c}}text{{font:{:.3f}px sans-serif}}</style>\n",
+      left, top, width, height, escaped(survey.title.empty() ? "Cave survey" : survey.title), view,
+      0.002 * extent, 0.01 * extent, 0.005 * extent, text);
+  out += canvas.content;
+  const double y = top + height - 0.4 * margin, x = left + 0.5 * margin;
+  out += fmt::format(
+      "<line class=\"scale\" x1=\"{0:.2f}\" y1=\"{1:.2f}\" x2=\"{2:.2f}\" y2=\"{1:.2f}\"/>\n"
+      "<text x=\"{0:.2f}\" y=\"{3:.2f}\">{4:g} m</text>\n</svg>\n",
+      x, y, x + bar, y - 0.3 * text, bar);
+  return out;
+}
+
+/// The bearing of the passage at a cross-section as a direction: the mean of its neighbours.
+Vec2d direction_at(const Survey& survey, const Tube& tube, size_t i) {
+  const auto position = [&](size_t at) {
+    const Vec3d& p = survey.stations[static_cast<size_t>(tube[at].station)].position;
+    return Vec2d(p.x, p.y);
+  };
+  const Vec2d along = position(std::min(i + 1, tube.size() - 1)) - position(i == 0 ? 0 : i - 1);
+  return along.length() > 0 ? along.normalized() : Vec2d(0, 1);
+}
+
+void draw_widths(Canvas& canvas, const Survey& survey) {
+  for (const Tube& tube : survey.tubes)
+    for (size_t i = 0; i < tube.size(); ++i) {
+      const Vec2d along = direction_at(survey, tube, i), right(along.y, -along.x);
+      const Vec3d& p = survey.stations[static_cast<size_t>(tube[i].station)].position;
+      const Vec2d center(p.x, p.y);
+      canvas.line(center - right * tube[i].left.value_or(0),
+                  center + right * tube[i].right.value_or(0), "width");
+    }
+}
+
+}  // namespace
+
+std::string plan_svg(const Survey& survey) {
+  Canvas canvas;
+  draw_widths(canvas, survey);
+  const auto place = [&](int station) {
+    const Vec3d& p = survey.stations[static_cast<size_t>(station)].position;
+    return Vec2d(p.x, p.y);
+  };
+  for (const Leg& leg : survey.legs) canvas.line(place(leg.from), place(leg.to), style_of_leg(leg));
+  const Vec2d size = canvas.high - canvas.low;
+  const double radius = 0.005 * std::max({size.x, size.y, 1.0});
+  for (size_t i = 0; i < survey.stations.size(); ++i) {
+    if (survey.stations[i].fixed) canvas.dot(place(static_cast<int>(i)), radius, "fixed");
+    if (survey.stations[i].entrance)
+      canvas.dot(place(static_cast<int>(i)), 1.5 * radius, "entrance");
+  }
+  return document(canvas, survey, "plan");
+}
+
+std::string elevation_svg(const Survey& survey) {
+  Canvas canvas;
+  for (const ElevationLeg& each : extend_elevation(survey)) {
+    const Leg& leg = survey.legs[static_cast<size_t>(each.leg)];
+    canvas.line(each.ends[0], each.ends[1], each.cut ? "cut" : style_of_leg(leg));
+  }
+  return document(canvas, survey, "extended elevation");
+}
+
+}  // namespace vug::survey

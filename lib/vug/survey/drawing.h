@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drawings of a survey as SVG, at a scale of one user unit to a metre.
+#pragma once
+
+#include <vug/survey/survey.h>
+
+#include <string>
+
+namespace vug::survey {
+
+/// The legs seen from above, north at the top, with the widths of cross-sections.
+std::string plan_svg(const Survey& survey);
+
+/// The extended elevation: each leg continues to the right by its horizontal length, at its true
+/// altitude, starting at the entrances. Loops are cut where two ways around them meet.
+std::string elevation_svg(const Survey& survey);
+
+}  // namespace vug::survey

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "arguments.h"
+#include "print.h"
+#include "verb.h"
+
+#include <fmt/format.h>
+#include <vug/base/atomic_file.h>
+#include <vug/base/pluralize.h>
+#include <vug/scene/utf8.h>
+#include <vug/survey/drawing.h>
+#include <vug/survey/read_survey.h>
+#include <vug/survey/report.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace vug::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  bool json = false;
+  bool allow_outside = false;
+  std::string plan, elevation, output;
+};
+
+/// Prints the first warnings, and the number of the others.
+void print_warnings(const Diagnostics& warnings) {
+  constexpr size_t kMost = 20;
+  const std::vector<Diagnostic>& all = warnings.all();
+  for (size_t i = 0; i < std::min(all.size(), kMost); ++i) {
+    const std::string where = to_string(all[i].where);
+    fmt::print(stderr, "{}{}warning: {}\n", scene::printable(where), where.empty() ? "" : ": ",
+               scene::printable(all[i].message));
+    if (!all[i].hint.empty()) fmt::print(stderr, "hint: {}\n", scene::printable(all[i].hint));
+  }
+  if (all.size() > kMost)
+    fmt::print(stderr, "warning: {} not shown\n", pluralize(all.size() - kMost, "more warning"));
+}
+
+int run(const Options& options) {
+  require_no_scene(options.file);
+  std::vector<std::filesystem::path> outputs;
+  for (const std::string* each : {&options.plan, &options.elevation, &options.output})
+    if (!each->empty()) outputs.emplace_back(*each);
+  for (const std::string* each : {&options.plan, &options.elevation})
+    if (!each->empty()) require_extension(*each, ".svg", "drawings are SVG files");
+  if (!options.output.empty()) survey::writable_format_of(options.output);
+  require_outputs(outputs, {options.file});
+
+  Diagnostics warnings;
+  survey::ReadOptions reading;
+  reading.allow_outside = options.allow_outside;
+  const survey::Survey read = survey::read_survey(options.file, reading, warnings);
+  print_warnings(warnings);
+  if (!options.plan.empty()) write_text(options.plan, survey::plan_svg(read));
+  if (!options.elevation.empty()) write_text(options.elevation, survey::elevation_svg(read));
+  if (!options.output.empty()) survey::write_survey(read, options.output);
+  print_report(survey::report(read), options.json);
+  return kDone;
+}
+
+}  // namespace
+
+Verb survey_verb() {
+  return {"survey", "Reads a cave survey, closes its loops, and reports, draws or converts it.",
+          [](CLI::App& app) {
+            auto options = std::make_shared<Options>();
+            app.add_option("file", options->file,
+                           "Survey in a format of Survex, Therion, Compass, Walls or PocketTopo")
+                ->required();
+            app.add_flag("--json", options->json, "Machine-readable output");
+            app.add_option("--plan", options->plan, "SVG file for a drawing of the plan");
+            app.add_option("--elevation", options->elevation,
+                           "SVG file for a drawing of the extended elevation");
+            app.add_option("-o,--output", options->output,
+                           "File for the survey in another format, e.g. cave.3d or cave.lox");
+            app.add_flag("--allow-outside", options->allow_outside,
+                         "Allow included files outside of the survey's folder");
+            return [options] { return run(*options); };
+          }};
+}
+
+}  // namespace vug::cli
