@@ -16,14 +16,14 @@ namespace {
 
 constexpr const char* kWgs84 = "EPSG:4326";
 
-struct DestroyTransformation {
-  void operator()(PJ* transformation) const { proj_destroy(transformation); }
-};
-using Transformation = std::unique_ptr<PJ, DestroyTransformation>;
-
 }  // namespace
 
 struct Geodesy::Cache {
+  struct DestroyTransformation {
+    void operator()(PJ* transformation) const { proj_destroy(transformation); }
+  };
+  using Transformation = std::unique_ptr<PJ, DestroyTransformation>;
+
   PJ_CONTEXT* context = proj_context_create();
   std::map<std::pair<std::string, std::string>, Transformation> transformations;
 

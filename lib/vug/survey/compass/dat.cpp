@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/survey/compass/dat.h>
 #include <vug/survey/compass/dat_header.h>
-#include <vug/survey/measurement.h>
+#include <vug/survey/compass/feet.h>
+#include <vug/survey/plausible.h>
 
 #include <fmt/format.h>
 
@@ -10,10 +11,8 @@
 namespace vug::survey::compass {
 namespace {
 
-constexpr double kFoot = 0.3048;
 constexpr double kDegree = kPi / 180;
 constexpr double kMissingAngle = -900;  ///< Angles at or below are missing; the files have -999.
-constexpr double kMissingWall = 900;    ///< Distances above are missing, as negative ones.
 
 /// A line of readings, in feet and degrees.
 struct Shot {
@@ -160,6 +159,9 @@ class SurveyReader {
       throw Error(ErrorCode::bad_input, "the inclination is missing", shot.where,
                   "write the inclination of the shot or of its backsight");
     const Reading slope = length > 0 ? combined(gradient, reversed, false, shot) : Reading{};
+    if (std::fabs(slope.value) > kPi / 2 * (1 + 1e-9))
+      throw Error(ErrorCode::bad_input, "the corrected inclination is steeper than vertical",
+                  shot.where, "check the corrections in the header");
     if (!bearing && !back_bearing) {
       const bool plumb = std::fabs(shot.gradient.value_or(-shot.back_gradient.value_or(0))) == 90;
       if (!plumb && length > 0)
@@ -189,6 +191,7 @@ class SurveyReader {
       throw Error(ErrorCode::bad_input, "the corrected length is negative", shot.where,
                   "check the correction of lengths in the header");
     const MeasuredVector measured = vector(shot, length);
+    require_plausible(measured, shot.where);
     ObservedLeg leg;
     leg.leg.from = from;
     leg.leg.to = to;

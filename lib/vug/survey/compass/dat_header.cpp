@@ -31,6 +31,9 @@ double number(const TextLines& lines, const std::vector<Word>& words, size_t ind
   if (!value)
     lines.fail(fmt::format("{} is not a number", quote_text(words[index].text)), words[index],
                "write a decimal number such as 1.50");
+  if (*value < -360 || *value > 360)
+    lines.fail(fmt::format("the correction {} is not between -360 and 360", *value), words[index],
+               "write angles in degrees and lengths in feet");
   return *value;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/survey/compass/dat.h>
+#include <vug/survey/compass/feet.h>
 #include <vug/survey/compass/mak.h>
+#include <vug/survey/plausible.h>
 #include <vug/survey/text_lines.h>
 
 #include <fmt/format.h>
@@ -10,7 +12,7 @@
 namespace vug::survey::compass {
 namespace {
 
-constexpr double kFoot = 0.3048;
+constexpr size_t kLongestEntry = 100'000;  ///< Bytes.
 
 /// The EPSG code of the UTM zone of a datum; empty if unknown. Zones of the south are negative.
 std::string utm_system(const std::string& datum, int zone) {
@@ -24,9 +26,9 @@ std::string utm_system(const std::string& datum, int zone) {
   return "";
 }
 
-class Reader {
+class MakReader {
  public:
-  Reader(std::string_view text, InputFiles& files, Diagnostics& warnings)
+  MakReader(std::string_view text, InputFiles& files, Diagnostics& warnings)
       : lines_(text, files.current().string()),
         files_(files),
         warnings_(warnings),
@@ -59,12 +61,15 @@ class Reader {
   }
 
   void read_complete_entries() {
-    for (size_t end; (end = entry_.find(';')) != std::string::npos;) {
-      const std::string entry(trimmed(std::string_view(entry_).substr(0, end)));
-      const std::string rest(trimmed(std::string_view(entry_).substr(end + 1)));
-      entry_ = rest.starts_with('/') ? "" : rest;
+    if (entry_.size() > kLongestEntry) fail("an entry is too long", "end it with a semicolon");
+    std::string_view rest = entry_;
+    for (size_t end; (end = rest.find(';')) != std::string_view::npos;) {
+      const std::string entry(trimmed(rest.substr(0, end)));
+      rest = trimmed(rest.substr(end + 1));
+      if (rest.starts_with('/')) rest = {};
       if (!entry.empty()) read_entry(entry);
     }
+    entry_ = std::string(rest);
   }
 
   void read_entry(const std::string& entry) {
@@ -82,6 +87,8 @@ class Reader {
         return;
       case '%':
         convergence_ = number(rest);
+        if (std::fabs(*convergence_) > 360)
+          fail("the convergence is not between -360 and 360 degrees", "write degrees");
         return;
       case '*':  // A convergence that is not in use.
         number(rest);
@@ -122,7 +129,6 @@ class Reader {
            "write @easting,northing,elevation,zone,convergence;");
     for (const Word& word : words) number(word.text);
     if (words[3].text != "0") zone_ = read_zone(words[3].text);
-    if (!convergence_) convergence_ = number(words[4].text);
   }
 
   /// "file.dat,A1,B2[F,1,2,3]": links and fixed stations.
@@ -165,6 +171,7 @@ class Reader {
     for (int axis = 0; axis < 3; ++axis)
       fix.position[axis] =
           (unit == "f" ? kFoot : 1) * number(words[static_cast<size_t>(axis) + 1].text);
+    require_plausible(fix.position, where);
     fix.station = stations_.find_or_add(station, where);
     fix.where = where;
     result_.stations[static_cast<size_t>(fix.station)].fixed = true;
@@ -199,7 +206,7 @@ class Reader {
 }  // namespace
 
 Observations read_mak(std::string_view text, InputFiles& files, Diagnostics& warnings) {
-  return Reader(text, files, warnings).read();
+  return MakReader(text, files, warnings).read();
 }
 
 }  // namespace vug::survey::compass

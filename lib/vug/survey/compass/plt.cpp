@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/survey/compass/feet.h>
 #include <vug/survey/compass/plt.h>
 #include <vug/survey/dates.h>
 #include <vug/survey/named_stations.h>
+#include <vug/survey/plausible.h>
 #include <vug/survey/text_lines.h>
 
 #include <fmt/format.h>
@@ -9,13 +11,11 @@
 namespace vug::survey::compass {
 namespace {
 
-constexpr double kFoot = 0.3048;
-constexpr double kMissingWall = 900;  ///< Distances above are missing, as negative ones.
-constexpr double kSamePlace = 0.01;   ///< Metres between mentions of one station.
+constexpr double kSamePlace = 0.01;  ///< Metres between mentions of one station.
 
-class Reader {
+class PltReader {
  public:
-  Reader(std::string_view text, const std::string& file, Diagnostics& warnings)
+  PltReader(std::string_view text, const std::string& file, Diagnostics& warnings)
       : lines_(text, file), warnings_(warnings), stations_(survey_.stations) {}
 
   Survey read() {
@@ -92,6 +92,7 @@ class Reader {
     const double north = kFoot * number(words, 1, "northing");
     const double east = kFoot * number(words, 2, "easting");
     const Vec3d position(east, north, kFoot * number(words, 3, "elevation"));
+    require_plausible(position, lines_.at());
     if (words.size() < 5 || words[4].text.size() < 2 || words[4].text[0] != 'S')
       lines_.fail("the name of the station is missing", "write S and the name after the numbers");
     const int at = station(std::string(words[4].text.substr(1)), position);
@@ -157,7 +158,7 @@ class Reader {
 }  // namespace
 
 Survey read_plt(std::string_view text, const std::string& file, Diagnostics& warnings) {
-  return Reader(text, file, warnings).read();
+  return PltReader(text, file, warnings).read();
 }
 
 }  // namespace vug::survey::compass

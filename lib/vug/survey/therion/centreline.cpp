@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vug::survey::therion {
 namespace {
+
+constexpr double kLargestConstant = 1e6;  ///< The limit for units and calibrations.
 
 /// Error(bad_input) unless the command has `low` to `high` arguments.
 void require_arguments(const std::vector<Token>& line, size_t low, size_t high, const char* form) {
@@ -124,7 +127,9 @@ void Centreline::read_units(const std::vector<Token>& line) {
   double factor = 1;
   if (end > 2 && !is_quantity(line[end - 1].text)) {
     factor = read_number(line[--end]);
-    if (factor <= 0) fail("a unit must be positive", line[end].where, "write a number above 0");
+    if (factor <= 0 || factor > kLargestConstant)
+      fail("a unit must be positive and at most 1000000", line[end].where,
+           "write a number above 0");
   }
   for (size_t i = 1; i < end; ++i)
     for (const Quantity quantity : find_quantities(line[i])) {
@@ -145,6 +150,8 @@ void Centreline::read_calibrate(const std::vector<Token>& line) {
   const double zero = read_number(line[end]);
   const double scale = line.size() > end + 1 ? read_number(line[end + 1]) : 1;
   if (scale == 0) fail("the scale must not be zero", line[end + 1].where, "write a number");
+  if (std::fabs(zero) > kLargestConstant || std::fabs(scale) > kLargestConstant)
+    fail("a constant of the calibration exceeds 1000000", line[end].where, "check the numbers");
   for (size_t i = 1; i < end; ++i)
     for (const Quantity quantity : find_quantities(line[i])) {
       settings_.calibrations[quantity].zero = zero;
@@ -160,6 +167,8 @@ void Centreline::read_declination(const std::vector<Token>& line) {
          fmt::format("write: {}", kForm));
   require_arguments(line, 2, 2, kForm);
   settings_.declination = read_number(line[1]) * find_unit(line[2], true).factor;
+  if (std::fabs(settings_.declination) > 2 * kPi)
+    fail("the declination exceeds a whole turn", line[1].where, "check the unit");
 }
 
 void Centreline::read_date(const std::vector<Token>& line) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines of data of a centreline: legs, stations and distances to the walls.
+#include <vug/survey/plausible.h>
 #include <vug/survey/therion/centreline.h>
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@ namespace {
 
 bool is_anonymous(const std::string& name) { return name == "." || name == "-"; }
 
-Style style_of(DataStyle style) {
+Style leg_style(DataStyle style) {
   switch (style) {
     case DataStyle::normal:
       return Style::normal;
@@ -90,7 +91,9 @@ CrossSection Centreline::section(int station, const Values& values, bool second)
     if (raw < 0)
       fail(fmt::format("the distance {} to a wall is negative", raw), value.where,
            "write - for an unknown distance");
-    return settings_.calibrations[quantity](raw);
+    const double distance = settings_.calibrations[quantity](raw);
+    require_plausible_wall(distance, value.where);
+    return distance;
   };
   return {station, side(Item::left, kLeft), side(Item::right, kRight), side(Item::up, kUp),
           side(Item::down, kDown)};
@@ -135,6 +138,7 @@ void Centreline::add_leg(DataLine line) {
   if (is_anonymous(line.from->text) && is_anonymous(line.to->text))
     fail("a leg joins two anonymous stations", line.where, "name one of the stations");
   const LegVector vector = leg_vector(line, settings_, context_.warnings);
+  require_plausible(vector.measured, line.where);
   const int from = station(*line.from), to = station(*line.to);
   if (from == to)
     fail(fmt::format("the leg leads from {} to itself", quote_text(line.from->text)), line.where,
@@ -147,7 +151,7 @@ void Centreline::add_leg(DataLine line) {
   ObservedLeg leg;
   leg.leg.from = from;
   leg.leg.to = to;
-  leg.leg.style = style_of(settings_.order.style);
+  leg.leg.style = leg_style(settings_.order.style);
   leg.leg.surface = settings_.surface;
   leg.leg.duplicate = settings_.duplicate;
   leg.leg.splay = settings_.splay || open;

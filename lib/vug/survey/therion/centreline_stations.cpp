@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names of stations in a centreline, and the commands about stations.
+#include <vug/survey/plausible.h>
 #include <vug/survey/therion/centreline.h>
 
 #include <fmt/format.h>
@@ -99,6 +100,7 @@ void Centreline::read_fix(const std::vector<Token>& line) {
   fix.station = context_.stations.find_or_add(full_name(line[1], path_), line[1].where);
   fix.position = {values[0], values[1], values[2]};
   fix.where = line[0].where.up_to(line.back().where);
+  require_plausible(fix.position, fix.where);
   if (numbers > 3) {
     for (size_t i = 3; i < 6; ++i)
       if (values[i] <= 0)
@@ -113,7 +115,7 @@ void Centreline::read_fix(const std::vector<Token>& line) {
     const double determinant = c.xx * (c.yy * c.zz - c.yz * c.yz) -
                                c.xy * (c.xy * c.zz - c.yz * c.zx) +
                                c.zx * (c.xy * c.yz - c.yy * c.zx);
-    if (c.xy * c.xy >= c.xx * c.yy || determinant <= 0)
+    if (!(c.xy * c.xy < c.xx * c.yy) || !(determinant > 0) || !std::isfinite(determinant))
       fail("a covariance exceeds the standard deviations", line[5].where,
            "write covariances smaller than the products of the standard deviations");
     fix.covariance = c;

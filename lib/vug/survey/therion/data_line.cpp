@@ -15,7 +15,7 @@ bool may_be_omitted(Item item) {
          item == Item::back_gradient || item == Item::back_length;
 }
 
-Value read_value(const Token& token, Item item) {
+Value parse_value(const Token& token, Item item) {
   Value value;
   value.where = token.where;
   const std::string word = lower_case(token.text);
@@ -86,7 +86,7 @@ DataLine read_data_line(const std::vector<Token>& line, const Order& order, size
         break;
       }
       default:
-        data.values[item] = read_value(token, item);
+        data.values[item] = parse_value(token, item);
     }
   }
   if (at < line.size())

@@ -67,7 +67,7 @@ class LegReadings {
         fail(fmt::format("the bearing {} is not between 0 and {:g}", raw, circle),
              line_.values[item].where, "write the bearing clockwise from north");
       Reading result = reading(item, kBearing);
-      result.value += turn + settings_.declination;
+      result.value = std::remainder(result.value + turn + settings_.declination, 2 * kPi);
       return result;
     };
     return combined(turned(Item::bearing, 0), turned(Item::back_bearing, kPi), "bearing", true);
@@ -83,6 +83,9 @@ class LegReadings {
         fail(fmt::format("the gradient {} is steeper than vertical", raw), line_.values[item].where,
              "write the gradient from the horizontal, or up or down");
       result.value *= sign;
+      if (std::fabs(result.value) > kPi / 2 * (1 + 1e-9))
+        fail("the calibrated gradient is steeper than vertical", line_.values[item].where,
+             "check the calibration");
       return result;
     };
     return combined(checked(Item::gradient, 1), checked(Item::back_gradient, -1), "gradient",

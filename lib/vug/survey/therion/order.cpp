@@ -9,7 +9,7 @@
 namespace vug::survey::therion {
 namespace {
 
-const std::map<std::string, Item>& item_names() {
+const std::map<std::string, Item>& columns_by_name() {
   static const std::map<std::string, Item> all = {
       {"from", Item::from},
       {"to", Item::to},
@@ -117,8 +117,8 @@ Order read_order(const std::vector<Token>& line) {
   Order order;
   order.style = find_style(line[1]);
   for (size_t i = 2; i < line.size(); ++i) {
-    const auto found = item_names().find(lower_case(line[i].text));
-    if (found == item_names().end())
+    const auto found = columns_by_name().find(lower_case(line[i].text));
+    if (found == columns_by_name().end())
       fail(fmt::format("unknown reading {}", quote_text(line[i].text)), line[i].where,
            "readings are e.g. from, to, length, compass, clino, left, right, up, down, ignore");
     const Item item = found->second;

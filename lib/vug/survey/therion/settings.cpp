@@ -167,8 +167,9 @@ void read_deviations(const std::vector<Token>& line, size_t at, Grade& grade) {
     fail("a standard deviation has quantities, a number and a unit", line[0].where,
          "write for example: sd length 0.05 metres");
   const double value = read_number(line[at]);
-  if (value <= 0)
-    fail("a standard deviation must be positive", line[at].where, "write a number above 0");
+  if (value < 1e-6 || value > 1e6)
+    fail("a standard deviation must be between 0.000001 and 1000000", line[at].where,
+         "write a positive number");
   for (const Quantity quantity : named)
     grade[quantity] = value * find_unit(line[at + 1], is_angle(quantity)).factor;
 }

@@ -1,24 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/survey/therion/tokens.h>
 
-#include <algorithm>
-
 namespace vug::survey::therion {
 namespace {
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\f' || c == '\v'; }
 
-SourceLocation column(SourceLocation line, const std::string& text, size_t start, size_t end) {
-  const auto characters = [&](size_t count) {
-    return static_cast<int>(std::count_if(text.begin(),
-                                          text.begin() + static_cast<std::ptrdiff_t>(count),
-                                          [](char c) { return (c & 0xc0) != 0x80; }));
-  };
-  line.column = characters(start) + 1;
-  line.end_line = line.line;
-  line.end_column = characters(end) + 1;
-  return line;
-}
+/// The locations of tokens, from left to right; columns count characters of UTF-8.
+class ColumnCounter {
+ public:
+  ColumnCounter(const SourceLocation& line, const std::string& text) : line_(line), text_(text) {}
+
+  SourceLocation range(size_t start, size_t end) {
+    SourceLocation result = line_;
+    result.column = column(start);
+    result.end_line = line_.line;
+    result.end_column = column(end);
+    return result;
+  }
+
+ private:
+  int column(size_t at) {
+    for (; counted_ < at; ++counted_)
+      if ((text_[counted_] & 0xc0) != 0x80) ++characters_;
+    return characters_ + 1;
+  }
+  const SourceLocation& line_;
+  const std::string& text_;
+  size_t counted_ = 0;
+  int characters_ = 0;
+};
 
 }  // namespace
 
@@ -39,6 +50,7 @@ bool Tokens::next() {
 
 bool Tokens::add_tokens(const std::string& line) {
   const SourceLocation whole = lines_.at();
+  ColumnCounter columns(whole, line);
   size_t at = 0;
   while (true) {
     while (at < line.size() && is_space(line[at])) ++at;
@@ -56,13 +68,13 @@ bool Tokens::add_tokens(const std::string& line) {
         token.text += line[at];
       }
       if (at == line.size())
-        fail("a text in quotes is not closed", column(whole, line, start, at), "add a quote");
+        fail("a text in quotes is not closed", columns.range(start, at), "add a quote");
       ++at;
     } else if (line[at] == '[') {
       token.kind = Token::Kind::bracketed;
       const size_t end = line.find(']', at);
       if (end == std::string::npos)
-        fail("a bracket is not closed", column(whole, line, start, line.size()), "add ']'");
+        fail("a bracket is not closed", columns.range(start, line.size()), "add ']'");
       token.text = line.substr(at + 1, end - at - 1);
       at = end + 1;
     } else {
@@ -71,12 +83,12 @@ bool Tokens::add_tokens(const std::string& line) {
         token.text = line.substr(start, at - start);
       } else {
         token.text = line.substr(start, at - 1 - start);
-        token.where = column(whole, line, start, at - 1);
+        token.where = columns.range(start, at - 1);
         tokens_.push_back(std::move(token));
         return true;
       }
     }
-    token.where = column(whole, line, start, at);
+    token.where = columns.range(start, at);
     tokens_.push_back(std::move(token));
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/maths.h>
 #include <vug/survey/dates.h>
-#include <vug/survey/measurement.h>
 #include <vug/survey/named_stations.h>
+#include <vug/survey/plausible.h>
 #include <vug/survey/text_encoding.h>
 #include <vug/survey/walls/read.h>
 #include <vug/survey/walls/settings.h>
@@ -162,6 +162,7 @@ class Reader {
       const size_t axis = i < letter.size() ? std::string_view("enu").find(letter[i]) : 2;
       fix.position[static_cast<int>(axis)] = distance(words[i + 2]);
     }
+    require_plausible(fix.position, fix.where);
     result_.stations[static_cast<size_t>(fix.station)].fixed = true;
     result_.fixes.push_back(fix);
   }
@@ -194,6 +195,9 @@ class Reader {
       const bool turn = back && !(vertical ? settings_.corrected_back_vertical
                                            : settings_.corrected_back_azimuth);
       if (turn) value = vertical ? -value : value + kPi;
+      if (vertical && std::fabs(value) > high + 1e-9)
+        lines_.fail("the corrected vertical angle is steeper than vertical", word,
+                    "check INCV and INCVB of #units");
       both[back] = Reading{value, deviation * deviation};
     }
     if (!both[0] || !both[1]) return both[0] ? both[0] : both[1];
@@ -288,6 +292,7 @@ class Reader {
       if (!value)
         lines_.fail(fmt::format("{} is not a distance to a wall", quote_text(word.text)), whole,
                     "write numbers, or -- for unknown distances");
+      require_plausible_wall(*value, lines_.at(whole));
       if (*value >= 0) *side = *value;
     }
     line = line.substr(0, start);
@@ -320,6 +325,7 @@ class Reader {
     leg.leg.where = lines_.at();
     leg.vector = measured.vector;
     leg.covariance = measured.covariance;
+    require_plausible(measured, leg.leg.where);
     const int from = leg.leg.from, to = leg.leg.to;
     result_.legs.push_back(std::move(leg));
     if (!open) add_walls(settings_.walls_at_to ? to : from, to, walls);

@@ -71,7 +71,8 @@ using Setter = std::function<bool(const std::string&, Settings&)>;
 const std::map<std::string, Setter>& setters() {
   static const auto angle = [](double Settings::*member) {
     return [member](const std::string& v, Settings& s) {
-      return assign(s.*member, parse_angle(v, {}));
+      const auto value = parse_angle(v, {});
+      return value && std::fabs(*value) <= 2 * kPi && assign(s.*member, value);
     };
   };
   static const auto unit = [](AngleUnit Settings::*member, bool vertical) {
