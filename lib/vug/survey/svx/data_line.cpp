@@ -55,7 +55,7 @@ Kind read_clino_word(Line& line) {
   return Kind::absent;
 }
 
-ItemValue read_value(Line& line, Item item, const Settings& settings) {
+ItemValue read_item_value(Line& line, Item item, const Settings& settings) {
   ItemValue value;
   const char first = line.peek();
   value.start = line.position();
@@ -113,7 +113,7 @@ LineValues read_items(Reader& reader, Line& line, size_t first, size_t last) {
       }
       out.backwards = word == "b";
     } else {
-      out.values[item] = read_value(line, item, reader.settings);
+      out.values[item] = read_item_value(line, item, reader.settings);
     }
   }
   line.require_end();

@@ -8,7 +8,7 @@
 namespace vug::survey::svx {
 namespace {
 
-Style style_of(DataStyle style) {
+Style style_of_leg_data(DataStyle style) {
   switch (style) {
     case DataStyle::normal:
       return Style::normal;
@@ -50,7 +50,7 @@ void add_leg(Reader& reader, const LegLine& line) {
   Leg& leg = observed.leg;
   leg.from = line.backwards ? line.to.station : line.from.station;
   leg.to = line.backwards ? line.from.station : line.to.station;
-  leg.style = style_of(settings.order->style);
+  leg.style = style_of_leg_data(settings.order->style);
   leg.where = line.line.range(line.from.start);
   for (const int station : {leg.from, leg.to}) reader.stations.use(station);
   if (settings.infer_equates && read.length == 0 && leg.style != Style::nosurvey) {

@@ -25,7 +25,7 @@ struct ItemName {
   unsigned styles;
 };
 
-const std::map<std::string, ItemName>& item_names() {
+const std::map<std::string, ItemName>& known_items() {
   static const std::map<std::string, ItemName> all = {
       {"altitude", {Item::altitude, kCartesian}},
       {"backbearing", {Item::back_compass, kMeasured}},
@@ -163,10 +163,10 @@ std::shared_ptr<const Order> read_order(Line& line) {
   while (!line.at_end()) {
     const size_t at = line.position();
     const std::string name = line.keyword();
-    const auto found = item_names().find(name);
-    if (found == item_names().end()) {
+    const auto found = known_items().find(name);
+    if (found == known_items().end()) {
       line.set_position(at);
-      line.fail_expected("a reading", suggestion(name, keys_of(item_names())));
+      line.fail_expected("a reading", suggestion(name, keys_of(known_items())));
     }
     if ((found->second.styles & bit(order->style)) == 0)
       line.fail(at, fmt::format("the style '{}' has no reading '{}'", style_name, name),
