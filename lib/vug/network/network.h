@@ -48,14 +48,27 @@ struct Leg {
   std::string survey;    ///< The name of the survey or conduit to which the leg belongs.
   double discharge = 0;  ///< Relative flow, 1 at each sink; 0 if unknown.
   int tier = 0;  ///< The index of the water table that formed the leg; 0 is the present one.
+  bool surface = false;    ///< The leg runs over the surface.
+  bool duplicate = false;  ///< The leg repeats a passage that other legs survey.
 };
 
 struct Network {
   std::vector<Station> stations;
   std::vector<Leg> legs;
+  /// The point of survey space (metres, x east, y north, z up) that is the origin of scene space.
+  Vec3d origin{0.0};
+  std::string coordinate_system;  ///< E.g. "EPSG:27700"; empty: local metres.
 };
 
-/// Legs at each station, in the order of Network::legs: the indices of the legs.
+/// Legs at each station, in the order of Network::legs: the indices of the legs. A leg from a
+/// station to itself is listed twice.
 std::vector<std::vector<int>> legs_at_stations(const Network& network);
+
+/// The vector of a leg in metres.
+Vec3d leg_vector(const Network& network, const Leg& leg);
+
+/// Throws Error(bad_input) if a leg refers to a missing station, a position or a splay is not
+/// finite, or a distance of a cross-section is negative or not finite.
+void require_valid(const Network& network);
 
 }  // namespace vug::network
