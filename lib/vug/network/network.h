@@ -14,10 +14,10 @@ namespace vug::network {
 /// The distances from a station to the walls in metres, seen along the passage, with the walls that
 /// were not measured left out.
 struct CrossSection {
-  std::optional<double> left;
-  std::optional<double> right;
-  std::optional<double> up;
-  std::optional<double> down;
+  std::optional<double> left{};
+  std::optional<double> right{};
+  std::optional<double> up{};
+  std::optional<double> down{};
 };
 
 /// What a station is to the water; several may hold.
@@ -29,12 +29,12 @@ struct StationFlags {
 };
 
 struct Station {
-  std::string name;  ///< E.g. "dow.choke2.14"; unique, or empty.
+  std::string name{};  ///< E.g. "dow.choke2.14"; unique, or empty.
   Vec3d position{0.0};
-  StationFlags flags;
-  std::optional<CrossSection> section;
+  StationFlags flags{};
+  std::optional<CrossSection> section{};
   /// Ends of splays: points on the walls, in scene space.
-  std::vector<Vec3d> splays;
+  std::vector<Vec3d> splays{};
 };
 
 /// The zone in which a passage formed.
@@ -45,7 +45,7 @@ struct Leg {
   int from = 0;
   int to = 0;
   Stage stage = Stage::unknown;
-  std::string survey;    ///< The name of the survey or conduit to which the leg belongs.
+  std::string survey{};  ///< The name of the survey or conduit to which the leg belongs.
   double discharge = 0;  ///< Relative flow, 1 at each sink; 0 if unknown.
   int tier = 0;  ///< The index of the water table that formed the leg; 0 is the present one.
   bool surface = false;    ///< The leg runs over the surface.

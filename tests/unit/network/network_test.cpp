@@ -34,7 +34,7 @@ TEST(Network, RejectsInvalidContents) {
   network.stations[2].position.y = kInfinity;
   EXPECT_THROW(require_valid(network), Error);
   network = fork();
-  network.stations[1].section = CrossSection{.left = -0.5, .right = {}, .up = {}, .down = {}};
+  network.stations[1].section = CrossSection{.left = -0.5};
   EXPECT_THROW(require_valid(network), Error);
   network.stations[1].section->left = 0;
   EXPECT_NO_THROW(require_valid(network));

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The conversion between surveys (survey space, z up) and networks (scene space, y up).
+#pragma once
+
+#include <vug/network/network.h>
+#include <vug/survey/survey.h>
+
+namespace vug::network {
+
+struct FromSurveyOptions {
+  bool surface = false;    ///< Keeps legs over the surface.
+  bool duplicates = true;  ///< Keeps legs that repeat a passage.
+  /// Moves the network so that the middle of its bounding box, rounded to metres, is the origin;
+  /// Network::origin states the offset.
+  bool recenter = true;
+};
+
+/// The network of a survey. A leg is a splay if it is flagged as one or leads to an anonymous
+/// station; the station at its end becomes a point of Station::splays. Stations without legs remain
+/// if they have a name. A station in several tubes gets the cross-section with the most distances,
+/// the first of several. Throws Error(bad_input) for indices of missing stations and positions that
+/// are not finite.
+Network from_survey(const survey::Survey& survey, const FromSurveyOptions& options = {});
+
+/// The survey of a network, at Network::origin. Splays become splay legs to anonymous stations on
+/// the wall, and each branch with cross-sections becomes tubes. Stations without a name are
+/// numbered, with names that no other station has. Throws like require_valid.
+survey::Survey to_survey(const Network& network);
+
+}  // namespace vug::network
