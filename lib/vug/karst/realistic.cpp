@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <vug/base/error.h>
+#include <vug/base/rng.h>
+#include <vug/karst/realistic.h>
+
+#include <algorithm>
+
+namespace vug::karst {
+namespace {
+
+bool all_in_bands(const network::Realism& realism) {
+  return std::all_of(realism.network.begin(), realism.network.end(),
+                     [](const network::CriterionScore& s) { return s.realism >= 1; });
+}
+
+}  // namespace
+
+RealisticNetwork generate_realistic(const Geology& geology, KarstOptions options, int attempts) {
+  if (attempts < 1 || attempts > 1000)
+    throw Error(ErrorCode::bad_input, fmt::format("{} attempts were requested", attempts), {},
+                "the number of attempts must be between 1 and 1000");
+  const RandomKey key = RandomKey(options.seed).at("attempts");
+  RealisticNetwork best;
+  for (int i = 0; i < attempts; ++i) {
+    if (i > 0) options.seed = key.at(static_cast<uint64_t>(i)).state();
+    RealisticNetwork next{generate(geology, options), {}, options.seed};
+    next.realism = network::score(network::measure(next.network));
+    if (all_in_bands(next.realism)) return next;
+    if (i == 0 || next.realism.overall > best.realism.overall) best = std::move(next);
+  }
+  return best;
+}
+
+}  // namespace vug::karst
