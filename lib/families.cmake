@@ -11,6 +11,7 @@ vug_family(facade   solids        solids                SolidKind               
 vug_family(field    blends        blends                BlendKind                 kind         registry.h SCENE)
 vug_family(field    noise         noises                NoiseKind                 kind         noise.h SCENE)
 vug_family(shot     volumes       volume_kinds          Kind<VolumePtr>           volume       volume_kinds.h SCENE)
+vug_family(passages sections      sections              SectionKind               section      section.h SCENE)
 vug_family(paint    masks         masks                 MaskKind                  mask         kind.h SCENE)
 vug_family(paint    paints        paints                PaintKind                 paint        kind.h SCENE)
 vug_family(render   materials     materials             Kind<MaterialPtr>         material     kinds.h SCENE)
