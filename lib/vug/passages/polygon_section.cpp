@@ -120,7 +120,7 @@ std::vector<Vec2d> inset(const std::vector<Vec2d>& outline, double by) {
   throw Error(ErrorCode::bad_input, what, {}, hint);
 }
 
-/// Of the polygon, moved outwards by a radius.
+/// The traits of the polygon, moved outwards by a radius.
 SectionTraits traits_of(const std::vector<Vec2d>& polygon, double radius) {
   SectionTraits traits;
   traits.min = traits.max = polygon[0];

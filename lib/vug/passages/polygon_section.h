@@ -9,11 +9,11 @@
 
 namespace vug::passages {
 
-/// The section with this outline: a simple polygon of at least three corners, counterclockwise, with
-/// corners in metres; Error(bad_input) if it is not, or does not contain the origin. Convex corners
-/// are rounded with the radius `rounding`, or a smaller one where edges are too short for it: the
-/// polygon is moved inwards and the distance outwards. Polygons with a corner sharper than about 30
-/// degrees are not rounded. The distance to each edge and the winding number follow
+/// The section with this outline: a simple polygon of at least three corners, counterclockwise,
+/// with corners in metres; Error(bad_input) if it is not, or does not contain the origin. Convex
+/// corners are rounded with the radius `rounding`, or a smaller one where edges are too short for
+/// it: the polygon is moved inwards and the distance outwards. Polygons with a corner sharper than
+/// about 30 degrees are not rounded. The distance to each edge and the winding number follow
 /// quilez2008distance.
 SectionPtr polygon_section(const std::vector<Vec2d>& outline, double rounding = 0);
 

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// One straight piece of a passage: the section at its start lofted to that at its end, with rounded
+// caps beyond both.
+#pragma once
+
+#include <vug/field/point.h>
+#include <vug/field/scratch.h>
+#include <vug/passages/section.h>
+
+namespace vug::passages {
+
+using field::Dual;
+using field::Point;
+
+/// A section at a point of a passage's axis, in scene space.
+struct SectionFrame {
+  Vec3d position{0.0};
+  Vec3d right{1, 0, 0};  ///< The direction of u, a unit vector.
+  Vec3d up{0, 1, 0};     ///< The direction of v, a unit vector perpendicular to `right`.
+  SectionPtr section;
+};
+
+/// With s the coordinate along the axis (0 to L), D = (1 - t) D_from + t D_to with t = s / L
+/// clamped to 0..1 the lofted distance in the plane, and e the distance of s beyond the ends, the
+/// field is
+///   f = scale * (|(D + r, e)| - r)   with r the depth of the section at that end,
+/// which is D between the ends: circles continue as half spheres, other sections shrink by what a
+/// half sphere does. The slope along the axis is at most sigma = max |D_from - D_to| / L, and scale
+/// = 1 / sqrt(1 + sigma^2), so the Lipschitz constant is 1. The axis is never bent: no point is
+/// projected onto a curve, which would be discontinuous at the medial axis of bends.
+class Segment {
+ public:
+  /// Error(bad_input) if the positions coincide. The frames are turned into the plane across the
+  /// axis.
+  Segment(const SectionFrame& from, const SectionFrame& to);
+
+  double value(const Point<double>& p) const { return at(p); }
+  template <class T>  // double or Dual<double>
+  T at(const Point<T>& p) const;
+  template <class T>  // Pack or Dual<Pack>
+  void fill(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const;
+
+  double distance_to_axis(const Vec3d& p) const;
+  /// A lower bound of the value at a point, from its distance to the axis; see
+  /// SectionTraits::reach.
+  double least(double distance_to_axis) const {
+    const double away = distance_to_axis - reach_;
+    return away > 0 ? scale_ * away : away;
+  }
+  /// An upper bound of the value at a point.
+  double most(double distance_to_axis) const { return distance_to_axis - core_; }
+
+  const Vec3d& start() const { return start_; }
+  Vec3d end() const { return start_ + along_ * length_; }
+  double reach() const { return reach_; }
+  double scale() const { return scale_; }
+  bool uniform() const { return uniform_; }
+  /// A box around the inside; outside of it the field grows at least with the rate `scale()`.
+  Box3d bounds() const;
+
+ private:
+  struct Plane {
+    Vec3d right, up;
+    SectionPtr section;
+    double depth = 0;
+  };
+  Plane plane(const SectionFrame& frame) const;
+  double slope() const;
+  template <class T>
+  T finish(const T& from, const T& to, const T& s) const;
+  template <class T>
+  static T across(const Plane& plane, const Point<T>& offset);
+  template <class D>
+  void sample(const Plane& plane, const Point<Pack>* points, int count, D* out,
+              field::Scratch& scratch) const;
+
+  Vec3d start_, along_;
+  double length_;
+  Plane from_, to_;
+  bool uniform_ = false;
+  double scale_ = 1, reach_ = 0, core_ = 0;
+};
+
+}  // namespace vug::passages

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/passages/sweep/segment_bvh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace vug::passages {
+namespace {
+
+constexpr uint32_t kLeafSize = 4;
+constexpr size_t kStack = 128;
+
+}  // namespace
+
+SegmentBvh::SegmentBvh(const std::vector<Segment>& segments)
+    : segments_(segments), order_(segments.size()) {
+  std::iota(order_.begin(), order_.end(), 0u);
+  nodes_.reserve(2 * segments.size());
+  nodes_.emplace_back();
+  build(0, 0, static_cast<uint32_t>(segments.size()));
+}
+
+void SegmentBvh::build(uint32_t at, uint32_t first, uint32_t count) {
+  Node node;
+  Box3d centres;
+  for (uint32_t i = first; i < first + count; ++i) {
+    const Segment& segment = segments_[order_[i]];
+    node.box.extendBy(segment.start());
+    node.box.extendBy(segment.end());
+    centres.extendBy(0.5 * (segment.start() + segment.end()));
+    node.reach = std::max(node.reach, segment.reach());
+    node.scale = std::min(node.scale, segment.scale());
+  }
+  node.first = first;
+  node.count = count;
+  if (count > kLeafSize) {
+    const unsigned axis = centres.majorAxis();
+    const uint32_t half = count / 2;
+    const auto key = [&](uint32_t i) {
+      return std::pair(segments_[i].start()[axis] + segments_[i].end()[axis], i);
+    };
+    std::nth_element(order_.begin() + first, order_.begin() + first + half,
+                     order_.begin() + first + count,
+                     [&](uint32_t a, uint32_t b) { return key(a) < key(b); });
+    node.left = static_cast<uint32_t>(nodes_.size());
+    nodes_.resize(nodes_.size() + 2);
+    build(node.left, first, half);
+    build(node.left + 1, first + half, count - half);
+  }
+  nodes_[at] = node;
+}
+
+double SegmentBvh::Node::least(const Vec3d& p) const {
+  double squared = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double d = std::max({box.min[axis] - p[axis], p[axis] - box.max[axis], 0.0});
+    squared += d * d;
+  }
+  const double away = std::sqrt(squared) - reach;
+  return away > 0 ? scale * away : away;
+}
+
+double SegmentBvh::least(const Vec3d& p) const {
+  double best = kInfinity;
+  std::pair<double, uint32_t> stack[kStack];
+  size_t open = 0;
+  stack[open++] = {nodes_[0].least(p), 0};
+  while (open > 0) {
+    const auto [bound, index] = stack[--open];
+    if (bound >= best) continue;
+    const Node& node = nodes_[index];
+    if (node.left == 0) {
+      for (uint32_t i = node.first; i < node.first + node.count; ++i) {
+        const Segment& segment = segments_[order_[i]];
+        if (segment.least(segment.distance_to_axis(p)) < best)
+          best = std::min(best, segment.value(field::point(p)));
+      }
+      continue;
+    }
+    std::pair<double, uint32_t> near{nodes_[node.left].least(p), node.left};
+    std::pair<double, uint32_t> far{nodes_[node.left + 1].least(p), node.left + 1};
+    if (far.first < near.first) std::swap(near, far);
+    stack[open++] = far;
+    stack[open++] = near;
+  }
+  return best;
+}
+
+bool SegmentBvh::collect(const Vec3d& p, double limit, size_t most,
+                         std::vector<uint32_t>& out) const {
+  uint32_t stack[kStack];
+  size_t open = 0;
+  const size_t before = out.size();
+  if (nodes_[0].least(p) <= limit) stack[open++] = 0;
+  while (open > 0) {
+    const Node& node = nodes_[stack[--open]];
+    if (node.left != 0) {
+      for (const uint32_t child : {node.left, node.left + 1})
+        if (nodes_[child].least(p) <= limit) stack[open++] = child;
+      continue;
+    }
+    for (uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const Segment& segment = segments_[order_[i]];
+      if (segment.least(segment.distance_to_axis(p)) > limit) continue;
+      if (out.size() - before == most) return false;
+      out.push_back(order_[i]);
+    }
+  }
+  std::sort(out.begin() + static_cast<std::ptrdiff_t>(before), out.end());
+  return true;
+}
+
+}  // namespace vug::passages

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+// The node of a sweep: all segments, or those that matter in the ball to which it was restricted.
+#include <vug/base/error.h>
+#include <vug/passages/sweep/active_set.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vug::passages {
+namespace {
+
+using field::Ball;
+
+using PartsPtr = std::shared_ptr<const SweepParts>;
+
+/// Restrictions to more segments keep the whole sweep, whose BVH finds segments faster than a list.
+constexpr size_t kMostActive = 256;
+
+/// Upper bounds include the rounding of batches in single precision, as Node::centre_form does.
+double tolerance(const Vec3d& p, double radius) { return 1e-6 * (1 + p.length() + radius); }
+
+template <class T>
+T evaluate(const SweepParts& parts, const ActiveSet& set, const Point<T>& p) {
+  thread_local std::vector<T> arms;
+  if (arms.size() < set.arms) arms.resize(set.arms);
+  Minimum<T> minimum(set, arms.data());
+  for (size_t i = 0; i < set.segments.size(); ++i)
+    minimum.combine(i, parts.sweep.segments[set.segments[i]].at(p));
+  return minimum.finish();
+}
+
+template <class T>
+void evaluate(const SweepParts& parts, const ActiveSet& set, const Point<Pack>* points, int count,
+              T* out, field::Scratch& scratch) {
+  field::Scratch::Frame frame(scratch);
+  const auto n = static_cast<size_t>(count);
+  const auto& segments = parts.sweep.segments;
+  segments[set.segments[0]].fill(points, count, out, scratch);
+  if (set.segments.size() == 1) return;
+  T* next = frame.template take<T>(n);
+  if (set.joints.empty()) {
+    for (size_t i = 1; i < set.segments.size(); ++i) {
+      segments[set.segments[i]].fill(points, count, next, scratch);
+      for (size_t k = 0; k < n; ++k) out[k] = min(out[k], next[k]);
+    }
+    return;
+  }
+  T* arms = frame.template take<T>(n * set.arms);
+  for (size_t k = 0; k < n * set.arms; ++k) arms[k] = T(kFar);
+  size_t linked = 0;
+  for (size_t i = 0; i < set.segments.size(); ++i) {
+    const T* values = i == 0 ? out : next;
+    if (i > 0) segments[set.segments[i]].fill(points, count, next, scratch);
+    for (; linked < set.links.size() && set.links[linked].segment == i; ++linked) {
+      T* arm = arms + n * set.links[linked].arm;
+      for (size_t k = 0; k < n; ++k) arm[k] = min(arm[k], values[k]);
+    }
+    if (i > 0)
+      for (size_t k = 0; k < n; ++k) out[k] = min(out[k], next[k]);
+  }
+  for (const Joint& joint : set.joints) {
+    const field::Blend blend{field::Profile::smooth, joint.radius};
+    for (size_t k = 0; k < n; ++k)
+      out[k] = min(out[k], blend.smin(arms[n * joint.a + k], arms[n * joint.b + k]));
+  }
+}
+
+class SweepNode final : public field::EvaluationModes<SweepNode> {
+ public:
+  SweepNode(field::Traits traits, PartsPtr parts)
+      : EvaluationModes(std::move(traits)), parts_(std::move(parts)), whole_(true) {}
+  SweepNode(field::Traits traits, PartsPtr parts, ActiveSet active)
+      : EvaluationModes(std::move(traits)),
+        parts_(std::move(parts)),
+        whole_(false),
+        active_(std::move(active)) {}
+
+  template <class T>
+  T at(const Point<T>& p) const {
+    if (!whole_) return evaluate(*parts_, active_, p);
+    thread_local ActiveSet near;
+    const Vec3d centre = centre_of(p);
+    near.segments.clear();
+    collect({centre, 0}, parts_->bvh.least(centre), parts_->sweep.segments.size(), near.segments);
+    link(*parts_, near);
+    return evaluate(*parts_, near, p);
+  }
+  Interval at(const Point<Interval>& p) const {
+    const Vec3d centre(p.x.middle(), p.y.middle(), p.z.middle());
+    const double reach = 0.5 * Vec3d(p.x.width(), p.y.width(), p.z.width()).length();
+    return centre_form(at(field::point(centre)), {centre, reach});
+  }
+
+  template <class T>
+  void fill(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const {
+    if (!whole_) return evaluate(*parts_, active_, points, count, out, scratch);
+    fill_near(points, count, out, scratch);
+  }
+
+  field::Restriction restrict_to(const Ball& ball) const override;
+  std::string name() const override { return "passages"; }
+
+ private:
+  static Vec3d centre_of(const Point<double>& p) { return field::vector(p); }
+  static Vec3d centre_of(const Point<Dual<double>>& p) { return {p.x.v, p.y.v, p.z.v}; }
+
+  /// Segments that can matter in the ball, in which the field is at most `least` + radius: a joint
+  /// has no effect where its arms differ by more than its radius. False beyond `most` segments.
+  bool collect(const Ball& ball, double least, size_t most, std::vector<uint32_t>& out) const {
+    return parts_->bvh.collect(ball.centre, limit(ball, least), most, out);
+  }
+  double limit(const Ball& ball, double least) const {
+    return least + 2 * ball.radius + parts_->widest_joint + tolerance(ball.centre, ball.radius);
+  }
+
+  template <class T>
+  void fill_near(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const;
+
+  PartsPtr parts_;
+  bool whole_;
+  ActiveSet active_;
+};
+
+Ball ball_around(const Point<Pack>* points, int count) {
+  float low[8], high[8];
+  Vec3d least, most;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto coordinate = [&](int i) {
+      return axis == 0 ? points[i].x : axis == 1 ? points[i].y : points[i].z;
+    };
+    Pack lower = coordinate(0), upper = lower;
+    for (int i = 1; i < count; ++i) {
+      lower = min(lower, coordinate(i));
+      upper = max(upper, coordinate(i));
+    }
+    lower.store(low);
+    upper.store(high);
+    least[axis] = static_cast<double>(*std::min_element(low, low + 8));
+    most[axis] = static_cast<double>(*std::max_element(high, high + 8));
+  }
+  return {0.5 * (least + most), 0.5 * (most - least).length()};
+}
+
+/// Batches of points that are far apart are divided, down to one pack.
+template <class T>
+void SweepNode::fill_near(const Point<Pack>* points, int count, T* out,
+                          field::Scratch& scratch) const {
+  constexpr size_t kFew = 24;
+  const Ball ball = ball_around(points, count);
+  ActiveSet near;
+  const size_t most = count > 1 ? kFew : parts_->sweep.segments.size();
+  if (!collect(ball, parts_->bvh.least(ball.centre), most, near.segments)) {
+    fill_near(points, count / 2, out, scratch);
+    return fill_near(points + count / 2, count - count / 2, out + count / 2, scratch);
+  }
+  link(*parts_, near);
+  evaluate(*parts_, near, points, count, out, scratch);
+}
+
+field::Restriction SweepNode::restrict_to(const Ball& ball) const {
+  const Point<double> centre = field::point(ball.centre);
+  thread_local std::vector<uint32_t> kept;
+  kept.clear();
+  const auto& segments = parts_->sweep.segments;
+  double least = kInfinity;
+  if (whole_) {
+    least = parts_->bvh.least(ball.centre);
+    if (!collect(ball, least, kMostActive, kept)) return {centre_form(at(centre), ball), nullptr};
+  } else {
+    // The distances to the axes bound the values, so most segments are not evaluated.
+    thread_local std::vector<double> lower;
+    lower.clear();
+    for (const uint32_t i : active_.segments) {
+      const double distance = segments[i].distance_to_axis(ball.centre);
+      lower.push_back(segments[i].least(distance));
+      least = std::min(least, segments[i].most(distance));
+    }
+    const double most = limit(ball, least);
+    for (size_t k = 0; k < lower.size(); ++k)
+      if (lower[k] <= most) kept.push_back(active_.segments[k]);
+  }
+  thread_local std::vector<double> values;
+  values.clear();
+  least = kInfinity;
+  for (const uint32_t i : kept) {
+    values.push_back(segments[i].value(centre));
+    least = std::min(least, values.back());
+  }
+  const double most = limit(ball, least);
+  ActiveSet active;
+  for (size_t k = 0; k < kept.size(); ++k)
+    if (values[k] <= most) active.segments.push_back(kept[k]);
+  link(*parts_, active);
+  const Interval range = centre_form(evaluate(*parts_, active, centre), ball);
+  if (!whole_ && active.segments.size() == active_.segments.size()) return {range, nullptr};
+  return {range, std::make_shared<SweepNode>(traits(), parts_, std::move(active))};
+}
+
+field::Traits sweep_traits(const Sweep& sweep) {
+  field::Traits traits;
+  double scale = 1, widest = 0;
+  bool uniform = true;
+  for (const Segment& segment : sweep.segments) {
+    traits.bounds = united(traits.bounds, segment.bounds());
+    scale = std::min(scale, segment.scale());
+    uniform = uniform && segment.uniform();
+  }
+  for (const Joint& joint : sweep.joints) widest = std::max(widest, joint.radius);
+  const double bulge = field::Blend{field::Profile::smooth, widest}.depth();
+  traits.bounds = grown(traits.bounds, bulge / scale);
+  traits.growth = scale;
+  traits.exactness =
+      uniform && sweep.joints.empty() ? field::Exactness::eikonal : field::Exactness::bound;
+  return traits;
+}
+
+}  // namespace
+
+field::Field sweep(Sweep parts) {
+  if (parts.segments.empty())
+    throw Error(ErrorCode::bad_input, "a network without legs has no passages", {},
+                "add at least one leg between two stations");
+  field::Traits traits = sweep_traits(parts);
+  return field::Field(std::make_shared<SweepNode>(
+      std::move(traits), std::make_shared<const SweepParts>(std::move(parts))));
+}
+
+}  // namespace vug::passages
