@@ -43,6 +43,12 @@ const std::map<std::string, std::string>& statements() {
        "  at grove(polygon: [(0, 0), (9, 0), (9, 9)], count: 20, distribution: @)\n}"},
       {"shape", "mesh leaves { of @ }"},
       {"curve", "grammar stem: lsystem {\n  guides @\n  axiom F(1m)\n}"},
+      {"network", "network cave_plan = @"},
+      {"passage", field},
+      {"section", "field air = passages(of: plan, section: @)"},
+      {"geology", "network cave_plan = karst(geology: [@])"},
+      {"point", "camera main { eye @ }"},
+      {"points", "light lamp[p in @] = sphere(center: p, radius: 2cm)"},
       {"element", "grammar house: facade {\n  axiom Front\n  Front -> @\n}"},
       {"split", "grammar house: facade {\n  axiom Front\n  Front -> @\n}"},
       {"aov", "render main { layers [\"beauty\", \"@\"] }"},
@@ -63,6 +69,7 @@ std::string argument_text(const ParamInfo& param) {
       {"list of field", "[rock, sphere(1m)]"},
       {"lsystem", "fern"},
       {"mesh", "skin"},
+      {"network", "plan"},
       {"mask", "slope(from: 50deg, to: 20deg)"},
       {"list of mask", "[slope(from: 50deg, to: 20deg), 0.5]"},
       {"paint", "(0.4, 0.35, 0.3)"},
@@ -148,6 +155,9 @@ std::string example_scene() {
          "grammar front: facade {\n  axiom Front\n"
          "  Front -> repeat(x, 2m, window)\n}\n"
          "volume wall = level_set(front, voxel: 20cm)\nmesh house on wall { elements front }\n"
+         "network plan = graph(names: [\"mouth\", \"fork\", \"hall\", \"sump\"], "
+         "at: [(0, 0, 0), (8, -1, 2), (15, -2, 0), (14, -4, 9)], "
+         "paths: [\"mouth fork hall\", \"fork sump\"])\n"
          "light panel = rect(center: (0, 1, 0), normal: (0, -1, 0), group: \"key\")\n";
 }
 

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// A network that water cuts into the rock.
+#include <vug/karst/generate.h>
+#include <vug/karst/presets.h>
+#include <vug/shot/geology.h>
+#include <vug/shot/networks.h>
+#include <vug/shot/section_model_choice.h>
+
+namespace vug::shot {
+namespace {
+
+std::vector<std::pair<std::string, std::string>> preset_names() {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const karst::Preset& preset : karst::presets()) names.emplace_back(preset.name, preset.name);
+  return names;
+}
+
+struct Karst {
+  std::string preset = "branchwork";
+  int seed = 1;
+  std::optional<Vec3d> from, to;
+  std::optional<field::Field> rock;
+  std::vector<GeologyFeaturePtr> geology;
+  std::optional<int> samples, sinks, waypoints, dead_ends;
+  std::optional<double> loops;
+  std::string like = "usual";
+  double size = 1;
+
+  static void describe(Schema<Karst>& s) {
+    const auto count = [](std::string doc) { return ParamSpec{.doc = std::move(doc), .min = 0}; };
+    s.doc(
+         "The network that water cuts from sinks to springs, along beds and joints, first down to "
+         "the water table and then along it. A preset provides everything; features of the geology "
+         "replace those of the same kind in the preset.")
+        .cite("paris2021karst")
+        .choice("preset", &Karst::preset, preset_names(), "the pattern of the cave")
+        .param("seed", &Karst::seed, {.doc = "selects another cave", .min = 0})
+        .param("from", &Karst::from, any_length("the lowest corner of the rock"))
+        .param("to", &Karst::to, any_length("the highest corner of the rock"))
+        .param("rock", &Karst::rock, {.doc = "the rock that the cave stays in"})
+        .param("geology", &Karst::geology, {.doc = "beds, fractures, water tables, sinks, ..."})
+        .param("samples", &Karst::samples,
+               {.doc = "number of points between which water can flow", .min = 10, .max = 1e6})
+        .param("sinks", &Karst::sinks, count("number of random sinks, if none is given"))
+        .param("waypoints", &Karst::waypoints, count("number of random points of the network"))
+        .param("dead_ends", &Karst::dead_ends, count("number of blind passages"))
+        .param("loops", &Karst::loops,
+               {.doc = "loops for each junction or end", .min = 0, .max = 2})
+        .choice("like", &Karst::like, section_model_names(),
+                "the surveyed caves whose widths and heights the passages have")
+        .param("size", &Karst::size,
+               {.doc = "factor of widths and heights", .min = 0, .above_min = true});
+  }
+
+  std::string fault() const {
+    return from.has_value() == to.has_value() ? "" : "'from' and 'to' are needed together";
+  }
+};
+
+/// The preset's geology, with the given features in place of those of the same kind.
+karst::Geology geology_of(const Karst& p, karst::Geology preset) {
+  karst::Geology own;
+  for (const GeologyFeaturePtr& feature : p.geology) (*feature)(own);
+  const auto replace = [](auto& usual, auto& given) {
+    if (!given.empty()) usual = std::move(given);
+  };
+  replace(preset.beds, own.beds);
+  replace(preset.fractures, own.fractures);
+  replace(preset.faults, own.faults);
+  replace(preset.permeable, own.permeable);
+  replace(preset.ghost_rock, own.ghost_rock);
+  replace(preset.water_tables, own.water_tables);
+  replace(preset.sinks, own.sinks);
+  replace(preset.springs, own.springs);
+  replace(preset.entrances, own.entrances);
+  replace(preset.waypoints, own.waypoints);
+  if (p.rock) preset.solid = p.rock;
+  if (p.from) preset.bounds = {*p.from, *p.to};
+  return preset;
+}
+
+NetworkPtr grow(const Karst& p) {
+  const karst::Preset& preset = karst::find_preset(p.preset);
+  karst::KarstOptions options = preset.options;
+  options.seed = static_cast<uint64_t>(p.seed);
+  if (p.samples) options.samples.count = *p.samples;
+  if (p.sinks) options.growth.sinks = *p.sinks;
+  if (p.waypoints) options.growth.waypoints = *p.waypoints;
+  if (p.dead_ends) options.growth.dead_ends = *p.dead_ends;
+  if (p.loops) options.growth.loops = *p.loops;
+  network::SectionModel model = section_model(p.like);
+  model.width_median *= p.size;
+  model.height_median *= p.size;
+  return std::make_shared<const network::Network>(network::draw_sections(
+      karst::generate(geology_of(p, preset.geology), options), model, options.seed));
+}
+
+}  // namespace
+}  // namespace vug::shot
+
+VUG_NETWORK_KIND(karst) { return make_kind<NetworkPtr, Karst>("karst", "network", grow); }

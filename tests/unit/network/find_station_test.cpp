@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+#include <vug/base/error.h>
+#include <vug/network/find_station.h>
+
+namespace vug::network {
+namespace {
+
+Network named(const std::vector<std::string>& names) {
+  Network network;
+  for (const std::string& name : names) network.stations.push_back({.name = name});
+  return network;
+}
+
+std::string problem(const Network& network, std::string_view name) {
+  try {
+    find_station(network, name);
+  } catch (const Error& error) {
+    return std::string(error.what()) + " (" + error.hint() + ")";
+  }
+  return "";
+}
+
+TEST(FindStation, FindsFullNamesAndTheirLastLevels) {
+  const Network network = named({"dow.choke2.14", "dow.choke2.4", "ppot.14x", "14"});
+  EXPECT_EQ(find_station(network, "dow.choke2.4"), 1);
+  EXPECT_EQ(find_station(network, "choke2.14"), 0);
+  EXPECT_EQ(find_station(network, "4"), 1);
+  // A full name comes before a name that only ends in it.
+  EXPECT_EQ(find_station(network, "14"), 3);
+}
+
+TEST(FindStation, ReportsUnknownAndAmbiguousNames) {
+  const Network network = named({"dow.entrance", "ppot.entrance", "dow.1", ""});
+  EXPECT_EQ(problem(network, "dow.entrence"),
+            "the network has no station 'dow.entrence' (did you mean 'dow.entrance'?)");
+  EXPECT_EQ(problem(network, "entrance"),
+            "2 stations end in 'entrance' (write more of its name: dow.entrance, ppot.entrance)");
+  EXPECT_NE(problem(network, "").find("no station ''"), std::string::npos);
+  EXPECT_NE(problem({}, "a").find("no station 'a'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace vug::network
