@@ -74,10 +74,11 @@ class Ellipse final : public SectionModes<Ellipse> {
       const S nv = clamp((qy * ratio + ey) * S(1 / b_), S(0.0), S(1.0));
       const S size = S(1.0) / max(sqrt(square(nu) + square(nv)), S(1e-18));
       const S next_u = nu * size, next_v = nv * size;
-      if constexpr (std::is_same_v<S, double>)
-        if (next_u == cu && next_v == cv) break;
+      [[maybe_unused]] const S change = abs(next_u - cu) + abs(next_v - cv);
       cu = next_u;
       cv = next_v;
+      if constexpr (std::is_same_v<S, double>)  // The value's error is quadratic in the next step.
+        if (change < 1e-9) break;
     }
     S nu = cu * S(b_), nv = cv * S(a_);
     const S size = S(1.0) / max(sqrt(square(nu) + square(nv)), S(1e-18));

@@ -66,24 +66,34 @@ Segment::Plane Segment::plane(const SectionFrame& frame) const {
   return {right, right.cross(along_), frame.section, frame.section->traits().depth};
 }
 
+/// The largest distance of outline points of one section from the outline of the other.
+double Segment::difference(const Plane& one, const Plane& other) {
+  constexpr int kPoints = 48;
+  const std::vector<Vec2d> outline = one.section->outline(kPoints);
+  double most = 0, gap = 0;
+  for (size_t first = 0; first < outline.size(); first += Pack::kLanes) {
+    float u[Pack::kLanes], v[Pack::kLanes], distances[Pack::kLanes];
+    for (size_t lane = 0; lane < Pack::kLanes; ++lane) {
+      const size_t i = std::min(first + lane, outline.size() - 1);
+      const Vec2d& p = outline[i];
+      const Vec3d at = one.right * p.x + one.up * p.y;
+      u[lane] = static_cast<float>(at.dot(other.right));
+      v[lane] = static_cast<float>(at.dot(other.up));
+      gap = std::max(gap, (outline[(i + 1) % outline.size()] - p).length());
+    }
+    const Pack pu = Pack::load(u), pv = Pack::load(v);
+    Pack out;
+    other.section->distances(&pu, &pv, 1, &out);
+    out.store(distances);
+    for (const float d : distances) most = std::max(most, static_cast<double>(std::fabs(d)));
+  }
+  return most + std::min(0.5 * gap, 0.1 * most + 0.01 * gap);
+}
+
 /// max |D_from - D_to| / L. Exact distances differ most on one of the two outlines: off them, the
 /// nearer outline is left at the same rate at most.
 double Segment::slope() const {
-  constexpr int kPoints = 48;
-  double most = 0;
-  for (const auto& [one, other] : {std::pair(&from_, &to_), std::pair(&to_, &from_)}) {
-    const std::vector<Vec2d> outline = one->section->outline(kPoints);
-    for (size_t i = 0; i < outline.size(); ++i) {
-      const Vec2d& p = outline[i];
-      const Vec3d at = one->right * p.x + one->up * p.y;
-      const double gap = 0.5 * (outline[(i + 1) % outline.size()] - p).length();
-      const double here =
-                       std::fabs(other->section->distance(at.dot(other->right), at.dot(other->up))),
-                   own = std::fabs(one->section->distance(p.x, p.y));
-      most = std::max(most, here + own + std::min(gap, 0.1 * here + 0.02 * gap));
-    }
-  }
-  return most / length_;
+  return std::max(difference(from_, to_), difference(to_, from_)) / length_;
 }
 
 template <class T>

@@ -65,6 +65,7 @@ class Segment {
     double depth = 0;
   };
   Plane plane(const SectionFrame& frame) const;
+  static double difference(const Plane& one, const Plane& other);
   double slope() const;
   template <class T>
   T finish(const T& from, const T& to, const T& s) const;
