@@ -41,7 +41,6 @@ const std::map<std::string, std::string>& statements() {
       {"distribution",
        "place plants {\n  of pebble\n"
        "  at grove(polygon: [(0, 0), (9, 0), (9, 9)], count: 20, distribution: @)\n}"},
-      {"section", "let shape = @"},
       {"shape", "mesh leaves { of @ }"},
       {"curve", "grammar stem: lsystem {\n  guides @\n  axiom F(1m)\n}"},
       {"network", "network cave_plan = @"},
