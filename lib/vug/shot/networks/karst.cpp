@@ -4,7 +4,7 @@
 #include <vug/karst/presets.h>
 #include <vug/shot/geology.h>
 #include <vug/shot/networks.h>
-#include <vug/shot/section_model_choice.h>
+#include <vug/shot/section_choice.h>
 
 namespace vug::shot {
 namespace {
@@ -15,7 +15,7 @@ std::vector<std::pair<std::string, std::string>> preset_names() {
   return names;
 }
 
-struct Karst {
+struct Karst : SectionChoice {
   std::string preset = "branchwork";
   int seed = 1;
   std::optional<Vec3d> from, to;
@@ -23,8 +23,6 @@ struct Karst {
   std::vector<GeologyFeaturePtr> geology;
   std::optional<int> samples, sinks, waypoints, dead_ends;
   std::optional<double> loops;
-  std::string like = "usual";
-  double size = 1;
 
   static void describe(Schema<Karst>& s) {
     const auto count = [](std::string doc) { return ParamSpec{.doc = std::move(doc), .min = 0}; };
@@ -45,11 +43,8 @@ struct Karst {
         .param("waypoints", &Karst::waypoints, count("number of random points of the network"))
         .param("dead_ends", &Karst::dead_ends, count("number of blind passages"))
         .param("loops", &Karst::loops,
-               {.doc = "loops for each junction or end", .min = 0, .max = 2})
-        .choice("like", &Karst::like, section_model_names(),
-                "the surveyed caves whose widths and heights the passages have")
-        .param("size", &Karst::size,
-               {.doc = "factor of widths and heights", .min = 0, .above_min = true});
+               {.doc = "loops for each junction or end", .min = 0, .max = 2});
+    SectionChoice::describe(s);
   }
 
   std::string fault() const {
@@ -88,11 +83,8 @@ NetworkPtr grow(const Karst& p) {
   if (p.waypoints) options.growth.waypoints = *p.waypoints;
   if (p.dead_ends) options.growth.dead_ends = *p.dead_ends;
   if (p.loops) options.growth.loops = *p.loops;
-  network::SectionModel model = section_model(p.like);
-  model.width_median *= p.size;
-  model.height_median *= p.size;
   return std::make_shared<const network::Network>(network::draw_sections(
-      karst::generate(geology_of(p, preset.geology), options), model, options.seed));
+      karst::generate(geology_of(p, preset.geology), options), p.model(), options.seed));
 }
 
 }  // namespace
