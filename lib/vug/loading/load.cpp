@@ -109,10 +109,8 @@ class DeclarationCache {
   shot::Shot::Snapshot snapshot_;  ///< After the additions of the last evaluated declaration.
 };
 
-/// Reads a declaration with the variables of its loop, if it has one, as local names.
 Value read_declaration(const scene::Declaration& declaration, const DeclarationKind& kind,
-                       const scene::Scope* variables, ReadContext& context) {
-  const scene::Evaluator::DeclarationScope scope(context.evaluator, variables);
+                       ReadContext& context) {
   Value value = kind.read(declaration, context);
   return declaration.incomplete ? Value() : value;
 }
@@ -120,22 +118,25 @@ Value read_declaration(const scene::Declaration& declaration, const DeclarationK
 /// The values of `KIND NAME[i in LIST] ...`, one for each element. Their names are NAME[0], ...
 Value read_loop(const scene::Declaration& declaration, const DeclarationKind& kind,
                 ReadContext& context, DeclarationCache& cached) {
+  scene::Evaluator::DeclarationScope scope(context.evaluator);
   const uint64_t uses = context.resolver.frame_uses();
   const scene::Expr& loop = *declaration.loop;
   const Value elements = context.evaluator.eval(loop, context.evaluator.key(declaration).at("for"));
   if (elements.empty()) return Value();
   const bool animated = context.resolver.frame_uses() > uses;
+  const List& list = *elements.get<List>();
   List values;
-  for (const Value& element : *elements.get<List>()) {
-    const List& variables = *element.get<List>();
-    scene::Scope scope;
+  for (const Value& element : list) {
+    const List& given = *element.get<List>();
+    scene::Scope variables;
     for (const scene::Operand& name : loop.operands.back().value->operands)
-      scope.names.emplace_back(name.value->text, variables[scope.names.size()]);
+      variables.names.emplace_back(name.value->text, given[variables.names.size()]);
     scene::Declaration made = declaration;
     made.name = fmt::format("{}[{}]", declaration.name, values.size());
     values.push_back(cached(made.kind, made.name, [&] {
       if (animated) context.resolver.use_frame();
-      return read_declaration(made, kind, &scope, context);
+      scope.begin_element(variables, list.size());
+      return read_declaration(made, kind, context);
     }));
   }
   const bool faulty =
@@ -143,24 +144,15 @@ Value read_loop(const scene::Declaration& declaration, const DeclarationKind& ki
   return faulty ? Value() : Value(std::move(values));
 }
 
-void declare_loop(const scene::Declaration& declaration, const DeclarationKind& kind,
-                  ReadContext& context, DeclarationCache& cached) {
-  if (!kind.in_loops) {
-    std::vector<std::string> allowed;
-    for (const DeclarationKind* each : declaration_kinds())
-      if (each->in_loops) allowed.push_back(each->info.name);
-    context.diagnostics.error(
-        declaration.loop->where,
-        fmt::format("'{}' cannot be declared for each element of a list", declaration.kind),
-        fmt::format("possible for: {}; a solid can be a union of a list: union([for ...])",
-                    fmt::join(allowed, ", ")));
-    context.resolver.declare(declaration.kind, declaration.name, [] { return Value(); });
-    return;
-  }
-  context.resolver.declare(declaration.kind, declaration.name,
-                           [&declaration, &kind, &context, &cached] {
-                             return read_loop(declaration, kind, context, cached);
-                           });
+/// Reports a loop of a declaration that is not a value.
+void reject_loop(const scene::Declaration& declaration, Diagnostics& diagnostics) {
+  std::vector<std::string> allowed;
+  for (const DeclarationKind* each : declaration_kinds())
+    if (each->is_value) allowed.push_back(each->info.name);
+  diagnostics.error(
+      declaration.loop->where,
+      fmt::format("'{}' cannot be declared for each element of a list", declaration.kind),
+      fmt::format("possible for: {}", fmt::join(allowed, ", ")));
 }
 
 void register_declarations(const scene::Document& document, ReadContext& context,
@@ -177,26 +169,26 @@ void register_declarations(const scene::Document& document, ReadContext& context
       continue;
     }
     check_target(declaration, *kind, context.diagnostics);
-    if (declaration.loop) {
-      declare_loop(declaration, *kind, context, cached);
-      continue;
-    }
     if (!kind->is_value) {
+      if (declaration.loop) reject_loop(declaration, context.diagnostics);
       kind->read(declaration, context);
       continue;
     }
-    const auto make = [&declaration, kind, &context] {
-      return read_declaration(declaration, *kind, nullptr, context);
-    };
-    context.resolver.declare(declaration.kind, declaration.name, [&declaration, &cached, make] {
-      return cached(declaration.kind, declaration.name, make);
-    });
+    context.resolver.declare(declaration.kind, declaration.name,
+                             [&declaration, kind, &context, &cached] {
+                               if (declaration.loop)
+                                 return read_loop(declaration, *kind, context, cached);
+                               return cached(declaration.kind, declaration.name, [&] {
+                                 const scene::Evaluator::DeclarationScope scope(context.evaluator);
+                                 return read_declaration(declaration, *kind, context);
+                               });
+                             });
   }
   for (const scene::Grammar& grammar : document.grammars)
     context.resolver.declare("grammar", grammar.name, [&grammar, &context, &cached] {
       // A declaration with a loop may be the first to use the grammar, which must not see its
       // names.
-      const scene::Evaluator::DeclarationScope scope(context.evaluator, nullptr);
+      const scene::Evaluator::DeclarationScope scope(context.evaluator);
       return cached("grammar", grammar.name, [&] { return bind_grammar(grammar, context); });
     });
 }

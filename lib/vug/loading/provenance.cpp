@@ -38,7 +38,7 @@ ProvenanceTable::ProvenanceTable(const scene::Document& document) {
 
 const ProvenanceTable::Declared* ProvenanceTable::find(const std::string& kind,
                                                        const std::string& element) const {
-  const std::string name = element.substr(0, element.find('['));  // of a declaration with a loop
+  const std::string name = scene::name_without_index(element);
   for (const Declared& each : declared_)
     if (each.kind == kind && each.name == name) return &each;
   return nullptr;

@@ -35,12 +35,20 @@ KindInfo kind_declaration_info(const std::string& name, const std::string& doc,
 
 namespace {
 
-/// The declaration of `kind` to which a bare name refers: `camera main` is the camera even if a
-/// mesh is called main as well.
-std::optional<Value> declared_value(const std::string& kind, const scene::Expr& expr,
-                                    ReadContext& context) {
-  if (expr.kind != scene::ExprKind::name) return std::nullopt;
-  return context.resolver.declared(kind, full_name(expr), expr.where, context.diagnostics);
+/// The kind of the declaration that a name in the entry means if several have this name.
+std::string kind_in_entry(const scene::Declaration& declaration, const std::string& key) {
+  if (key != "of") return key;
+  return declaration.kind == "place" ? "object" : "mesh";
+}
+
+std::vector<Value> entry_values(const scene::Declaration& declaration, const scene::Entry& entry,
+                                ReadContext& context) {
+  const RandomKey key = context.evaluator.key(declaration).at(entry.key);
+  std::vector<Value> values;
+  for (const scene::ExprPtr& expr : entry.values)
+    values.push_back(context.evaluator.eval_as(kind_in_entry(declaration, entry.key), *expr,
+                                               key.at(values.size())));
+  return values;
 }
 
 }  // namespace
@@ -54,11 +62,8 @@ Arguments block_arguments(const scene::Declaration& declaration, const IsChoice&
     if (entry.values.size() == 1 && first.kind == scene::ExprKind::name &&
         is_choice(entry.key, first.text))
       values = {Value::Name{first.text}};
-    else if (auto declared = declared_value(entry.key, first, context);
-             declared && entry.values.size() == 1)
-      values = {*declared};
     else
-      values = context.evaluator.eval(entry, context.evaluator.key(declaration));
+      values = entry_values(declaration, entry, context);
     const bool faulty =
         std::any_of(values.begin(), values.end(), [](const Value& each) { return each.empty(); });
     Value value = faulty               ? Value()
@@ -71,6 +76,12 @@ Arguments block_arguments(const scene::Declaration& declaration, const IsChoice&
 }
 
 namespace {
+
+/// The name as the text declares it, with the form of its loop.
+std::string name_in_text(const scene::Declaration& declaration) {
+  if (!declaration.loop) return declaration.name;
+  return scene::name_without_index(declaration.name) + "[NAME in LIST]";
+}
 
 bool takes_target(const std::string& word) {
   return std::any_of(declaration_kinds().begin(), declaration_kinds().end(),
@@ -86,7 +97,7 @@ bool has_block(const scene::Declaration& declaration, ReadContext& context) {
   context.diagnostics.error(
       declaration.where,
       fmt::format("'{}' is written with a block, not with '='", declaration.kind),
-      fmt::format("for instance: {} {}{} {{ ... }}", declaration.kind, declaration.name,
+      fmt::format("for instance: {} {}{} {{ ... }}", declaration.kind, name_in_text(declaration),
                   takes_target(declaration.kind) ? " on NAME" : ""));
   return false;
 }
@@ -94,16 +105,15 @@ bool has_block(const scene::Declaration& declaration, ReadContext& context) {
 Value target_value(const std::string& kind, const scene::Declaration& declaration, size_t number,
                    ReadContext& context) {
   const scene::Expr& target = declaration.target_at(number);
-  if (auto value = declared_value(kind, target, context)) return *value;
   const RandomKey key = context.evaluator.key(declaration).at("on");
-  return context.evaluator.eval(target, number == 0 ? key : key.at(number));
+  return context.evaluator.eval_as(kind, target, number == 0 ? key : key.at(number));
 }
 
 void report_no_target(const std::string& kind, const scene::Declaration& declaration,
                       ReadContext& context) {
   context.diagnostics.error(
       declaration.where, fmt::format("'{}' needs 'on' and a {}", declaration.kind, kind),
-      fmt::format("{} {} on NAME {{ ... }}", declaration.kind, declaration.name));
+      fmt::format("{} {} on NAME {{ ... }}", declaration.kind, name_in_text(declaration)));
 }
 
 namespace {
@@ -179,7 +189,7 @@ Value read_kind_block(const KindRegistry& registry, const std::string& fallback,
   if (name.empty()) {
     context.diagnostics.error(where, fmt::format("'{}' needs a kind", declaration.name),
                               fmt::format("{} {} = KIND(...), or 'kind KIND' in the block",
-                                          declaration.kind, declaration.name));
+                                          declaration.kind, name_in_text(declaration)));
     return Value();
   }
   if (auto value = make(registry, name, arguments, where, context)) return *value;

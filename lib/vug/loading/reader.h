@@ -27,8 +27,9 @@ struct DeclarationKind {
   std::function<Value(const scene::Declaration&, ReadContext&)> read;
   std::string target_type = {};  ///< Type after `on`: "volume", "mesh"; empty: no `on`.
   bool several_targets = false;  ///< Whether `on` takes several, separated by commas.
-  bool in_loops = false;         ///< Whether `KIND NAME[i in LIST]` declares one for each element.
-  bool is_value = true;          ///< Whether expressions can use its name.
+  /// Whether expressions can use its name, and `KIND NAME[i in LIST]` declares one for each
+  /// element.
+  bool is_value = true;
 };
 
 const std::vector<const DeclarationKind*>& declaration_kinds();
@@ -85,8 +86,8 @@ Value kind_value(const KindRegistry& registry, const scene::Expr& expr, RandomKe
 Value read_kind_declaration(const std::string& type, const std::string& fallback,
                             const scene::Declaration& declaration, ReadContext& context);
 
-/// The value of target `number` after `on`, counted from 0. A bare name refers to the declaration
-/// of `kind` with that name, if there is one.
+/// The value of target `number` after `on`, counted from 0. A name refers to the declaration of
+/// `kind` with that name, if there is one.
 Value target_value(const std::string& kind, const scene::Declaration& declaration, size_t number,
                    ReadContext& context);
 

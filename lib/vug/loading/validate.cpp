@@ -37,9 +37,8 @@ bool contains(const shot::PointInstancer& place, std::string rest) {
 
 /// The location of the declaration of the light.
 SourceLocation location_of_light(const std::string& light, const scene::Document& document) {
-  for (const scene::Declaration& made : document.declarations)
-    if (made.kind == "light" && made.name == light) return made.where;
-  return {};
+  const scene::Declaration* made = document.find(light, "light");
+  return made ? made->where : SourceLocation();
 }
 
 std::string link_hint(const shot::Shot& shot, const std::string& name) {
@@ -63,9 +62,7 @@ std::string link_hint(const shot::Shot& shot, const std::string& name) {
 /// Whether the name is declared in the text or may be declared in its unparsed parts.
 bool is_declared(const std::string& name, const scene::Document& document) {
   const std::string first = name.substr(0, name.find('/'));
-  return document.skipped.may_declare(first) ||
-         std::any_of(document.declarations.begin(), document.declarations.end(),
-                     [&](const scene::Declaration& made) { return made.name == first; });
+  return document.skipped.may_declare(scene::name_without_index(first)) || document.find(first);
 }
 
 /// The location of a name in an expression.

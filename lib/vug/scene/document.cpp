@@ -14,6 +14,10 @@ const T* find_named(const std::vector<T>& all, const std::string& name) {
 
 }  // namespace
 
+std::string name_without_index(const std::string& element) {
+  return element.substr(0, element.find('['));
+}
+
 const Param* Document::find_param(const std::string& name) const {
   return find_named(params, name);
 }
@@ -25,8 +29,9 @@ const ImportedModule* Document::find_module(const std::string& name) const {
 }
 
 const Declaration* Document::find(const std::string& name, const std::string& kind) const {
+  const std::string declared = name_without_index(name);
   for (const Declaration& one : declarations)
-    if (one.name == name && (kind.empty() || one.kind == kind)) return &one;
+    if (one.name == declared && (kind.empty() || one.kind == kind)) return &one;
   return nullptr;
 }
 

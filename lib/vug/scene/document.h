@@ -92,6 +92,9 @@ struct Declaration {
   }
 };
 
+/// The name of the declaration of an element: "lamp" for "lamp[2]", other names unchanged.
+std::string name_without_index(const std::string& element);
+
 /// One item of a right-hand side or of the axiom: `op amount shape * count clauses`. Without `op`
 /// it refers to a symbol of the grammar: `shape` is a name or a call. In a facade it consists of a
 /// shape only, which may also be a split or an element.
@@ -180,7 +183,8 @@ struct Document {
   const Param* find_param(const std::string& name) const;
   const Let* find_let(const std::string& name) const;
   const ImportedModule* find_module(const std::string& name) const;
-  /// The first declaration with that name, of the given kind or (empty) of any kind.
+  /// The first declaration with that name, of the given kind or (empty) of any kind. `lamp[2]` is
+  /// the name of an element of a loop.
   const Declaration* find(const std::string& name, const std::string& kind = {}) const;
 };
 

@@ -76,14 +76,20 @@ void Evaluator::read_seed() {
                                     n ? to_string(value) : value.type_name()));
 }
 
+/// Starts to count the work of an expression, unless it is part of another one or of an element of
+/// a loop.
+void Evaluator::begin_expression() {
+  if (depth_ == 0 && planned_ <= 1) done_ = 0;
+}
+
 Value Evaluator::eval(const Expr& expr, RandomKey key, const Scope* scope) {
-  if (depth_ == 0) done_ = 0;
+  begin_expression();
   return evaluate(expr, {key, scope_or_default(scope), {}});
 }
 
 Value Evaluator::eval_as(std::string_view type, const Expr& expr, RandomKey key) {
-  if (depth_ == 0) done_ = 0;
-  return evaluate(expr, {key, declaration_scope_, type});
+  begin_expression();
+  return evaluate(expr, {key, variables_, type});
 }
 
 std::vector<Value> Evaluator::eval(const Entry& entry, RandomKey key, const Scope* scope) {

@@ -99,24 +99,41 @@ class Evaluator {
   /// The function of the text with that name; null if there is none.
   const Def* find_def(const std::string& name) const;
 
-  /// Sets the scope of expressions that are evaluated without one, for its lifetime: the loop
-  /// variables of a declaration.
+  /// The evaluation of a declaration: for its lifetime, expressions that are evaluated without a
+  /// scope see the variables of its loop only, and its work is counted separately.
   class DeclarationScope {
    public:
-    DeclarationScope(Evaluator& evaluator, const Scope* scope)
-        : evaluator_(evaluator), outer_(std::exchange(evaluator.declaration_scope_, scope)) {}
-    ~DeclarationScope() { evaluator_.declaration_scope_ = outer_; }
+    explicit DeclarationScope(Evaluator& evaluator)
+        : evaluator_(evaluator),
+          variables_(std::exchange(evaluator.variables_, nullptr)),
+          planned_(std::exchange(evaluator.planned_, 1)),
+          done_(std::exchange(evaluator.done_, 0)) {}
+    ~DeclarationScope() {
+      evaluator_.variables_ = variables_;
+      evaluator_.planned_ = planned_;
+      evaluator_.done_ = done_;
+    }
     DeclarationScope(const DeclarationScope&) = delete;
     DeclarationScope& operator=(const DeclarationScope&) = delete;
 
    private:
     Evaluator& evaluator_;
-    const Scope* outer_;
+    const Scope* variables_;
+    double planned_, done_;
   };
+    /// The next expressions are those of one of `count` elements of the loop. All elements together
+    /// have the limit of a single expression.
+    void begin_element(const Scope& variables, size_t count) {
+      evaluator_.variables_ = &variables;
+      evaluator_.planned_ = static_cast<double>(count);
+    }
+
 
   /// Adds the diagnostics of a kind about its arguments. If an argument is an undeclared name, the
   /// nearest declared name becomes the hint.
   void report(const Diagnostics& found, const Arguments& given);
+  /// The variables of the loop of the declaration that is evaluated; null: none.
+  const Scope* variables() const { return variables_; }
 
   /// The sources of the document and of the overrides, for scene::report.
   std::vector<std::shared_ptr<const Source>> sources() const;
@@ -196,10 +213,9 @@ class Evaluator {
                                 std::string_view expected);
   bool is_known(const Value& value, const Expr& expr);
   FaultSite site(const Expr& expr) const { return {expr.where, *diagnostics_}; }
-  const Scope* scope_or_default(const Scope* scope) const {
-    return scope ? scope : declaration_scope_;
-  }
+  const Scope* scope_or_default(const Scope* scope) const { return scope ? scope : variables_; }
 
+  void begin_expression();
   const Document& document_;
   Resolver& resolver_;
   Diagnostics* diagnostics_;  ///< Never null.
@@ -209,7 +225,7 @@ class Evaluator {
   std::map<std::string, Global> globals_;
   std::map<std::string, DefEntry> defs_;
   std::set<std::string> reported_in_defs_;  ///< Faults in functions: each is reported once.
-  const Scope* declaration_scope_ = nullptr;
+  const Scope* variables_ = nullptr;        ///< See DeclarationScope.
   std::map<std::string, ExprPtr> overrides_;
   std::vector<std::shared_ptr<const Source>> sources_;
   std::vector<std::string> pending_;  ///< Globals being evaluated, to detect cycles.

@@ -91,8 +91,8 @@ class Formatter {
     if (marks_[begin].inside && !in_brackets())
       return inside() + (marks_[begin].goes_on || hanging_ ? 4 : 0);
     const bool goes_on = is_arithmetic(first) || first.is(".") || first.is("->") ||
-                         is_word(first) || first.is(",") || is_where(first) ||
-                         (first.kind == TokenKind::text && open_.empty()) ||
+                         (first.is("=") && open_.empty()) || is_word(first) || first.is(",") ||
+                         is_where(first) || (first.kind == TokenKind::text && open_.empty()) ||
                          (in_grammar() && ((items_ && is_clause(first)) || is_symbol(begin)));
     return inside() + ((goes_on || hanging_) && !in_brackets() ? 4 : 0);
   }

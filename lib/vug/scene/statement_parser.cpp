@@ -143,7 +143,8 @@ class StatementParser {
   /// Parses `= value` after the name. The statement is already in the document, so an erroneous one
   /// has a name, too.
   ExprPtr assigned(const std::string& name) {
-    cursor_.expect("=", fmt::format(" after '{}'", name));
+    if (!cursor_.accept_beyond_newlines("="))
+      cursor_.unexpected(fmt::format("'=' after '{}'", name));
     cursor_.skip_newlines();
     return exprs_.whole();
   }
@@ -241,7 +242,7 @@ class StatementParser {
     made.name = cursor_.declared_name(name);
     made.where = cursor_.where(name);
     if (cursor_.peek().is("[") && cursor_.peek().touches) made.loop = exprs_.declared_loop();
-    if (cursor_.accept("=")) {
+    if (cursor_.accept_beyond_newlines("=")) {
       cursor_.skip_newlines();
       made.value = exprs_.whole();
     } else {

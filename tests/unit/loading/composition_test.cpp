@@ -56,15 +56,6 @@ TEST(Composition, GrammarsDoNotSeeTheVariablesOfALoop) {
       std::string::npos);
 }
 
-TEST(Composition, RejectsLoopsOfOtherDeclarations) {
-  EXPECT_EQ(problems("volume v[i in 0..2] = level_set(sphere(1m), voxel: 10cm)\n"),
-            "'volume' cannot be declared for each element of a list;");
-  EXPECT_EQ(problems("light l[i in 2] = sphere(radius: 1m, lumen: 9)\n"),
-            "'for' needs a list or a range such as 0..5, not a number;");
-  EXPECT_EQ(problems("light l[i in 0..1] = sphere(radius: i * 1m, lumen: 9)\n"),
-            "'radius' must be above 0, not 0;");
-}
-
 TEST(Composition, TheExpectedTypeChoosesAmongKindsOfOneName) {
   const Loaded scene =
       composed(kRockScene +

@@ -12,10 +12,7 @@ const DeclarationKind& camera_declaration() {
         if (const auto* camera = value.object<render::CameraPtr>())
           context.shot.cameras.push_back({declaration.name, *camera, declaration.where});
         return value;
-      },
-      /*target_type=*/"",
-      /*several_targets=*/false,
-      /*in_loops=*/true};
+      }};
   return kind;
 }
 

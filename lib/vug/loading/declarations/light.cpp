@@ -11,10 +11,7 @@ const DeclarationKind& light_declaration() {
         if (const auto* light = value.object<render::LightPtr>())
           context.shot.lights.emplace_back(declaration.name, *light);
         return value;
-      },
-      /*target_type=*/"",
-      /*several_targets=*/false,
-      /*in_loops=*/true};
+      }};
   return kind;
 }
 

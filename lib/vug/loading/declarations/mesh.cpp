@@ -132,7 +132,7 @@ shot::VolumePtr read_volume(const scene::Declaration& declaration, ReadContext& 
     context.diagnostics.error(
         declaration.where, "'mesh' needs 'on' and a volume, a file or 'of'",
         fmt::format("mesh {0} on NAME {{ ... }}, or mesh {0} {{ file \"NAME.ply\" }}",
-                    declaration.name));
+                    scene::name_without_index(declaration.name)));
     return nullptr;
   }
   const shot::VolumePtr volume = read_target<shot::VolumePtr>(declaration, context);

@@ -165,10 +165,7 @@ const DeclarationKind& place_declaration() {
           if (!resolve_model(model, declaration.where, context)) return Value();
         context.shot.instancers.push_back(std::move(*plan));
         return Value(Value::Name{declaration.name});
-      },
-      /*target_type=*/"",
-      /*several_targets=*/false,
-      /*in_loops=*/true};
+      }};
   return kind;
 }
 

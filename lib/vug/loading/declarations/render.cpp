@@ -65,7 +65,7 @@ Value selected_names(const scene::Entry& entry, const NameEntry& selects,
   names.names.emplace_back(shot::kNoAir, Value::Name{shot::kNoAir});
   List all;
   for (const Value& value :
-       context.evaluator.eval(entry, context.evaluator.key(declaration), &names)) {
+       context.evaluator.eval(entry, context.evaluator.key(declaration), &variables)) {
     if (value.empty()) return {};
     const Value* other = add_names(value, all);
     if (!other) continue;

@@ -22,10 +22,9 @@ const DeclarationKind& variant_declaration() {
         has_block(declaration, context);
         return Value();
       },
-      "",
-      false,
-      false,
-      false};
+      /*target_type=*/"",
+      /*several_targets=*/false,
+      /*is_value=*/false};
   return kind;
 }
 
