@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/facade/rules.h>
+#include <vug/scene/inline_locals.h>
 #include <vug/scene/parser.h>
 
 #include <fmt/format.h>
@@ -26,12 +27,16 @@ class Reader {
     Rules out;
     out.name = grammar_.name;
     out.where = grammar_.where;
-    for (const scene::Item& each : grammar_.axiom) add(each, out.axiom);
+    const scene::LocalInliner none({});
+    for (const scene::Item& each : grammar_.axiom) add(each, none, out.axiom);
     for (const scene::Rule& rule : grammar_.rules) {
-      Rule made{rule.head, {}, rule.extent, rule.weight, rule.guard, {}};
+      const scene::LocalInliner inlined(rule.locals);
+      Rule made{rule.head, {}, rule.extent, inlined(rule.weight), inlined(rule.guard), {}};
       for (const scene::Formal& formal : rule.formals) made.formals.push_back(formal.name);
       formals_ = {made.formals.begin(), made.formals.end()};
-      for (const scene::Item& each : rule.items) add(each, made.items);
+      // The names of a faulty rule may expand without end.
+      if (!grammar_.broken || rule.locals.empty())
+        for (const scene::Item& each : rule.items) add(each, inlined, made.items);
       formals_.clear();
       out.rules.push_back(std::move(made));
     }
@@ -39,7 +44,7 @@ class Reader {
   }
 
  private:
-  void add(const scene::Item& source, std::vector<Item>& out) {
+  void add(const scene::Item& source, const scene::LocalInliner& inlined, std::vector<Item>& out) {
     if (!source.op.empty() || source.amount || source.count || !source.clauses.empty()) {
       diagnostics_.error(source.where,
                          "the rules of a facade can only contain symbols, splits and elements",
@@ -48,7 +53,7 @@ class Reader {
     }
     Item item;
     item.position = out.size();
-    if (read(source.shape, item, true)) out.push_back(std::move(item));
+    if (read(inlined(source.shape), item, true)) out.push_back(std::move(item));
   }
 
   /// Classifies the expression as an item; returns false if it is not one. With `must`, unknown

@@ -5,6 +5,7 @@
 #include <vug/lsystem/production_selector.h>
 #include <vug/lsystem/rule_book.h>
 #include <vug/lsystem/unreachable_rules.h>
+#include <vug/scene/inline_locals.h>
 
 #include <fmt/format.h>
 
@@ -79,15 +80,17 @@ class Compiler {
     axiom.text = "axiom";
     axiom.where = grammar_.axiom_where;
     Expressions expressions(evaluator_, {});
-    word(text_.axiom, expressions, axiom);
+    word(text_.axiom, scene::LocalInliner({}), expressions, axiom);
     system_.random = system_.random || expressions.draws();
   }
 
-  void word(const scene::ModuleString& modules, Expressions& expressions, Production& out) {
+  void word(const scene::ModuleString& modules, const scene::LocalInliner& inlined,
+            Expressions& expressions, Production& out) {
     for (const scene::Module& module : modules) {
       out.symbols.push_back(symbol(module.name, module.arguments.size(), module.where));
-      for (const scene::ExprPtr& argument : module.arguments) {
-        if (argument == module.arguments[0] && is_rotation(module.name))
+      for (const scene::ExprPtr& given : module.arguments) {
+        const scene::ExprPtr argument = inlined(given);
+        if (given == module.arguments[0] && is_rotation(module.name))
           check_rotation(*argument, expressions);
         expressions.number(*argument, out.values);
       }
@@ -168,10 +171,11 @@ class Compiler {
         fail(text.after->where, "'after' cannot be combined with a context or a stage");
     }
     Expressions expressions(evaluator_, formals);
-    if (text.guard) expressions.truth(*text.guard, out.guard);
-    if (text.weight) weight(*text.weight, expressions, out.weight);
-    if (text.after) expressions.number(*text.after, out.after);
-    word(text.word, expressions, out);
+    const scene::LocalInliner inlined(text.locals);
+    if (text.guard) expressions.truth(*inlined(text.guard), out.guard);
+    if (text.weight) weight(*inlined(text.weight), expressions, out.weight);
+    if (text.after) expressions.number(*inlined(text.after), out.after);
+    word(text.word, inlined, expressions, out);
     if (expressions.draws() || text.weight) system_.random = true;
     if (system_.productions.size() >= 65000) fail(out.where, "more than 65000 rules");
     system_.productions.push_back(std::move(out));

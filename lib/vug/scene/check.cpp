@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/scene/check.h>
 #include <vug/scene/def_check.h>
+#include <vug/scene/inline_locals.h>
 #include <vug/scene/lsystem_check.h>
 #include <vug/scene/units.h>
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace vug::scene {
@@ -38,6 +40,7 @@ class NameChecker {
     });
     for (Def& one : document.defs) def(one, document.skipped);
     check_calls(document, diagnostics_);
+    defs_of_text_ = &document.defs;
     for (const ImportedModule& one : document.modules) module(one, document);
     for (const Global& one : all)
       if (!declare_global(one.what, *one.name, *one.where))
@@ -140,13 +143,7 @@ class NameChecker {
     if (!grammar.axiom_where.known() && !grammar.broken)
       diagnostics_.error(grammar.where, fmt::format("grammar '{}' has no axiom", grammar.name),
                          "write 'axiom' followed by the initial symbols");
-    if (grammar.lsystem)
-      return check_lsystem(
-          *grammar.lsystem,
-          [&](const std::string& name, const SourceLocation& where) {
-            return allowed(name, where);
-          },
-          diagnostics_);
+    if (grammar.lsystem) return lsystem(*grammar.lsystem);
     std::map<std::string, std::set<size_t>> arities;
     for (const Rule& rule : grammar.rules) {
       arities[rule.head].insert(rule.formals.size());
@@ -156,15 +153,43 @@ class NameChecker {
           diagnostics_.error(formal.where, fmt::format("duplicate parameter '{}' of '{}'",
                                                        formal.name, rule.head));
       locals(rule.locals, names, rule.head);
-      if (!rule.locals.empty() && grammar.kind != "shape")
-        diagnostics_.error(rule.locals[0].where,
-                           fmt::format("'where' is not available in a {}", grammar.kind),
-                           "it is available in functions and in the rules of shape grammars");
+      if (grammar.kind == "facade" && !rule.locals.empty()) inlined_locals(rule);
     }
     for (const std::string& head : grammar.broken_rules) arities.erase(head);
     if (grammar.kind == "facade") return;  // symbols may be arguments, too: see facade/rules.h
     items(grammar.axiom, arities);
     for (const Rule& rule : grammar.rules) items(rule.items, arities);
+  }
+
+  void inlined_locals(const Rule& rule) {
+    std::vector<ExprPtr> uses = {rule.weight, rule.guard};
+    for (const Item& item : rule.items) uses.push_back(item.shape);
+    check_locals(rule.locals, uses, drawing(), diagnostics_);
+  }
+
+  /// The functions that draw random numbers, which only names of rules need.
+  const std::set<std::string>& drawing() {
+    if (!drawing_) drawing_ = drawing_functions(*defs_of_text_);
+    return *drawing_;
+  }
+
+  void lsystem(const LSystem& system) {
+    check_lsystem(
+        system,
+        [&](const std::string& name, const SourceLocation& where) { return allowed(name, where); },
+        diagnostics_);
+    for_each_production(system, [&](const Production& one) {
+      if (one.locals.empty()) return;
+      std::set<std::string> formals;
+      std::vector<ExprPtr> uses = {one.weight, one.guard, one.after};
+      for (const std::vector<Pattern>& side : {one.left, {one.head}, one.right})
+        for (const Pattern& pattern : side)
+          for (const Formal& formal : pattern.formals) formals.insert(formal.name);
+      for (const Module& module : one.word)
+        uses.insert(uses.end(), module.arguments.begin(), module.arguments.end());
+      locals(one.locals, formals, one.head.name);
+      check_locals(one.locals, uses, drawing(), diagnostics_);
+    });
   }
 
   void items(const std::vector<Item>& items,
@@ -192,6 +217,8 @@ class NameChecker {
   std::map<std::string, SourceLocation> defs_;
   std::map<std::string, SourceLocation> globals_;
   std::map<std::string, SourceLocation> declared_;
+  const std::vector<Def>* defs_of_text_ = nullptr;
+  std::optional<std::set<std::string>> drawing_;  ///< See drawing().
 };
 
 }  // namespace

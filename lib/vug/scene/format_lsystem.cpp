@@ -62,7 +62,7 @@ class Marker {
     const bool is_keyword = is_one_of(first, {"axiom", "ignore", "consider", "ages"});
     if (open) {
       marks_[at_].goes_on = true;
-    } else if (first.is("->")) {
+    } else if (first.is("->") || at_where()) {
       marks_[at_].goes_on = true;
       part_ = Part::clause;
     } else if (is_one_of(first, {"table", "decompose", "interpret"}) && !arrow_at_once()) {
@@ -77,6 +77,12 @@ class Marker {
     }
     fresh_ = false;
     listing_ = part_ == Part::option && is_keyword;
+  }
+
+  /// At the local names of a rule, which are `where NAME =`.
+  bool at_where() const {
+    return tokens_[at_].is_name("where") && tokens_[at_ + 1].kind == TokenKind::name &&
+           tokens_[at_ + 2].is("=");
   }
 
   bool arrow_at_once() const { return tokens_[at_ + 1].is("->"); }
@@ -104,6 +110,7 @@ class Marker {
       if (token.is("{")) ++blocks_, fresh_ = true;
       return;
     }
+    if (part_ == Part::word && at_where()) part_ = Part::clause;
     const bool outside = parens_ == 0;
     if (token.is("(")) ++parens_;
     if (token.is(")")) parens_ = std::max(0, parens_ - 1);

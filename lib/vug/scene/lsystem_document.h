@@ -23,7 +23,8 @@ struct Pattern {
   std::vector<Formal> formals;
 };
 
-/// `left < head > right @ weight if guard after age -> word`; omitted parts are empty or null.
+/// `left < head > right @ weight if guard after age -> word where name = value, ...`; omitted parts
+/// are empty or null.
 struct Production {
   SourceLocation extent;
   std::vector<Pattern> left;
@@ -33,6 +34,7 @@ struct Production {
   ExprPtr guard;
   ExprPtr after;      ///< The age at which the module is replaced.
   ModuleString word;  ///< Empty for `-> nothing`.
+  std::vector<Let> locals;
 };
 
 /// `table NAME { productions }`, applied in the steps scheduled for the table.

@@ -30,13 +30,20 @@ std::string dump_word(const ModuleString& word) {
   return out;
 }
 
+std::string dump_locals(const std::vector<Let>& locals) {
+  std::string out;
+  for (const Let& local : locals)
+    out += fmt::format(" where {} = {}", local.name, dump_optional(local.value));
+  return out;
+}
+
 std::string dump_productions(const std::vector<Production>& productions) {
   std::string out;
   for (const Production& one : productions)
-    out +=
-        fmt::format("  {} <{} >{} @ {} if {} after {} ->{}\n", dump_patterns(one.left),
-                    dump_patterns({one.head}), dump_patterns(one.right), dump_optional(one.weight),
-                    dump_optional(one.guard), dump_optional(one.after), dump_word(one.word));
+    out += fmt::format("  {} <{} >{} @ {} if {} after {} ->{}{}\n", dump_patterns(one.left),
+                       dump_patterns({one.head}), dump_patterns(one.right),
+                       dump_optional(one.weight), dump_optional(one.guard),
+                       dump_optional(one.after), dump_word(one.word), dump_locals(one.locals));
   return out;
 }
 

@@ -8,6 +8,9 @@
 
 namespace vug::scene {
 
+/// Whether a module can begin with the token: a name or one of the turtle's signs.
+bool starts_module(const Token& token);
+
 class LSystemParser {
  public:
   /// All blocks of a file share one `lookahead` of the same cursor.
@@ -37,6 +40,7 @@ class LSystemParser {
   void module(ModuleString& word);
   std::vector<ExprPtr> arguments(const Module& whose);
   bool goes_on(bool open) const;
+  bool at_where(size_t from) const;
 
   bool at_rule(size_t from = 0) const;
   bool at_part() const;

@@ -64,9 +64,10 @@ class NameCollector {
       for (const Pattern& pattern : one.left) hide(pattern.formals);
       hide(one.head.formals);
       for (const Pattern& pattern : one.right) hide(pattern.formals);
-      for (const ExprPtr& expr : {one.weight, one.guard, one.after}) add(expr);
-      add_word(one.word);
-      hidden_.clear();
+      add_with_locals(one.locals, [&] {
+        for (const ExprPtr& expr : {one.weight, one.guard, one.after}) add(expr);
+        add_word(one.word);
+      });
     });
   }
 

@@ -130,6 +130,7 @@ class ExtentVisitor {
       patterns(one.extent, one.right);
       for (const ExprPtr& each : {one.weight, one.guard, one.after}) part(one.extent, each);
       word(one.extent, one.word);
+      locals(one.extent, one.locals);
     });
   }
   void patterns(const SourceLocation& parent, const std::vector<Pattern>& all) const {

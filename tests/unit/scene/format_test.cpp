@@ -75,6 +75,21 @@ TEST(Format, OptionsOfAGrammarAreNotContinued) {
             "grammar g {\n  A -> + f(1)\n      - f(2)\n      blend round(1)\n}\n");
 }
 
+TEST(Format, NamesOfRulesAndValuesOnTheNextLineAreIndented) {
+  const std::string text =
+      "light lamp[p in spots]\n"
+      "    = sphere(center: p)\n"
+      "grammar weed: lsystem {\n"
+      "  axiom A(1)\n"
+      "  A(x) if tall -> F(y)[+(turn)A(y)]\n"
+      "      where y = x * 2, turn = 90deg,\n"
+      "      tall = x > 2\n"
+      "  A(x) -> F(y) where y = x\n"
+      "  +    -> -\n"
+      "}\n";
+  EXPECT_EQ(format(text), text);
+}
+
 TEST(Format, KeepsCommentsAndSingleBlankLines) {
   EXPECT_EQ(format("\n\n# top\n\n\n\nlet a = 1\ncamera c {\n# in\n  fov 3 # eol\n}\n\n\n"),
             "# top\n\nlet a = 1\ncamera c {\n  # in\n  fov 3  # eol\n}\n");
