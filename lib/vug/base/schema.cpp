@@ -168,11 +168,29 @@ bool check_value(const ParamInfo& info, const std::string& what, const Value& va
   return true;
 }
 
+/// A correction of a value whose type is not the expected one; empty if there is none.
+std::string correction(const ParamInfo& info, const Value& given) {
+  const bool takes_vector = info.type.find("vector") != std::string::npos;
+  if (const auto* name = given.get<Value::Name>(); name && takes_vector) {
+    static const std::map<std::string, const char*> directions = {
+        {"+X", "(1, 0, 0)"},  {"-X", "(-1, 0, 0)"}, {"+Y", "(0, 1, 0)"},
+        {"-Y", "(0, -1, 0)"}, {"+Z", "(0, 0, 1)"},  {"-Z", "(0, 0, -1)"}};
+    if (const auto found = directions.find(name->text); found != directions.end())
+      return fmt::format("write {}", found->second);
+  }
+  const auto* text = given.get<std::string>();
+  const bool is_code = text && text->size() > 1 && text->front() == '#' &&
+                       text->find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  if (is_code) return fmt::format("write srgb(\"{}\")", *text);
+  return {};
+}
+
 }  // namespace
 
 void report_type(const ParamInfo& info, const Argument& argument, int misfit,
                  Diagnostics& diagnostics) {
-  const std::string hint = info.choices.empty() ? std::string() : suggestion("", info.choices);
+  const std::string hint =
+      info.choices.empty() ? correction(info, argument.value) : suggestion("", info.choices);
   std::string found = "not " + given_text(argument.value, info.type);
   if (const List* list = argument.value.get<List>(); list && misfit >= 0) {
     const auto i = static_cast<size_t>(misfit);

@@ -103,6 +103,75 @@ bool replace(std::string& text, const std::vector<std::string>& words, const std
   return false;
 }
 
+size_t begin_of(const std::string& text, const Token& token) {
+  return static_cast<size_t>(token.text.data() - text.data());
+}
+
+/// The number of tokens of the value that begins at token `from` of a block: the most tokens that
+/// form an expression, up to the end of the line or of the block; 0 if there are none.
+size_t value_length(const std::string& text, const std::vector<Token>& tokens, size_t from) {
+  size_t length = 0;
+  int depth = 0;
+  for (size_t i = from; i < tokens.size(); ++i) {
+    const Token& token = tokens[i];
+    if (depth == 0 && (token.kind == TokenKind::newline || token.is("}"))) break;
+    if (token.kind == TokenKind::end) break;
+    if (token.is("(") || token.is("[")) ++depth;
+    if (token.is(")") || token.is("]")) --depth;
+    const size_t begin = begin_of(text, tokens[from]);
+    Diagnostics faults;
+    if (depth == 0 &&
+        scene::parse_expression(
+            text.substr(begin, begin_of(text, token) + token.text.size() - begin), "", faults))
+      length = i + 1 - from;
+  }
+  return length;
+}
+
+/// Sets a parameter in the block whose '{' is token `brace`, to which it is added if it is missing.
+bool set_in_block(std::string& text, const std::vector<Token>& tokens, size_t brace,
+                  const std::string& parameter, const std::string& value) {
+  for (size_t i = brace + 1; i + 1 < tokens.size() && !tokens[i].is("}");) {
+    if (tokens[i].kind == TokenKind::newline) {
+      ++i;
+      continue;
+    }
+    const size_t length = value_length(text, tokens, i + 1);
+    if (length == 0) return false;
+    const Token& last = tokens[i + length];
+    if (tokens[i].text == parameter) {
+      const size_t begin = begin_of(text, tokens[i + 1]);
+      text.replace(begin, begin_of(text, last) + last.text.size() - begin, value);
+      return true;
+    }
+    i += 1 + length;
+  }
+  text.insert(begin_of(text, tokens[brace]) + 1, fmt::format(" {} {} ", parameter, value));
+  return true;
+}
+
+/// Sets the parameter `name`, "MODULE.PARAMETER", in `include "..." as MODULE`.
+bool set_in_module(std::string& text, const std::string& name, const std::string& value) {
+  const size_t dot = name.find('.');
+  if (dot == std::string::npos) return false;
+  const std::string module = name.substr(0, dot), parameter = name.substr(dot + 1);
+  Diagnostics ignored;
+  const std::vector<Token> tokens = scene::lex(text, "", ignored);
+  for (size_t i = 0; i + 4 < tokens.size(); ++i) {
+    const bool first = i == 0 || tokens[i - 1].kind == TokenKind::newline;
+    if (!first || !tokens[i].is_name("include") || !tokens[i + 2].is_name("as") ||
+        tokens[i + 3].text != module)
+      continue;
+    size_t next = i + 4;
+    while (tokens[next].kind == TokenKind::newline && tokens[next].text != ";") ++next;
+    if (tokens[next].is("{")) return set_in_block(text, tokens, next, parameter, value);
+    text.insert(begin_of(text, tokens[i + 3]) + module.size(),
+                fmt::format(" {{ {} {} }}", parameter, value));
+    return true;
+  }
+  return false;
+}
+
 void apply(const std::string& change, Recipe& recipe) {
   if (begins(change, kSeed)) {
     const std::string seed = change.substr(std::string(kSeed).size());
@@ -112,8 +181,10 @@ void apply(const std::string& change, Recipe& recipe) {
   if (begins(change, kDefine)) {
     const std::string given = change.substr(std::string(kDefine).size());
     const size_t equals = std::min(given.find('='), given.size());
+    const std::string name = given.substr(0, equals);
     if (equals < given.size() &&
-        replace(recipe.scene, {"param", given.substr(0, equals), "="}, given.substr(equals + 1)))
+        (replace(recipe.scene, {"param", name, "="}, given.substr(equals + 1)) ||
+         set_in_module(recipe.scene, name, given.substr(equals + 1))))
       return;
   }
   recipe.arguments.push_back(change.substr(2));

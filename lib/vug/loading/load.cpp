@@ -244,6 +244,7 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
     resolver.declared(declaration.kind, declaration.name, declaration.where, loaded.diagnostics);
   for (const scene::Grammar& grammar : document.grammars)
     resolver.declared("grammar", grammar.name, grammar.where, loaded.diagnostics);
+  evaluator.check_uncalled();
   // A fault may be the reason why a name is not used, and texts for inclusion declare names for
   // others.
   if (!loaded.diagnostics.has_errors() && !is_empty_scene(loaded.shot))

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/boolean.h>
 #include <vug/field/registry.h>
+#include <vug/loading/reader.h>
 #include <vug/loading/resolver.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace vug::loading {
 ValidArguments::ValidArguments(const Arguments& given) {
@@ -171,6 +173,29 @@ bool Resolver::is_choice(const std::string& call, size_t position, const std::st
     if (param && has_choice(*kind->info, param->name, word)) return true;
   }
   return false;
+}
+
+namespace {
+
+/// The choices of all parameters of kinds and declarations, and the names of all kinds.
+std::set<std::string> all_words() {
+  std::set<std::string> words = {"random", "local", "whole", "none"};
+  const auto add = [&](const KindInfo& kind) {
+    words.insert(kind.name);
+    for (const ParamInfo& param : kind.params)
+      words.insert(param.choices.begin(), param.choices.end());
+  };
+  for (const KindRegistry& registry : kind_registries())
+    for (const RegisteredKind& kind : registry.kinds) add(*kind.info);
+  for (const DeclarationKind* kind : declaration_kinds()) add(kind->info);
+  return words;
+}
+
+}  // namespace
+
+bool Resolver::is_word(const std::string& word) const {
+  static const std::set<std::string> words = all_words();
+  return words.count(word) > 0;
 }
 
 std::optional<Value> Resolver::binary(char op, const Value& a, const Value& b,

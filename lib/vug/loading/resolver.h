@@ -58,6 +58,7 @@ class Resolver final : public scene::Resolver {
                             Diagnostics& diagnostics) override;
   bool is_choice(const std::string& call, size_t position, const std::string& argument,
                  const std::string& word) const override;
+  bool is_word(const std::string& word) const override;
   std::optional<Value> binary(char op, const Value& a, const Value& b, const SourceLocation& where,
                               Diagnostics& diagnostics) override;
   std::optional<Value> unary(char op, const Value& a, const SourceLocation& where,

@@ -73,11 +73,16 @@ SourceLocation find_name(const scene::Expr& expr, const std::string& name) {
   return {};
 }
 
+const scene::Entry* find_entry(const shot::RenderPlan& plan, const std::string& key,
+                               const scene::Document& document) {
+  const scene::Declaration* made = document.find(plan.name, "render");
+  return made ? made->find_entry(key) : nullptr;
+}
+
 /// The location of the name in the entry of the render block, else that of the block's name.
 SourceLocation location_of_selected(const shot::SelectionFault& fault, const shot::RenderPlan& plan,
                                     const scene::Document& document) {
-  const scene::Declaration* made = document.find(plan.name, "render");
-  const scene::Entry* entry = made ? made->find_entry(fault.setting) : nullptr;
+  const scene::Entry* entry = find_entry(plan, fault.setting, document);
   if (entry)
     for (const scene::ExprPtr& value : entry->values)
       if (const SourceLocation where = find_name(*value, fault.name); where.known()) return where;
@@ -142,9 +147,10 @@ render::AovPlan expected_aovs(const shot::Shot& shot, const shot::RenderPlan& pl
   }
 }
 
-void require_valid(const shot::Shot& shot, const shot::RenderPlan& plan) {
+namespace {
+
+void require_valid_crop(const shot::RenderPlan& plan) {
   const shot::RenderSettings& settings = plan.settings;
-  expected_aovs(shot, plan);
   if (settings.crop.empty()) return;
   render::Options options;
   options.width = settings.size.at(0), options.height = settings.size.at(1);
@@ -155,6 +161,25 @@ void require_valid(const shot::Shot& shot, const shot::RenderPlan& plan) {
   } catch (const Error& error) {
     throw error.at(plan.where);
   }
+}
+
+/// Reports the error of a check at the entry that it checks.
+template <class Check>
+void report_entry(const char* key, const shot::RenderPlan& plan, const scene::Document& document,
+                  Diagnostics& diagnostics, const Check& check) {
+  try {
+    check();
+  } catch (const Error& error) {
+    const scene::Entry* entry = find_entry(plan, key, document);
+    diagnostics.error(entry ? entry->extent : error.where(), error.what(), error.hint());
+  }
+}
+
+}  // namespace
+
+void require_valid(const shot::Shot& shot, const shot::RenderPlan& plan) {
+  expected_aovs(shot, plan);
+  require_valid_crop(plan);
 }
 
 void validate(const shot::Shot& shot, const scene::Document& document, Diagnostics& diagnostics) {
@@ -170,11 +195,10 @@ void validate(const shot::Shot& shot, const scene::Document& document, Diagnosti
   check_selections(shot, document, whole, diagnostics);
   if (!whole) return;
   warn_about_dark_portals(shot, document, diagnostics);
-  for (const shot::RenderPlan& plan : shot.renders) try {
-      require_valid(shot, plan);
-    } catch (const Error& error) {
-      diagnostics.error(error.where(), error.what(), error.hint());
-    }
+  for (const shot::RenderPlan& plan : shot.renders) {
+    report_entry("layers", plan, document, diagnostics, [&] { expected_aovs(shot, plan); });
+    report_entry("crop", plan, document, diagnostics, [&] { require_valid_crop(plan); });
+  }
 }
 
 }  // namespace vug::loading

@@ -49,6 +49,7 @@ Value Evaluator::call_member(const Expr& expr, const Context& context) {
 Value Evaluator::call_def(const DefEntry& entry, const Expr& expr, size_t first,
                           const Context& context) {
   const Def& def = *entry.def;
+  called_.insert(def.name);
   if (def.broken || document_.skipped.doubtful.count(def.name)) return {};
   const SourceLocation word = word_at(expr.where, expr.text);
   if (!admit(def.work, "calls of functions", word)) return {};

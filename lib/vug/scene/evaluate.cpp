@@ -146,7 +146,8 @@ Value Evaluator::parts(const Expr& expr, const Context& context) {
     const Number* n = list[i].get<Number>();
     if (!n)
       return site(part).fault(
-          fmt::format("the components of a vector must be numbers, not {}", list[i].type_name()));
+          fmt::format("the components of a vector must be numbers, not {}", list[i].type_name()),
+          "write a list in [ ]");
     numbers.push_back(*n);
   }
   return vector_of(std::move(numbers), site(expr));
@@ -236,7 +237,8 @@ Value Evaluator::range(const Expr& expr, const Context& context) {
     if (!unify_dimensions(x, y, "a range cannot mix", site(expr))) return {};
     if (x.value > y.value)
       return site(expr).fault(fmt::format("invalid range {}..{}: the first end exceeds the second",
-                                          to_string(Value(x)), to_string(Value(y))));
+                                          quantity_text(x.value, x.dimension),
+                                          quantity_text(y.value, y.dimension)));
     return Number{stream.uniform(x.value, y.value), x.dimension};
   }
   const auto* va = a.get<Value::Vector>();
@@ -354,6 +356,11 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
                         fmt::format("functions are declared by 'def {}(...) = ...'", expr.text));
     return {};
   }
+  report_unknown_function(expr);
+  return {};
+}
+
+void Evaluator::report_unknown_function(const Expr& expr) {
   std::vector<std::string> names = resolver_.known_calls();
   for (const Function& function : functions()) names.emplace_back(function.name);
   for (const auto& [name, def] : defs_) names.push_back(name);
@@ -361,7 +368,6 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   diagnostics_->error(word_at(expr.where, expr.text),
                       fmt::format("unknown function '{}'", expr.text),
                       did_you_mean(name_in_this_language(expr.text), names));
-  return {};
 }
 
 }  // namespace vug::scene

@@ -244,8 +244,10 @@ bool Evaluator::in_range(const ParamValue& param, Value& value, const SourceLoca
     return false;
   }
   if (given.value >= least.value && given.value <= most.value) return true;
-  there.fault(fmt::format("param '{}' is {}, outside {}..{}", name, to_string(value),
-                          to_string(Value(least)), to_string(Value(most))));
+  const auto text = [](const Number& each) { return quantity_text(each.value, each.dimension); };
+  const bool near = text(given) == text(least) || text(given) == text(most);
+  there.fault(fmt::format("param '{}' is {}, outside {}..{}", name,
+                          near ? to_string(value) : text(given), text(least), text(most)));
   return false;
 }
 

@@ -94,6 +94,10 @@ class Evaluator {
   /// Evaluates every let and parameter to report their errors even if nothing uses them.
   void check_all();
 
+  /// Reports unknown names and functions in the functions of the scene file that have not been
+  /// called, after everything else has been evaluated.
+  void check_uncalled();
+
   Diagnostics& diagnostics() { return *diagnostics_; }
 
   /// The function of the text with that name; null if there is none.
@@ -116,11 +120,6 @@ class Evaluator {
     DeclarationScope(const DeclarationScope&) = delete;
     DeclarationScope& operator=(const DeclarationScope&) = delete;
 
-   private:
-    Evaluator& evaluator_;
-    const Scope* variables_;
-    double planned_, done_;
-  };
     /// The next expressions are those of one of `count` elements of the loop. All elements together
     /// have the limit of a single expression.
     void begin_element(const Scope& variables, size_t count) {
@@ -128,12 +127,17 @@ class Evaluator {
       evaluator_.planned_ = static_cast<double>(count);
     }
 
+   private:
+    Evaluator& evaluator_;
+    const Scope* variables_;
+    double planned_, done_;
+  };
+  /// The variables of the loop of the declaration that is evaluated; null: none.
+  const Scope* variables() const { return variables_; }
 
   /// Adds the diagnostics of a kind about its arguments. If an argument is an undeclared name, the
   /// nearest declared name becomes the hint.
   void report(const Diagnostics& found, const Arguments& given);
-  /// The variables of the loop of the declaration that is evaluated; null: none.
-  const Scope* variables() const { return variables_; }
 
   /// The sources of the document and of the overrides, for scene::report.
   std::vector<std::shared_ptr<const Source>> sources() const;
@@ -209,13 +213,14 @@ class Evaluator {
                    const SourceLocation& where);
   bool in_range(const ParamValue& param, Value& value, const SourceLocation& where);
   std::string name_hint(const std::string& name) const;
+  void report_unknown_function(const Expr& call);
   std::optional<Value> resolved(const Expr& call, const Arguments& given, RandomKey key,
                                 std::string_view expected);
   bool is_known(const Value& value, const Expr& expr);
+  void begin_expression();
   FaultSite site(const Expr& expr) const { return {expr.where, *diagnostics_}; }
   const Scope* scope_or_default(const Scope* scope) const { return scope ? scope : variables_; }
 
-  void begin_expression();
   const Document& document_;
   Resolver& resolver_;
   Diagnostics* diagnostics_;  ///< Never null.
@@ -224,6 +229,7 @@ class Evaluator {
   std::vector<ParamValue> params_;
   std::map<std::string, Global> globals_;
   std::map<std::string, DefEntry> defs_;
+  std::set<std::string> called_;            ///< Functions of the text.
   std::set<std::string> reported_in_defs_;  ///< Faults in functions: each is reported once.
   const Scope* variables_ = nullptr;        ///< See DeclarationScope.
   std::map<std::string, ExprPtr> overrides_;

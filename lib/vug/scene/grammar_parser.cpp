@@ -55,7 +55,7 @@ void GrammarParser::parse(Grammar& grammar, RuleLookahead& lookahead) {
       return;
     }
     const Token& first = cursor_.peek();
-    const bool is_rule = at_rule();
+    const bool is_rule = at_rule() || find_assignment(cursor_);
     try {
       entry(grammar);
       if (!cursor_.at_line_end()) cursor_.unexpected("the end of the line");
@@ -77,6 +77,7 @@ void GrammarParser::entry(Grammar& grammar) {
     return;
   }
   if (!cursor_.peek().is_name("axiom")) {
+    reject_assignment(cursor_);
     grammar.options.push_back(parse_entry(cursor_, exprs_));
     return;
   }
@@ -110,14 +111,15 @@ size_t GrammarParser::beyond_newlines(size_t ahead) const {
 void GrammarParser::find_heads() {
   heads_.clear();
   Cursor scout = cursor_;
-  bool start = true;
+  bool start = true, goes_on = false;  // the last sign of a line may continue its locals
   while (!scout.at_end() && !scout.peek().is("}") && !scout.at_statement()) {
     const Token& token = scout.peek();
-    if (start && token.kind == TokenKind::name) {
+    if (start && !goes_on && token.kind == TokenKind::name) {
       const GrammarParser reader(scout);
-      if (reader.at_rule()) heads_.insert(std::string(token.text));
+      if (reader.at_rule() || find_assignment(scout)) heads_.insert(std::string(token.text));
     }
     start = token.kind == TokenKind::newline;
+    if (!start) goes_on = token.is(",") || token.is("=");
     scout.take();
   }
 }
@@ -176,7 +178,7 @@ bool GrammarParser::continues() const {
   const size_t next = beyond_newlines(0);
   const Token& first = cursor_.peek(next);
   const bool symbol = first.kind == TokenKind::name && heads_.count(std::string(first.text));
-  return is_item_sign(first) || (symbol && !at_rule(next));
+  return is_item_sign(first) || (symbol && !at_rule(next) && !find_assignment(cursor_, next));
 }
 
 std::vector<Item> GrammarParser::items(const std::string& whose) {
@@ -275,6 +277,28 @@ void GrammarParser::clauses(Item& item) {
     clause.extent = cursor_.since(key);
     item.clauses.push_back(std::move(clause));
   }
+}
+
+const Token* find_assignment(const Cursor& cursor, size_t from) {
+  const Token& first = cursor.peek(from);
+  if (first.kind != TokenKind::name || first.is_name("where")) return nullptr;
+  int depth = 0;
+  for (size_t ahead = from + 1;; ++ahead) {
+    const Token& token = cursor.peek(ahead);
+    const bool ends = token.kind == TokenKind::newline || token.is("{") || token.is("}");
+    if (token.kind == TokenKind::end || token.is("->") || (depth == 0 && ends)) return nullptr;
+    if (token.is("(") || token.is("[")) ++depth;
+    if (token.is(")") || token.is("]")) --depth;
+    if (depth == 0 && token.is("=")) return &token;
+  }
+}
+
+void reject_assignment(Cursor& cursor) {
+  const Token& name = cursor.peek();
+  if (const Token* sign = find_assignment(cursor))
+    cursor.fail(
+        *sign, fmt::format("expected '->' or a value after '{}', found '='", name.text),
+        fmt::format("write a rule as '{0} -> ...' and an option as '{0} VALUE'", name.text));
 }
 
 Entry parse_entry(Cursor& cursor, ExprParser& exprs) {

@@ -39,6 +39,13 @@ class GrammarParser {
   bool places_ = false;          ///< A facade: items are only symbols and calls.
 };
 
+/// The "=" in a line of a grammar that begins with a name, the token `from` positions ahead, but is
+/// not a rule; null if there is none.
+const Token* find_assignment(const Cursor& cursor, size_t from = 0);
+
+/// Fails at an "=" in a line of a grammar that begins with a name but is not a rule.
+void reject_assignment(Cursor& cursor);
+
 /// Parses `key value, value ...`; the cursor is at the key.
 Entry parse_entry(Cursor& cursor, ExprParser& exprs);
 

@@ -65,6 +65,7 @@ void LSystemParser::entry(Block& rules, Grammar* grammar, ExprPtr* depth) {
     cursor_.fail(first, fmt::format("expected a rule, found {}", describe(first)),
                  "write rules as: head -> successor");
   const Cursor::LineScope line(cursor_);
+  reject_assignment(cursor_);
   if (grammar) {
     grammar->options.push_back(parse_entry(cursor_, exprs_));
     const Token& next = cursor_.peek();
@@ -200,12 +201,12 @@ Production LSystemParser::production() {
     cursor_.take();
   else
     production.word = word(fmt::format("the rule of '{}'", production.head.name));
-  production.extent = cursor_.since(first);
   if (at_where(lookahead_.beyond_newlines(0))) {
     const Cursor::LineScope line(cursor_);
     cursor_.skip_newlines();
     production.locals = exprs_.locals();
   }
+  production.extent = cursor_.since(first);
   return production;
 }
 

@@ -25,6 +25,8 @@ bool Resolver::is_choice(const std::string&, size_t, const std::string&, const s
   return false;
 }
 
+bool Resolver::is_word(const std::string&) const { return false; }
+
 std::optional<Value> Resolver::binary(char, const Value&, const Value&, const SourceLocation&,
                                       Diagnostics&) {
   return std::nullopt;

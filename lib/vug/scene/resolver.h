@@ -53,6 +53,9 @@ class Resolver {
   virtual std::optional<Value> unary(char op, const Value& a, const SourceLocation& where,
                                      Diagnostics& diagnostics);
 
+  /// True if the word is a valid choice for some argument or entry, or another word of a kind.
+  virtual bool is_word(const std::string& word) const;
+
   virtual std::vector<std::string> known_names() const { return {}; }
   virtual std::vector<std::string> known_calls() const { return {}; }
 

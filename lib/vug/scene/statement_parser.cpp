@@ -285,9 +285,11 @@ class StatementParser {
         made.entries.push_back(parse_entry(cursor_, exprs_));
         if (made.kind == "variant" && cursor_.module())  // it sets parameters of its own file
           made.entries.back().key.insert(0, *cursor_.module());
+        reject_comma(made.entries.back());
         if (!cursor_.at_line_end() && cursor_.peek().kind != TokenKind::name)
           cursor_.unexpected("',', a name or the end of the line");
         misplaced_unit();
+        if (made.kind == "render" && made.entries.back().key == "size") spaced_size();
       } catch (const SyntaxFault&) {
         cursor_.recover_entry();
       }
@@ -297,6 +299,35 @@ class StatementParser {
         made.entries.push_back({std::string(key.text), cursor_.where(key), cursor_.since(key), {}});
       if (made.entries.size() > before) made.entries.back().values = {broken(cursor_.where(key))};
     }
+  }
+
+  /// Rejects `fov 60deg, aperture 2cm`, where `aperture` is a value of the entry `fov`.
+  void reject_comma(const Entry& entry) {
+    const Token& next = cursor_.peek();
+    if (entry.values.size() < 2 || entry.values.back()->kind != ExprKind::name ||
+        cursor_.at_line_end() || next.kind == TokenKind::name || !ExprParser::starts(next))
+      return;
+    const std::string name = entry.values.back()->text;
+    cursor_.fail(
+        next, fmt::format("expected ',', a name or the end of the line, found {}", describe(next)),
+        fmt::format("separate entries by spaces: remove the ',' before '{}'", name));
+  }
+
+  /// Rejects `size 1920 x 1080`, where `x` would become the next entry.
+  void spaced_size() {
+    const Token& cross = cursor_.peek();
+    if (cursor_.last().kind != TokenKind::number || cross.kind != TokenKind::name ||
+        cross.text.find_first_not_of("0123456789", 1) != std::string_view::npos ||
+        cross.text[0] != 'x')
+      return;
+    const Token& height = cursor_.peek(1);
+    const std::string_view digits = cross.text.size() > 1              ? cross.text.substr(1)
+                                    : height.kind == TokenKind::number ? height.text
+                                                                       : std::string_view("1080");
+    cursor_.fail(
+        cross,
+        fmt::format("expected ',', a name or the end of the line, found {}", describe(cross)),
+        fmt::format("write the size without spaces: {}x{}", cursor_.last().text, digits));
   }
 
   /// Rejects `spacing 2 cm`, where `cm` would become the next entry.

@@ -59,6 +59,23 @@ TEST(Recipe, OtherSettingsBecomeArguments) {
             (std::vector<std::string>{"-D HERE=2", "--frame 12", "--quality draft"}));
 }
 
+TEST(Recipe, ValuesOfModulesAreInsertedIntoTheirBlock) {
+  const auto scene_of = [](const std::string& text) {
+    const Recipe recipe = parse_recipe(text);
+    EXPECT_TRUE(recipe.arguments.empty());
+    return recipe.scene;
+  };
+  EXPECT_EQ(scene_of("include \"a.vug\" as a { x 4cm + 1cm  y (1, 2) }\n# -D a.y=(3, 4)\n"
+                     "# -D a.x=7cm\n"),
+            "include \"a.vug\" as a { x 7cm  y (3, 4) }\n");
+  EXPECT_EQ(scene_of("include \"a.vug\" as a\n{\n  x [1,\n 2]\n}\n# -D a.z=1\n"),
+            "include \"a.vug\" as a\n{ z 1 \n  x [1,\n 2]\n}\n");
+  EXPECT_EQ(scene_of("include \"b.vug\" as b; include \"a.vug\" as a\n# -D a.x=1\n"),
+            "include \"b.vug\" as b; include \"a.vug\" as a { x 1 }\n");
+  EXPECT_EQ(parse_recipe("include \"a.vug\"\n# -D a.x=1\n").arguments,
+            std::vector<std::string>{"-D a.x=1"});
+}
+
 TEST(Recipe, LoadsAsTheOriginal) {
   const std::string text = std::string(kText) + "\n";
   const loading::Loaded before = loading::load_text(text, "t.vug", changed());

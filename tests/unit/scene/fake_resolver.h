@@ -34,6 +34,7 @@ inline void evaluate_all(Evaluator& evaluator, const Document& document) {
     if (made.value) evaluator.eval(*made.value, key);
     for (const Entry& entry : made.entries) evaluator.eval(entry, key);
   }
+  evaluator.check_uncalled();
 }
 
 /// The value of `let x` in a text, as text; errors as "! message".

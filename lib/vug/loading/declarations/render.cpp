@@ -27,6 +27,23 @@ const NameEntry* find_name_entry(const std::string& key) {
   return nullptr;
 }
 
+/// Reports an entry whose values are not names: `found` describes the first one.
+void report_no_names(const scene::Entry& entry, const NameEntry& selects, const std::string& found,
+                     const std::string& hint, ReadContext& context) {
+  context.diagnostics.error(
+      entry.extent, fmt::format("'{}' expects {}, not {}", entry.key, selects.expected, found),
+      hint);
+}
+
+/// A hint for `lights rig` after `let rig = [key]`; empty for other entries.
+std::string hint_for_let(const scene::Entry& entry, const scene::Document& document) {
+  for (const scene::ExprPtr& expr : entry.values)
+    if (expr->kind == scene::ExprKind::name && document.find_let(full_name(*expr)))
+      return fmt::format("write the names in this entry: '{}' contains the things themselves",
+                         expr->text);
+  return {};
+}
+
 /// Appends the names in a value to a list of texts. Returns the first value that is not a name, or
 /// null.
 const Value* add_names(const Value& value, List& texts) {
@@ -63,14 +80,21 @@ Value selected_names(const scene::Entry& entry, const NameEntry& selects,
     if (std::find(selects.kinds.begin(), selects.kinds.end(), each.kind) != selects.kinds.end())
       names.names.emplace_back(each.name, name_value(each, context));
   names.names.emplace_back(shot::kNoAir, Value::Name{shot::kNoAir});
+  scene::Scope variables{{}, &names, nullptr};  // they hide declarations of their names
+  if (const scene::Scope* loop = context.evaluator.variables()) variables.names = loop->names;
+  for (const scene::ExprPtr& expr : entry.values)
+    if (expr->kind == scene::ExprKind::vector) {
+      report_no_names(entry, selects, "a vector", "write a list in [ ]", context);
+      return {};
+    }
   List all;
   for (const Value& value :
        context.evaluator.eval(entry, context.evaluator.key(declaration), &variables)) {
     if (value.empty()) return {};
     const Value* other = add_names(value, all);
     if (!other) continue;
-    context.diagnostics.error(entry.extent, fmt::format("'{}' expects {}, not {}", entry.key,
-                                                        selects.expected, other->type_name()));
+    report_no_names(entry, selects, other->type_name(), hint_for_let(entry, context.document),
+                    context);
     return {};
   }
   return entry.key == "air" && all.size() == 1 ? all[0] : Value(all);
@@ -80,6 +104,11 @@ Value selected_names(const scene::Entry& entry, const NameEntry& selects,
 std::optional<shot::RenderSettings> read_settings(const scene::Declaration& declaration,
                                                   ReadContext& context) {
   if (!has_block(declaration, context)) return std::nullopt;
+  if (const scene::Entry* medium = declaration.find_entry("medium")) {
+    context.diagnostics.error(medium->where, "'render' has no parameter 'medium'",
+                              "'air' chooses the medium of a picture: air NAME or air none");
+    return std::nullopt;
+  }
   scene::Declaration others = declaration;
   std::erase_if(others.entries,
                 [](const scene::Entry& entry) { return find_name_entry(entry.key) != nullptr; });
