@@ -6,21 +6,23 @@
 #include <vug/network/section_statistics.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace vug::shot {
 
 struct SectionChoice {
-  std::string like = "usual";
+  int like = 0;  ///< 0: the defaults of SectionModel, else one of section_models(), from 1.
   double size = 1;
   double variation = 1;
 
   /// Adds the parameters to the schema of a struct that is derived from this one.
   template <class P>
   static void describe(Schema<P>& s) {
-    std::vector<std::pair<std::string, std::string>> names{{"usual", "usual"}};
+    std::vector<std::pair<std::string, int>> names{{"usual", 0}};
     for (const network::NamedSectionModel& each : network::section_models())
-      names.emplace_back(each.name, each.name);
-    s.choice("like", static_cast<std::string P::*>(&SectionChoice::like), std::move(names),
+      names.emplace_back(each.name, static_cast<int>(names.size()));
+    s.choice("like", static_cast<int P::*>(&SectionChoice::like), std::move(names),
              "the surveyed caves whose widths and heights apply; usual: between them")
         .param("size", &SectionChoice::size,
                {.doc = "factor of widths and heights", .min = 0, .above_min = true})
@@ -32,8 +34,7 @@ struct SectionChoice {
 
   network::SectionModel model() const {
     network::SectionModel chosen;
-    for (const network::NamedSectionModel& each : network::section_models())
-      if (like == each.name) chosen = each.model;
+    if (like > 0) chosen = network::section_models()[static_cast<size_t>(like - 1)].model;
     chosen.width_median *= size;
     chosen.height_median *= size;
     chosen.width_spread *= variation;
