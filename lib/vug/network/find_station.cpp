@@ -32,12 +32,13 @@ bool ends_in_levels(std::string_view full, std::string_view name) {
 }  // namespace
 
 int find_station(const Network& network, std::string_view name) {
+  if (name.empty()) refuse_unknown(network, "");
   std::vector<int> found;
   for (size_t i = 0; i < network.stations.size(); ++i) {
     if (network.stations[i].name == name) return static_cast<int>(i);
     if (ends_in_levels(network.stations[i].name, name)) found.push_back(static_cast<int>(i));
   }
-  if (name.empty() || found.empty()) refuse_unknown(network, std::string(name));
+  if (found.empty()) refuse_unknown(network, std::string(name));
   if (found.size() > 1) {
     std::vector<std::string> candidates;
     for (size_t i = 0; i < std::min<size_t>(found.size(), 5); ++i)
