@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The surface of a cave has as many handles as its network has independent cycles.
+#include "../scan/external_data.h"
 #include "passage_samples.h"
 
 #include <vug/base/error.h>
 #include <vug/mesh/topology.h>
+#include <vug/network/dat.h>
 #include <vug/volume/polygons.h>
 #include <vug/volume/voxelize.h>
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
+#include <filesystem>
 
 namespace vug::passages {
 namespace {
@@ -39,27 +39,12 @@ void expect_genus(const network::Network& network, size_t genus, double voxel,
   EXPECT_EQ(topology.boundary_edges, 0u);
 }
 
-/// Files of node positions (x, y, z with z up, metres) and of links (indices from 1), as the
-/// programs for karst networks write them; positions relative to the first node.
-network::Network read_karst(const std::string& stem) {
-  std::ifstream nodes(stem + "_nodes.dat"), links(stem + "_links.dat");
-  std::vector<Vec3d> stations;
-  Vec3d p;
-  while (nodes >> p.x >> p.y >> p.z) stations.push_back({p.x, p.z, -p.y});
-  for (size_t i = stations.size(); i-- > 0;) stations[i] -= stations[0];
-  std::vector<std::pair<int, int>> legs;
-  int from, to;
-  while (links >> from >> to) legs.push_back({from - 1, to - 1});
-  return network_of(stations, legs);
-}
-
-/// The folder with the published networks, which are not part of this project.
+/// Published networks, which are not part of this project.
 void check_published(const std::string& name, double radius, size_t genus, double voxel) {
-  const char* folder = std::getenv("VUG_KARST_NETWORKS");
-  if (!folder) GTEST_SKIP() << "VUG_KARST_NETWORKS does not name the folder of the networks";
-  const auto network = read_karst(std::string(folder) + "/" + name);
-  ASSERT_FALSE(network.legs.empty()) << name;
-  expect_genus(with_radius(network, radius), genus, voxel);
+  const std::filesystem::path nodes = external_data() / "surveys" / "karst" / (name + "_nodes.dat");
+  if (!std::filesystem::exists(nodes))
+    GTEST_SKIP() << "set VUG_EXTERNAL_DATA to a folder with surveys/karst";
+  expect_genus(with_radius(network::read_dat(nodes), radius), genus, voxel);
 }
 
 TEST(PublishedNetwork, HuttesIsOneRing) { check_published("Huttes", 0.5, 1, 0.2); }
