@@ -56,6 +56,10 @@ class Arguments(VugTest):
         self.assertEqual(self.refused("", *render, "--view", "nope").count("filmic"), 1)
         self.assertIn("did you mean 'filmic'? known: ", self.refused("", *render, "--view", "filmc"))
 
+    def test_an_option_that_is_repeated(self):
+        error = self.refused("error: '--size' is given several times\n", *RENDER, "--size", "4x4")
+        self.assertIn("hint: it takes one value\n", error)
+
     def test_a_missing_verb_lists_the_verbs(self):
         error = self.refused("error: no verb given\n")
         for verb in ("build", "check", "render"):

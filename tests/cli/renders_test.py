@@ -40,6 +40,25 @@ class Renders(VugTest):
         self.assertIn("did you mean 'side'?", self.render("-o", "a.exr", "--render", "sid", code=2).err)
         self.assertNotIn("a.exr", self.files())
 
+    def test_elements_of_loops(self):
+        self.write("loop.vug", """volume ball[r in [1m, 2m]] = level_set(sphere(r), voxel: 20cm)
+mesh ball[i in 0..1] on ball[i] {}
+object ball[i in 0..1] on ball[i] {}
+light key[y in [3, 4]] = sphere(center: (0, y, 3), radius: 20cm, radiance: (90, 90, 90))
+camera view[z in [6, 9]] { eye (0, 0, z) }
+render view[i in 0..1] { size 8x8  spp 1  layers "beauty", "cryptomatte"  lights [key[i]]  objects [ball[i]] }
+""")
+        self.assertIn("view[0] (camera 'view[0]', 8x8)", self.expect(2, "render", "loop.vug", "-o", "a.exr").err)
+        self.expect(0, "render", "loop.vug", "-o", "a.exr", "--render", "all")
+        self.assertTrue({"a_view[0].exr", "a_view[1].exr"} <= set(self.files()))
+        self.expect(0, "render", "loop.vug", "-o", "b.exr", "--render", "view[1]")
+        self.assertEqual(digest(self.folder / "b.exr"), digest(self.folder / "a_view[1].exr"))
+        about = self.expect(0, "info", "b.exr").out
+        self.assertIn('"ball[1]"', about)
+        self.assertNotIn('"ball[0]"', about)
+        self.expect(0, "build", "loop.vug", "-o", "out")
+        self.assertTrue({"out/loop_ball[0].ply", "out/loop_ball[1].ply"} <= set(self.files()))
+
     def test_several_pictures_share_one_build(self):
         run = self.render("-o", "a.exr", "--render", "all", "--products", "out")
         self.assertEqual(run.out.split()[:4], ["a_main.exr", "a_main.png", "a_side.exr", "a_side.png"])

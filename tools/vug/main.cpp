@@ -107,6 +107,16 @@ Error unexpected_argument_error(const CLI::App& app) {
 }
 
 /// The error for a command line whose verb is missing, or unknown and preceded by options.
+/// Throws an Error for an option that takes one value and is given several times.
+void throw_if_repeated(const CLI::ParseError& error) {
+  const std::string text = error.what();
+  const size_t name = text.find(": At Most 1 required");
+  if (name != std::string::npos)
+    throw Error(ErrorCode::bad_input,
+                fmt::format("'{}' is given several times", text.substr(0, name)), {},
+                "it takes one value");
+}
+
 Error missing_verb_error(const CLI::App& app) {
   const std::vector<std::string> words = app.remaining();
   if (words.empty()) return unknown_verb_error("", verb_names());
@@ -155,6 +165,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const bool lacks = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
     if (lacks && app.get_subcommands().empty()) throw missing_verb_error(app);
+    throw_if_repeated(error);
     return app.exit(error) == 0 ? kDone : kUnusable;
   }
   load_plugins_in_path();
