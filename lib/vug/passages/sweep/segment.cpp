@@ -52,7 +52,6 @@ Segment::Segment(const SectionFrame& from, const SectionFrame& to)
   reach_ = std::max(a.reach, b.reach);
   const double sigma = uniform_ ? 0 : slope();
   scale_ = 1 / std::sqrt(1 + sigma * sigma);
-  core_ = std::min(a.core, b.core) * scale_;
 }
 
 /// The frame turned about the line in both planes, as far as `right` shows.
@@ -163,6 +162,15 @@ double Segment::distance_to_axis(const Vec3d& p) const {
   const Vec3d offset = p - start_;
   const double s = std::clamp(offset.dot(along_), 0.0, length_);
   return (offset - along_ * s).length();
+}
+
+Pack Segment::least(const Point<Pack>& p) const {
+  const Point<Pack> offset = offset_from(p, start_);
+  const Pack along = along_axis(offset, along_);
+  const Pack s = field::clamp(along, Pack(0.0), Pack(length_));
+  const Point<Pack> rest = offset - field::constant<Pack>(along_) * s;
+  const Pack away = field::length(rest) - Pack(reach_);
+  return select(away > Pack(0.0), away * Pack(scale_), away);
 }
 
 Box3d Segment::bounds() const {

@@ -47,8 +47,8 @@ class Segment {
     const double away = distance_to_axis - reach_;
     return away > 0 ? scale_ * away : away;
   }
-  /// An upper bound of the value at a point.
-  double most(double distance_to_axis) const { return distance_to_axis - core_; }
+  /// The same for a batch of points.
+  Pack least(const Point<Pack>& p) const;
 
   const Vec3d& start() const { return start_; }
   Vec3d end() const { return start_ + along_ * length_; }
@@ -79,7 +79,7 @@ class Segment {
   double length_;
   Plane from_, to_;
   bool uniform_ = false;
-  double scale_ = 1, reach_ = 0, core_ = 0;
+  double scale_ = 1, reach_ = 0;
 };
 
 }  // namespace vug::passages

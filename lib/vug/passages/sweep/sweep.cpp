@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The node of a sweep: all segments, or those that matter in the ball to which it was restricted.
 #include <vug/base/error.h>
-#include <vug/passages/sweep/active_set.h>
+#include <vug/passages/sweep/batch_minimum.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,37 +33,9 @@ T evaluate(const SweepParts& parts, const ActiveSet& set, const Point<T>& p) {
 template <class T>
 void evaluate(const SweepParts& parts, const ActiveSet& set, const Point<Pack>* points, int count,
               T* out, field::Scratch& scratch) {
-  field::Scratch::Frame frame(scratch);
-  const auto n = static_cast<size_t>(count);
-  const auto& segments = parts.sweep.segments;
-  segments[set.segments[0]].fill(points, count, out, scratch);
-  if (set.segments.size() == 1) return;
-  T* next = frame.template take<T>(n);
-  if (set.joints.empty()) {
-    for (size_t i = 1; i < set.segments.size(); ++i) {
-      segments[set.segments[i]].fill(points, count, next, scratch);
-      for (size_t k = 0; k < n; ++k) out[k] = min(out[k], next[k]);
-    }
-    return;
-  }
-  T* arms = frame.template take<T>(n * set.arms);
-  for (size_t k = 0; k < n * set.arms; ++k) arms[k] = T(kFar);
-  size_t linked = 0;
-  for (size_t i = 0; i < set.segments.size(); ++i) {
-    const T* values = i == 0 ? out : next;
-    if (i > 0) segments[set.segments[i]].fill(points, count, next, scratch);
-    for (; linked < set.links.size() && set.links[linked].segment == i; ++linked) {
-      T* arm = arms + n * set.links[linked].arm;
-      for (size_t k = 0; k < n; ++k) arm[k] = min(arm[k], values[k]);
-    }
-    if (i > 0)
-      for (size_t k = 0; k < n; ++k) out[k] = min(out[k], next[k]);
-  }
-  for (const Joint& joint : set.joints) {
-    const field::Blend blend{field::Profile::smooth, joint.radius};
-    for (size_t k = 0; k < n; ++k)
-      out[k] = min(out[k], blend.smin(arms[n * joint.a + k], arms[n * joint.b + k]));
-  }
+  if (set.segments.size() == 1)
+    return parts.sweep.segments[set.segments[0]].fill(points, count, out, scratch);
+  BatchMinimum<T>(parts, set, points, count, scratch).run(out);
 }
 
 class SweepNode final : public field::EvaluationModes<SweepNode> {
@@ -158,42 +130,35 @@ void SweepNode::fill_near(const Point<Pack>* points, int count, T* out,
   evaluate(*parts_, near, points, count, out, scratch);
 }
 
+/// Distances to the axes select the segments, so few of them are evaluated: those that can be the
+/// minimum at the centre of the ball, from which the range follows.
 field::Restriction SweepNode::restrict_to(const Ball& ball) const {
   const Point<double> centre = field::point(ball.centre);
-  thread_local std::vector<uint32_t> kept;
-  kept.clear();
   const auto& segments = parts_->sweep.segments;
-  double least = kInfinity;
-  if (whole_) {
-    least = parts_->bvh.least(ball.centre);
-    if (!collect(ball, least, kMostActive, kept)) return {centre_form(at(centre), ball), nullptr};
-  } else {
-    // The distances to the axes bound the values, so most segments are not evaluated.
-    thread_local std::vector<double> lower;
-    lower.clear();
-    for (const uint32_t i : active_.segments) {
-      const double distance = segments[i].distance_to_axis(ball.centre);
-      lower.push_back(segments[i].least(distance));
-      least = std::min(least, segments[i].most(distance));
-    }
-    const double most = limit(ball, least);
-    for (size_t k = 0; k < lower.size(); ++k)
-      if (lower[k] <= most) kept.push_back(active_.segments[k]);
+  thread_local std::vector<uint32_t> listed;
+  listed.clear();
+  if (whole_ && !collect(ball, parts_->bvh.least(ball.centre), kMostActive, listed))
+    return {centre_form(at(centre), ball), nullptr};
+  const std::vector<uint32_t>& candidates = whole_ ? listed : active_.segments;
+  thread_local std::vector<double> lower;
+  lower.clear();
+  size_t nearest = 0;
+  for (const uint32_t i : candidates) {
+    lower.push_back(segments[i].least(segments[i].distance_to_axis(ball.centre)));
+    if (lower.back() < lower[nearest]) nearest = lower.size() - 1;
   }
-  thread_local std::vector<double> values;
-  values.clear();
-  least = kInfinity;
-  for (const uint32_t i : kept) {
-    values.push_back(segments[i].value(centre));
-    least = std::min(least, values.back());
-  }
-  const double most = limit(ball, least);
+  const double least = segments[candidates[nearest]].value(centre);
+  thread_local ActiveSet middle;
+  middle.segments.clear();
   ActiveSet active;
-  for (size_t k = 0; k < kept.size(); ++k)
-    if (values[k] <= most) active.segments.push_back(kept[k]);
-  link(*parts_, active);
-  const Interval range = centre_form(evaluate(*parts_, active, centre), ball);
+  for (size_t k = 0; k < candidates.size(); ++k) {
+    if (lower[k] <= limit({ball.centre, 0}, least)) middle.segments.push_back(candidates[k]);
+    if (lower[k] <= limit(ball, least)) active.segments.push_back(candidates[k]);
+  }
+  link(*parts_, middle);
+  const Interval range = centre_form(evaluate(*parts_, middle, centre), ball);
   if (!whole_ && active.segments.size() == active_.segments.size()) return {range, nullptr};
+  link(*parts_, active);
   return {range, std::make_shared<SweepNode>(traits(), parts_, std::move(active))};
 }
 
