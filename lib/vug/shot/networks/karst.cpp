@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A network that water cuts into the rock.
-#include <vug/karst/generate.h>
 #include <vug/karst/presets.h>
+#include <vug/karst/realistic.h>
 #include <vug/shot/geology.h>
 #include <vug/shot/networks.h>
 #include <vug/shot/section_choice.h>
@@ -21,7 +21,7 @@ struct Karst : SectionChoice {
   std::optional<Vec3d> from, to;
   std::optional<field::Field> rock;
   std::vector<GeologyFeaturePtr> geology;
-  std::optional<int> samples, sinks, waypoints, dead_ends;
+  std::optional<int> samples, sinks, waypoints, dead_ends, attempts;
   std::optional<double> loops;
 
   static void describe(Schema<Karst>& s) {
@@ -43,7 +43,12 @@ struct Karst : SectionChoice {
         .param("waypoints", &Karst::waypoints, count("number of random points of the network"))
         .param("dead_ends", &Karst::dead_ends, count("number of blind passages"))
         .param("loops", &Karst::loops,
-               {.doc = "loops for each junction or end", .min = 0, .max = 2});
+               {.doc = "loops for each junction or end", .min = 0, .max = 2})
+        .param("attempts", &Karst::attempts,
+               {.doc = "caves that are tried until the measures of one lie within those of real "
+                       "caves; 8 for a preset without changes, else 1",
+                .min = 1,
+                .max = 1000});
     SectionChoice::describe(s);
   }
 
@@ -51,6 +56,12 @@ struct Karst : SectionChoice {
     return from.has_value() == to.has_value() ? "" : "'from' and 'to' are needed together";
   }
 };
+
+/// Whether the text leaves the preset as it is, apart from the seed.
+bool is_plain(const Karst& p) {
+  return p.geology.empty() && !p.from && !p.rock && !p.samples && !p.sinks && !p.waypoints &&
+         !p.dead_ends && !p.loops;
+}
 
 /// The preset's geology, with the given features in place of those of the same kind.
 karst::Geology geology_of(const Karst& p, karst::Geology preset) {
@@ -83,8 +94,10 @@ NetworkPtr grow(const Karst& p) {
   if (p.waypoints) options.growth.waypoints = *p.waypoints;
   if (p.dead_ends) options.growth.dead_ends = *p.dead_ends;
   if (p.loops) options.growth.loops = *p.loops;
+  const int attempts = p.attempts.value_or(is_plain(p) ? 8 : 1);
   return std::make_shared<const network::Network>(network::draw_sections(
-      karst::generate(geology_of(p, preset.geology), options), p.model(), options.seed));
+      karst::generate_realistic(geology_of(p, preset.geology), options, attempts).network,
+      p.model(), options.seed));
 }
 
 }  // namespace
