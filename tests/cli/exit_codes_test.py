@@ -284,7 +284,7 @@ class Unusable(VugTest):
             self.write("deep.vug", f"{word} a0 = sphere(1)\n" + steps +
                        "volume rock = level_set(a10100, voxel: 1m)\n")
             said = self.refused("build", "deep.vug", "-o", "out")
-            self.assertTrue(said.startswith(f"deep.vug:{where}: error: "), said)
+            self.assertIn(f"deep.vug:{where}: error: ", said)  # a slow machine prints a stage before it
             self.assertIn("nested", said)
 
     def test_a_solid_that_doubles_endlessly(self):
