@@ -6,6 +6,7 @@
 #include "require.h"
 
 #include <vug/survey/format.h>
+#include <vug/survey/text_encoding.h>
 
 #include <cmath>
 #include <cstdint>
@@ -14,6 +15,11 @@ namespace vug::survey {
 
 inline bool finite(const Vec3d& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+inline void check_names(const std::vector<Station>& stations) {
+  for (const Station& station : stations)
+    require(is_utf8(station.name) && is_utf8(station.comment), "names are UTF-8");
 }
 
 inline void check_tubes(const std::vector<Tube>& tubes, size_t stations) {
@@ -34,6 +40,7 @@ inline void check_leg(const Leg& leg, size_t stations) {
 
 inline void check(const Survey& survey) {
   const size_t n = survey.stations.size();
+  check_names(survey.stations);
   for (const Station& station : survey.stations) require(finite(station.position), "finite");
   for (const Leg& leg : survey.legs) check_leg(leg, n);
   check_tubes(survey.tubes, n);
@@ -48,6 +55,7 @@ inline void check(const Survey& survey) {
 
 inline void check(const Observations& survey) {
   const size_t n = survey.stations.size();
+  check_names(survey.stations);
   for (const ObservedLeg& leg : survey.legs) {
     check_leg(leg.leg, n);
     const Covariance& c = leg.covariance;

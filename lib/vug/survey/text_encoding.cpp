@@ -90,6 +90,17 @@ bool is_utf8(std::string_view bytes) {
   return true;
 }
 
+std::string as_utf8(std::string_view bytes) {
+  if (is_utf8(bytes)) return std::string(bytes);
+  std::string out;
+  for (const char byte : bytes) {
+    const auto value = static_cast<unsigned char>(byte);
+    const char16_t c = value < 0x80 ? value : kWindows1252[value - 0x80u];
+    append_utf8(out, c == 0xfffd ? value : c);
+  }
+  return out;
+}
+
 std::optional<std::string> to_utf8(std::string_view bytes, Encoding encoding) {
   if (encoding == Encoding::utf8)
     return is_utf8(bytes) ? std::optional(std::string(bytes)) : std::nullopt;

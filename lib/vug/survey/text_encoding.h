@@ -18,4 +18,8 @@ bool is_utf8(std::string_view bytes);
 /// The text in UTF-8; nothing if the bytes are not valid in the encoding.
 std::optional<std::string> to_utf8(std::string_view bytes, Encoding encoding);
 
+/// The text, if it is UTF-8; else its bytes read as those of Windows-1252, or of Latin-1 where the
+/// former has no character. For formats that do not name their encoding.
+std::string as_utf8(std::string_view bytes);
+
 }  // namespace vug::survey

@@ -35,6 +35,11 @@ TEST(Compass, ShotsAreInFeetAndWallsBelongToFrom) {
   EXPECT_EQ(survey.stations[static_cast<size_t>(survey.tubes[0][2].station)].name, "A4");
 }
 
+TEST(Compass, NamesBecomeUtf8) {
+  const auto survey = std::get<Observations>(read_bytes("dat", dat("\xe9 B 1 0 0 1 1 1 1\n")));
+  EXPECT_EQ(survey.stations[0].name, "\u00e9");
+}
+
 TEST(Compass, BacksightsAreAveraged) {
   const auto survey = std::get<Observations>(read_bytes(
       "dat",

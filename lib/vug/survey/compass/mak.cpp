@@ -3,6 +3,7 @@
 #include <vug/survey/compass/feet.h>
 #include <vug/survey/compass/mak.h>
 #include <vug/survey/plausible.h>
+#include <vug/survey/text_encoding.h>
 #include <vug/survey/text_lines.h>
 
 #include <fmt/format.h>
@@ -137,7 +138,7 @@ class MakReader {
     const size_t comma = std::min(text.find(','), text.size());
     const std::string name(trimmed(text.substr(0, comma)));
     const SourceLocation where = start_;
-    const std::string bytes = files_.enter(name, ".dat", where);
+    const std::string bytes = as_utf8(files_.enter(name, ".dat", where));
     DatTarget target{result_, stations_, convergence_.value_or(0)};
     read_dat(bytes, files_.current().string(), target, warnings_);
     files_.leave();

@@ -2,6 +2,7 @@
 // The .dat format of Compass: surveys with readings in feet and degrees.
 #include <vug/survey/compass/dat.h>
 #include <vug/survey/format_kind.h>
+#include <vug/survey/text_encoding.h>
 
 namespace vug::survey {
 namespace {
@@ -11,7 +12,7 @@ Contents read_dat(std::string_view bytes, const std::filesystem::path& file, con
   Observations result;
   NamedStations stations(result.stations);
   compass::DatTarget target{result, stations};
-  compass::read_dat(bytes, file.string(), target, warnings);
+  compass::read_dat(as_utf8(bytes), file.string(), target, warnings);
   return result;
 }
 

@@ -2,6 +2,7 @@
 // The .mak format of Compass: a project with .dat files and fixed stations.
 #include <vug/survey/compass/mak.h>
 #include <vug/survey/format_kind.h>
+#include <vug/survey/text_encoding.h>
 
 namespace vug::survey {
 namespace {
@@ -9,7 +10,7 @@ namespace {
 Contents read_mak(std::string_view bytes, const std::filesystem::path& file,
                   const ReadOptions& options, Diagnostics& warnings) {
   InputFiles files(file, bytes.size(), options);
-  return compass::read_mak(bytes, files, warnings);
+  return compass::read_mak(as_utf8(bytes), files, warnings);
 }
 
 }  // namespace

@@ -2,13 +2,14 @@
 // The .plt format of Compass: stations, legs and distances to the walls, in feet.
 #include <vug/survey/compass/plt.h>
 #include <vug/survey/format_kind.h>
+#include <vug/survey/text_encoding.h>
 
 namespace vug::survey {
 namespace {
 
 Contents read_plt(std::string_view bytes, const std::filesystem::path& file, const ReadOptions&,
                   Diagnostics& warnings) {
-  return compass::read_plt(bytes, file.string(), warnings);
+  return compass::read_plt(as_utf8(bytes), file.string(), warnings);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The .srv format of Walls: legs, walls and fixed stations.
 #include <vug/survey/format_kind.h>
+#include <vug/survey/text_encoding.h>
 #include <vug/survey/walls/read.h>
 
 namespace vug::survey {
@@ -8,7 +9,7 @@ namespace {
 
 Contents read_srv(std::string_view bytes, const std::filesystem::path& file, const ReadOptions&,
                   Diagnostics& warnings) {
-  return walls::read(bytes, file.string(), warnings);
+  return walls::read(as_utf8(bytes), file.string(), warnings);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <vug/survey/byte_reader.h>
 #include <vug/survey/lox/chunks.h>
 #include <vug/survey/lox/read.h>
+#include <vug/survey/text_encoding.h>
 
 #include <fmt/format.h>
 
@@ -75,7 +76,7 @@ class Reader {
     const std::string_view found = bytes.text(bytes.left());
     if (found.size() > kLongestName)
       record.fail_at(offset, fmt::format("a text is longer than {} bytes", kLongestName));
-    return std::string(found.substr(0, found.find('\0')));
+    return as_utf8(found.substr(0, found.find('\0')));
   }
 
   void read_survey(ByteReader& record) {

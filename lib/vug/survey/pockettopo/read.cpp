@@ -3,6 +3,7 @@
 #include <vug/survey/named_stations.h>
 #include <vug/survey/pockettopo/read.h>
 #include <vug/survey/pockettopo/shots.h>
+#include <vug/survey/text_encoding.h>
 
 #include <fmt/format.h>
 
@@ -86,7 +87,7 @@ class Reader {
       if (!(byte & 0x80)) break;
       if (shift == 28) in_.fail_at(offset, "the length of a text has more than 5 bytes");
     }
-    return std::string(in_.text(length));
+    return as_utf8(in_.text(length));
   }
 
   std::string name(int32_t id) const {

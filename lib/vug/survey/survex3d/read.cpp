@@ -3,6 +3,7 @@
 #include <vug/survey/survex3d/items.h>
 #include <vug/survey/survex3d/read.h>
 #include <vug/survey/survex3d/stations_at.h>
+#include <vug/survey/text_encoding.h>
 
 #include <fmt/format.h>
 
@@ -69,8 +70,8 @@ class Reader {
       metadata.remove_prefix(std::min(end + 1, metadata.size()));
       return field;
     };
-    survey_.title = next_field();
-    survey_.coordinate_system = next_field();
+    survey_.title = as_utf8(next_field());
+    survey_.coordinate_system = as_utf8(next_field());
     const std::string separator = next_field();
     if (separator.size() > 1)
       in_.fail_at(offset + version.size() + 1,
@@ -159,7 +160,7 @@ class Reader {
   std::string name() const {
     std::string result = label_;
     if (separator_ != '.') std::replace(result.begin(), result.end(), separator_, '.');
-    return result;
+    return as_utf8(result);
   }
 
   void read_station(uint8_t flags) {
