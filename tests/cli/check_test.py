@@ -217,7 +217,7 @@ class Check(VugTest):
         self.assertEqual(self.expect(2, "check", "s.vug").err.count("error: "), 1)
 
     def test_impossible_pictures(self):
-        self.both("s.vug:8:8: error: unknown layer 'light_kye'", render='layers ["beauty", "light_kye"]')
+        self.both("s.vug:8:34: error: unknown layer 'light_kye'", render='layers ["beauty", "light_kye"]')
         self.both("", 0, render='layers ["beauty", "light_key"]')
         self.both("unknown layer 'light_kye'", render='layers ["light_kye"]')
         self.both("a picture needs the layer 'beauty'", render='layers ["Z"]')

@@ -62,7 +62,8 @@ render view[i in 0..1] { size 8x8  spp 1  layers "beauty", "cryptomatte"  lights
     def test_several_pictures_share_one_build(self):
         run = self.render("-o", "a.exr", "--render", "all", "--products", "out")
         self.assertEqual(run.out.split()[:4], ["a_main.exr", "a_main.png", "a_side.exr", "a_side.png"])
-        self.assertEqual(run.err.count("rock_mesh"), run.err.count("wall_mesh"))
+        stages = [line.split(":")[0] for line in run.err.splitlines() if "_mesh" in line]  # printed if they take long
+        self.assertEqual(len(stages), len(set(stages)), run.err)
         for name in ("main", "side"):
             self.render("-o", f"{name}.exr", "--render", name)
             for end in ("exr", "png"):
