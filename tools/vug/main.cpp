@@ -106,7 +106,6 @@ Error unexpected_argument_error(const CLI::App& app) {
                did_you_mean(name, option_names(*command), help));
 }
 
-/// The error for a command line whose verb is missing, or unknown and preceded by options.
 /// Throws an Error for an option that takes one value and is given several times.
 void throw_if_repeated(const CLI::ParseError& error) {
   const std::string text = error.what();
@@ -117,6 +116,7 @@ void throw_if_repeated(const CLI::ParseError& error) {
                 "it takes one value");
 }
 
+/// The error for a command line whose verb is missing, or unknown and preceded by options.
 Error missing_verb_error(const CLI::App& app) {
   const std::vector<std::string> words = app.remaining();
   if (words.empty()) return unknown_verb_error("", verb_names());

@@ -178,6 +178,7 @@ std::string correction(const ParamInfo& info, const Value& given) {
     if (const auto found = directions.find(name->text); found != directions.end())
       return fmt::format("write {}", found->second);
   }
+  if (!takes_vector && info.type.find("paint") == std::string::npos) return {};
   const auto* text = given.get<std::string>();
   const bool is_code = text && text->size() > 1 && text->front() == '#' &&
                        text->find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;

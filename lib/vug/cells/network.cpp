@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/disjoint_sets.h>
 #include <vug/base/error.h>
 #include <vug/cells/network.h>
-#include <vug/mesh/disjoint_sets.h>
 
 #include <fmt/format.h>
 
@@ -58,7 +58,7 @@ uint64_t position_key(const Vec3f& p) {
 }
 
 std::vector<uint32_t> components(const Links& links) {
-  mesh::DisjointSets sets(links.size());
+  DisjointSets<> sets(links.size());
   for (uint32_t i = 0; i < links.size(); ++i)
     for (const uint32_t to : links.of(i)) sets.join(i, to);
   std::vector<uint32_t> piece(links.size(), kNone);

@@ -39,7 +39,7 @@ class Flow {
       const bool upstream = passage.water && passage.water_tier == tier && passage.from != from;
       return cost(from, arc) * (upstream ? kUpstream : options_.cost.reuse + kLeast);
     };
-    const SearchTree tree = search(plan_.graph(), {source}, with_reuse, [&](int point, double) {
+    const SearchTree tree = search(plan_.graph(), source, with_reuse, [&](int point) {
       return is_end(point) ? Visit::stop : Visit::expand;
     });
     if (tree.reached < 0)
@@ -56,8 +56,7 @@ class Flow {
     Passage passage = plan_.passage(edge);
     if (passage.from < 0) {
       passage.tier = tier;
-      const bool dry = cost_.above_table(tier, from) + cost_.above_table(tier, to) > 0;
-      passage.stage = dry ? network::Stage::vadose : network::Stage::phreatic;
+      passage.stage = cost_.stage(tier, from, to);
     }
     // Former water does not add to younger water, which may also run the other way.
     if (!passage.water || passage.water_tier != tier) {

@@ -17,8 +17,10 @@ class FlowCost {
     return above_[static_cast<size_t>(tier)][static_cast<size_t>(point)];
   }
   /// The zone of a point at the time of a tier.
-  network::Stage stage(int tier, int point) const {
-    return above_table(tier, point) > 0 ? network::Stage::vadose : network::Stage::phreatic;
+  network::Stage stage(int tier, int point) const { return stage_at(above_table(tier, point)); }
+  /// The zone of the middle between two points at the time of a tier.
+  network::Stage stage(int tier, int a, int b) const {
+    return stage_at(above_table(tier, a) + above_table(tier, b));
   }
   /// The tier whose water table is nearest to a point.
   int nearest_tier(int point) const;
@@ -27,10 +29,15 @@ class FlowCost {
   double vadose(int from, const Arc& arc) const;
   /// Legs at the water table are free of the weight, deep ones and dry ones have it.
   double phreatic(int tier, int from, const Arc& arc) const;
-  /// The cost by the zone of the arc's middle, for passages without known flow.
-  double anywhere(int tier, int from, const Arc& arc) const;
+  /// The cost by the zone of the arc's middle at the time of the tier that is nearest to its end,
+  /// for passages without known flow.
+  double anywhere(int from, const Arc& arc) const;
 
  private:
+  static network::Stage stage_at(double above) {
+    return above > 0 ? network::Stage::vadose : network::Stage::phreatic;
+  }
+
   const SampleGraph& graph_;
   const CostOptions& options_;
   std::vector<std::vector<double>> above_;  ///< For each tier and point.

@@ -44,7 +44,8 @@ double FlowCost::phreatic(int tier, int from, const Arc& arc) const {
   return graph_.cost[static_cast<size_t>(arc.edge)] * (1 + weight);
 }
 
-double FlowCost::anywhere(int tier, int from, const Arc& arc) const {
+double FlowCost::anywhere(int from, const Arc& arc) const {
+  const int tier = nearest_tier(arc.to);
   const double above = (above_table(tier, from) + above_table(tier, arc.to)) / 2;
   if (above <= 0) return phreatic(tier, from, arc);
   // The direction of the water is unknown, so only steepness matters.

@@ -83,17 +83,13 @@ class Growth {
     return any_of(points);
   }
 
-  double open_cost(int from, const Arc& arc) const {
-    return cost_.anywhere(cost_.nearest_tier(arc.to), from, arc);
-  }
-
   bool add_dead_end() {
     const int from = start();
     const double length =
         options_.dead_end_length * maths::exp(options_.dead_end_spread * random_.normal());
     const SearchTree tree = search(
-        plan_.graph(), {from}, [&](int at, const Arc& arc) { return open_cost(at, arc); },
-        [&](int point, double) {
+        plan_.graph(), from, [&](int at, const Arc& arc) { return cost_.anywhere(at, arc); },
+        [&](int point) {
           if (point == from) return Visit::expand;
           if (plan_.contains(point)) return Visit::block;
           return (position(point) - position(from)).length() >= length ? Visit::stop
@@ -107,14 +103,14 @@ class Growth {
   bool add_loop() {
     const int from = start();
     const SearchTree existing = search(
-        plan_.graph(), {from},
+        plan_.graph(), from,
         [&](int, const Arc& arc) {
           return plan_.has(arc.edge) ? plan_.graph().length(arc.edge) : kInfinity;
         },
-        [](int, double) { return Visit::expand; });
+        [](int) { return Visit::expand; });
     const SearchTree tree = search(
-        plan_.graph(), {from}, [&](int at, const Arc& arc) { return open_cost(at, arc); },
-        [&](int point, double) {
+        plan_.graph(), from, [&](int at, const Arc& arc) { return cost_.anywhere(at, arc); },
+        [&](int point) {
           if (point == from || !plan_.contains(point)) return Visit::expand;
           const double distance = (position(point) - position(from)).length();
           const bool far = distance >= options_.loop_least && distance <= options_.loop_most;
@@ -134,11 +130,8 @@ class Growth {
     for (int point = tree.reached; point != from; point = tree.parent[static_cast<size_t>(point)]) {
       const int before = tree.parent[static_cast<size_t>(point)];
       const int tier = cost_.nearest_tier(point);
-      const double above = cost_.above_table(tier, point) + cost_.above_table(tier, before);
       plan_.set(tree.parent_edge[static_cast<size_t>(point)],
-                {.from = point,
-                 .stage = above > 0 ? network::Stage::vadose : network::Stage::phreatic,
-                 .tier = tier});
+                {.from = point, .stage = cost_.stage(tier, point, before), .tier = tier});
     }
   }
 

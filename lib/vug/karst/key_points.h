@@ -17,7 +17,7 @@ struct KeyPoints {
 /// The key points of the geology; missing sinks, springs and waypoints are random: sinks on the
 /// surface, springs at the water table on the side towards which the table falls, waypoints on beds
 /// (or in permeable balls) at distances from each other. Throws Error(bad_input) if they cannot be
-/// placed, or if the network would have less than two key points.
+/// placed, or if the network would have fewer than two key points.
 KeyPoints key_points(const Rock& rock, const KarstOptions& options);
 
 }  // namespace vug::karst

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/disjoint_sets.h>
 #include <vug/base/parallel.h>
 #include <vug/karst/point_grid.h>
 #include <vug/karst/sample_graph.h>
@@ -18,32 +19,16 @@ void sort_edges(std::vector<Edge>& edges) {
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
 
-/// The root of a point's component; paths are halved on the way.
-int root_of(std::vector<int>& parent, int point) {
-  while (parent[static_cast<size_t>(point)] != point) {
-    int& up = parent[static_cast<size_t>(point)];
-    up = parent[static_cast<size_t>(up)];
-    point = up;
-  }
-  return point;
-}
-
-/// Joins each component except the first one's to the nearest point of another component.
+/// Joins each component but the first to the nearest point of another one.
 void join_components(const std::vector<Vec3d>& points, std::vector<Edge>& edges) {
-  std::vector<int> parent(points.size());
-  for (size_t i = 0; i < parent.size(); ++i) parent[i] = static_cast<int>(i);
-  const auto join = [&](int a, int b) {
-    const int root_a = root_of(parent, a);
-    const int root_b = root_of(parent, b);
-    parent[static_cast<size_t>(std::max(root_a, root_b))] = std::min(root_a, root_b);
-  };
-  for (const auto& [a, b] : edges) join(a, b);
+  DisjointSets<int> components(points.size());
+  for (const auto& [a, b] : edges) components.join(a, b);
   for (size_t i = 1; i < points.size(); ++i) {
     // Roots are the first points of their components, so members are found from here on.
-    if (root_of(parent, static_cast<int>(i)) != static_cast<int>(i)) continue;
+    if (components.root(static_cast<int>(i)) != static_cast<int>(i)) continue;
     std::vector<int> members;
     for (size_t j = i; j < points.size(); ++j)
-      if (root_of(parent, static_cast<int>(j)) == static_cast<int>(i))
+      if (components.root(static_cast<int>(j)) == static_cast<int>(i))
         members.push_back(static_cast<int>(j));
     const size_t step = (members.size() + kMostProbes - 1) / kMostProbes;
     double least = kInfinity;
@@ -51,7 +36,7 @@ void join_components(const std::vector<Vec3d>& points, std::vector<Edge>& edges)
     for (size_t m = 0; m < members.size(); m += step)
       for (size_t j = 0; j < points.size(); ++j) {
         const double distance = (points[j] - points[static_cast<size_t>(members[m])]).length2();
-        if (distance >= least || root_of(parent, static_cast<int>(j)) == static_cast<int>(i))
+        if (distance >= least || components.root(static_cast<int>(j)) == static_cast<int>(i))
           continue;
         least = distance;
         best = {std::min(members[m], static_cast<int>(j)),
@@ -59,7 +44,7 @@ void join_components(const std::vector<Vec3d>& points, std::vector<Edge>& edges)
       }
     if (least == kInfinity) break;
     edges.push_back(best);
-    join(best[0], best[1]);
+    components.join(best[0], best[1]);
   }
 }
 

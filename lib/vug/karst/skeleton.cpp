@@ -9,7 +9,7 @@
 namespace vug::karst {
 namespace {
 
-constexpr int kNearest = 16;  ///< Ways to more than this number of key points are not regarded.
+constexpr int kNearest = 16;  ///< Only ways to this number of nearest key points count.
 
 /// Adds the passages of a way; passages that exist keep their flow.
 void add_path(const FlowCost& cost, const std::vector<int>& path, Plan& plan) {
@@ -19,15 +19,10 @@ void add_path(const FlowCost& cost, const std::vector<int>& path, Plan& plan) {
     const int tier = cost.nearest_tier(path[i]);
     // Without a known flow the higher end is upstream.
     const bool falls = cost.above_table(0, path[i - 1]) >= cost.above_table(0, path[i]);
-    const double above = cost.above_table(tier, path[i - 1]) + cost.above_table(tier, path[i]);
     plan.set(edge, {.from = falls ? path[i - 1] : path[i],
-                    .stage = above > 0 ? network::Stage::vadose : network::Stage::phreatic,
+                    .stage = cost.stage(tier, path[i - 1], path[i]),
                     .tier = tier});
   }
-}
-
-double neutral_cost(const FlowCost& cost, int from, const Arc& arc) {
-  return cost.anywhere(cost.nearest_tier(arc.to), from, arc);
 }
 
 /// The ways from one key point to the nearest others.
@@ -42,8 +37,8 @@ Ways ways_from(const FlowCost& cost, const std::vector<int>& points,
             std::vector<std::vector<int>>(points.size())};
   int found = 0;
   const SearchTree tree = search(
-      graph, {points[key]}, [&](int from, const Arc& arc) { return neutral_cost(cost, from, arc); },
-      [&](int point, double) {
+      graph, points[key], [&](int from, const Arc& arc) { return cost.anywhere(from, arc); },
+      [&](int point) {
         if (key_of_point[static_cast<size_t>(point)] >= 0) ++found;
         return found > kNearest ? Visit::stop : Visit::expand;
       });
@@ -95,12 +90,12 @@ void connect(const FlowCost& cost, const std::vector<int>& points, Plan& plan) {
   const int start = plan.contains(points.front()) ? points.front() : network.front();
   for (const int point : points) {
     const SearchTree part = search(
-        graph, {start}, [&](int, const Arc& arc) { return plan.has(arc.edge) ? 1.0 : kInfinity; },
-        [&](int at, double) { return at == point ? Visit::stop : Visit::expand; });
+        graph, start, [&](int, const Arc& arc) { return plan.has(arc.edge) ? 1.0 : kInfinity; },
+        [&](int at) { return at == point ? Visit::stop : Visit::expand; });
     if (part.reached == point) continue;
     const SearchTree way = search(
-        graph, {point}, [&](int from, const Arc& arc) { return neutral_cost(cost, from, arc); },
-        [&](int at, double) {
+        graph, point, [&](int from, const Arc& arc) { return cost.anywhere(from, arc); },
+        [&](int at) {
           return part.cost[static_cast<size_t>(at)] < kInfinity ? Visit::stop : Visit::expand;
         });
     add_path(cost, way.path_to(way.reached), plan);

@@ -177,11 +177,6 @@ void report_entry(const char* key, const shot::RenderPlan& plan, const scene::Do
 
 }  // namespace
 
-void require_valid(const shot::Shot& shot, const shot::RenderPlan& plan) {
-  expected_aovs(shot, plan);
-  require_valid_crop(plan);
-}
-
 void validate(const shot::Shot& shot, const scene::Document& document, Diagnostics& diagnostics) {
   const bool whole = !diagnostics.has_errors();
   for (const auto& [name, light] : shot.lights)

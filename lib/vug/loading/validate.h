@@ -23,11 +23,9 @@ bool is_empty_scene(const shot::Shot& shot);
 /// Error(bad_input), located at the plan's name.
 render::AovPlan expected_aovs(const shot::Shot& shot, const shot::RenderPlan& plan);
 
-/// Error(bad_input), located at the plan's name, for a crop outside the picture and unknown AOVs.
-void require_valid(const shot::Shot& shot, const shot::RenderPlan& plan);
-
-/// Reports all such faults at their declarations. Names that may be missing only because of a fault
-/// that has already been reported are ignored.
+/// Reports unknown AOVs, crops outside the picture and names in links and selections that no object
+/// has, at the entries or declarations that contain them. Names that may be missing only because of
+/// a fault that has already been reported are ignored.
 void validate(const shot::Shot& shot, const scene::Document& document, Diagnostics& diagnostics);
 
 }  // namespace vug::loading

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/disjoint_sets.h>
 #include <vug/base/parallel.h>
-#include <vug/mesh/disjoint_sets.h>
 #include <vug/mesh/topology.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@ HalfEdgeEnds ends(const Mesh& mesh, uint32_t h) {
 }
 
 /// Joins corners (numbered like the half-edges that leave them) that share a vertex and an edge.
-DisjointSets find_fans(const Mesh& mesh, const Edges& edges) {
-  DisjointSets fans(3 * mesh.triangles.size());
+DisjointSets<> find_fans(const Mesh& mesh, const Edges& edges) {
+  DisjointSets<> fans(3 * mesh.triangles.size());
   for (const Edge& edge : edges.edges)
     for (uint32_t i = 1; i < edge.count; ++i) {
       uint32_t a = edges.half_edges[edge.begin];
@@ -32,8 +32,8 @@ DisjointSets find_fans(const Mesh& mesh, const Edges& edges) {
   return fans;
 }
 
-size_t count_boundary_loops(const Edges& edges, DisjointSets& fans) {
-  DisjointSets loops(fans.size());
+size_t count_boundary_loops(const Edges& edges, DisjointSets<>& fans) {
+  DisjointSets<> loops(fans.size());
   size_t count = 0;
   std::vector<char> seen(fans.size(), 0);
   for (const Edge& edge : edges.edges) {
@@ -91,7 +91,7 @@ Edges find_edges(const Mesh& mesh) {
 }
 
 std::vector<uint32_t> face_components(const Mesh& mesh, const Edges& edges) {
-  DisjointSets pieces(mesh.triangles.size());
+  DisjointSets<> pieces(mesh.triangles.size());
   for (const Edge& edge : edges.edges)
     for (uint32_t i = 1; i < edge.count; ++i)
       pieces.join(edges.half_edges[edge.begin] / 3, edges.half_edges[edge.begin + i] / 3);
@@ -120,7 +120,7 @@ Topology inspect(const Mesh& mesh, const Edges& edges) {
   for (const uint32_t label : face_components(mesh, edges))
     topology.components = std::max<size_t>(topology.components, label + size_t{1});
 
-  DisjointSets fans = find_fans(mesh, edges);
+  DisjointSets<> fans = find_fans(mesh, edges);
   std::vector<uint32_t> fans_of(mesh.positions.size(), 0);
   size_t fan_count = 0;
   for (uint32_t corner = 0; corner < fans.size(); ++corner)

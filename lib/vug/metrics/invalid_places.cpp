@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/mesh/disjoint_sets.h>
+#include <vug/base/disjoint_sets.h>
 #include <vug/metrics/invalid_places.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::vector<InvalidPlace> invalid_places(const mesh::Mesh& mesh,
     return static_cast<uint32_t>(std::lower_bound(faces.begin(), faces.end(), face) -
                                  faces.begin());
   };
-  mesh::DisjointSets sets(faces.size());
+  DisjointSets<> sets(faces.size());
   for (const auto& [low, high] : pairs) sets.join(index(low), index(high));
   // Triangles of one group may intersect none of the others, but share corners with them.
   std::map<uint32_t, uint32_t> seen;  // The first triangle at each corner.

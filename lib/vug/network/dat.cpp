@@ -51,7 +51,7 @@ constexpr const char* kNodeForm = "a line of nodes is 'x y z' in metres";
 constexpr const char* kLinkForm = "a line of links is 'i j', two stations counted from 1";
 
 double coordinate(mesh::TextScanner& scanner, std::string_view word) {
-  if (word.empty()) scanner.fail("the line has less than three coordinates", kNodeForm);
+  if (word.empty()) scanner.fail("the line has fewer than three coordinates", kNodeForm);
   const double value = scanner.number(word);
   if (!(value >= -kLargest && value <= kLargest))
     scanner.fail(fmt::format("the coordinate {} is out of range", value),
@@ -60,7 +60,7 @@ double coordinate(mesh::TextScanner& scanner, std::string_view word) {
 }
 
 int station_index(mesh::TextScanner& scanner, std::string_view word, size_t stations) {
-  if (word.empty()) scanner.fail("the line has less than two stations", kLinkForm);
+  if (word.empty()) scanner.fail("the line has fewer than two stations", kLinkForm);
   const int64_t number = scanner.integer(word);
   if (number < 1 || number > static_cast<int64_t>(stations))
     scanner.fail(fmt::format("station {} does not exist", number),

@@ -90,7 +90,7 @@ double folded_azimuth(const Vec3d& vector) {
 
 Metrics measure(const Network& network) {
   const PlacedGraph cave = cave_graph(network);
-  const Reduction reduction = reduce(network);
+  const Reduction reduction = reduce(network, cave);
   const Graph& graph = reduction.graph;
   Metrics metrics;
   metrics.stations = cave.graph.nodes;

@@ -110,8 +110,9 @@ PlacedGraph cave_graph(const Network& network) {
   return cave;
 }
 
-Reduction reduce(const Network& network) {
-  const PlacedGraph cave = cave_graph(network);
+Reduction reduce(const Network& network) { return reduce(network, cave_graph(network)); }
+
+Reduction reduce(const Network& network, const PlacedGraph& cave) {
   Reduction reduction;
   for (std::vector<int>& chain : BranchWalk(cave.graph).branches(reduction.nodes)) {
     for (int& node : chain) node = cave.stations[static_cast<size_t>(node)];

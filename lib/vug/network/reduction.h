@@ -30,11 +30,15 @@ struct Reduction {
 /// and with legs in the order of the network. Throws like require_valid.
 Reduction reduce(const Network& network);
 
-/// The stations and legs that `reduce` uses, as a graph with the positions of its nodes.
+/// The stations and legs that `reduce` uses, as a graph with the stations of its nodes.
 struct PlacedGraph {
   Graph graph;
-  std::vector<int> stations;  ///< The station of each node.
+  std::vector<int> stations;  ///< The station of each node, in ascending order.
 };
+/// Throws like require_valid.
 PlacedGraph cave_graph(const Network& network);
+
+/// The reduced graph of a network whose cave graph is known.
+Reduction reduce(const Network& network, const PlacedGraph& cave);
 
 }  // namespace vug::network

@@ -26,8 +26,6 @@ struct SweptPassage {
   std::map<int, std::pair<double, double>> stations;  // Arc length and smaller size.
 };
 
-double smaller(const CurvePoint& p) { return std::min(p.width, p.height); }
-
 void check_options(const PassageOptions& o) {
   const auto refuse_option = [](const std::string& message, const std::string& hint) {
     throw Error(ErrorCode::bad_input, message, {}, hint);
@@ -110,7 +108,7 @@ std::vector<SectionFrame> section_frames(const Curve& curve, const PassageOption
 
 /// Shortens a passage at an end that lies inside another one.
 void trim_start(Curve& curve) {
-  double left = std::min(kTrim * 0.5 * smaller(curve.front()), 0.4 * arc_lengths(curve).back());
+  double left = std::min(kTrim * 0.5 * curve.front().smaller(), 0.4 * arc_lengths(curve).back());
   while (curve.size() > 2) {
     const double length = (curve[1].position - curve[0].position).length();
     if (length > left) break;
@@ -138,8 +136,8 @@ Segment segment_between(const SectionFrame& a, const SectionFrame& b) {
 SweptPassage swept(Curve curve, const Chain& chain, const PassageOptions& options) {
   SweptPassage out;
   if (curve.size() < 2) return out;
-  out.start_size = smaller(curve.front());
-  out.end_size = smaller(curve.back());
+  out.start_size = curve.front().smaller();
+  out.end_size = curve.back().smaller();
   if (chain.start_meets) trim_start(curve);
   if (chain.end_meets) {
     std::reverse(curve.begin(), curve.end());
@@ -149,7 +147,7 @@ SweptPassage swept(Curve curve, const Chain& chain, const PassageOptions& option
   const std::vector<SectionFrame> sections = section_frames(curve, options);
   for (size_t i = 0; i < curve.size(); ++i) {
     if (curve[i].station >= 0 && curve[i].fixed)
-      out.stations[curve[i].station] = {out.length, smaller(curve[i])};
+      out.stations[curve[i].station] = {out.length, curve[i].smaller()};
     if (i + 1 == curve.size()) break;
     const double length = (curve[i + 1].position - curve[i].position).length();
     if (!(length > 0)) continue;
@@ -186,12 +184,11 @@ struct Meeting {
 }  // namespace
 
 std::vector<SectionRule> default_rules() {
-  const SectionFamilyPtr tube = make_family("tube"), canyon = make_family("canyon");
+  const SectionFamilyPtr canyon = make_family("canyon");
   const double level = kPi / 3;
   return {{.family = canyon, .stage = network::Stage::vadose, .max_ratio = 1, .max_dip = level},
           {.family = canyon, .stage = network::Stage::unknown, .max_ratio = 0.5, .max_dip = level},
-          {.family = make_family("lens"), .min_ratio = 2, .max_dip = level},
-          {.family = tube}};
+          {.family = make_family("lens"), .min_ratio = 2, .max_dip = level}};
 }
 
 field::Field passages(const network::Network& network, const PassageOptions& options) {

@@ -34,10 +34,13 @@ struct SectionRule {
   std::optional<Bed> bed = std::nullopt;  ///< Only within the bed.
 };
 
-/// Canyons where the stage is vadose, or unknown and the passage less than half as wide as high;
-/// lenses where it is more than twice as wide; tubes elsewhere. Passages steeper than 60 degrees
-/// are tubes.
+/// Canyons where the stage is vadose and the passage is not wider than high, or where the stage is
+/// unknown and it is less than half as wide as high; lenses where it is more than twice as wide as
+/// high. No rule applies to passages steeper than 60 degrees.
 std::vector<SectionRule> default_rules();
+
+inline constexpr double kDefaultChamber = 1.3;
+inline constexpr double kDefaultFillet = 0.15;
 
 struct PassageOptions {
   DefaultSize size;                                  ///< Where walls were not measured.
@@ -47,9 +50,10 @@ struct PassageOptions {
   SmoothOptions bends;
   MeanderOptions meanders;
   bool splays = true;  ///< Sections from splays, where a station has enough of them.
-  double chamber =
-      1.3;  ///< Factor of sizes that were not measured where passages meet, at least 1.
-  double fillet = 0.15;  ///< Radius of fillets at junctions over half the smaller size, 0 to 1.
+  /// Factor of sizes that were not measured where passages meet, 1 to 10.
+  double chamber = kDefaultChamber;
+  /// Radius of fillets at junctions over half the smaller size, 0 to 1.
+  double fillet = kDefaultFillet;
 };
 
 /// The union of all passages, negative inside, in metres; see docs/explanation/passages.md. Its

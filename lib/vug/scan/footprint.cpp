@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/mesh/disjoint_sets.h>
+#include <vug/base/disjoint_sets.h>
 #include <vug/scan/bins.h>
 #include <vug/scan/footprint.h>
 
@@ -21,7 +21,7 @@ std::vector<Vec2d> on_plane(const PointCloud& cloud, const PlaneFrame& frame,
 
 Imath::Box2d extent(const std::vector<Vec2d>& points) {
   const Bins bins = bin_points(points, kGap);
-  mesh::DisjointSets groups(bins.keys.size());
+  DisjointSets<> groups(bins.keys.size());
   for (size_t i = 0; i < bins.keys.size(); ++i)
     for (const BinKey& step : {BinKey{0, 1}, {1, -1}, {1, 0}, {1, 1}}) {
       const int64_t other =

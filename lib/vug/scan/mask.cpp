@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/disjoint_sets.h>
 #include <vug/base/parallel.h>
-#include <vug/mesh/disjoint_sets.h>
 #include <vug/scan/mask.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ Mask outside_of(const Mask& solid) {
 }
 
 void each_component(const Mask& mask, const std::function<void(const Component&)>& visit) {
-  mesh::DisjointSets sets(mask.on.size());
+  DisjointSets<> sets(mask.on.size());
   for (int y = 0; y < mask.height; ++y)
     for (int x = 0; x < mask.width; ++x) {
       if (!mask.at(x, y)) continue;

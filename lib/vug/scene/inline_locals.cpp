@@ -163,8 +163,9 @@ class SizeChecker {
     diagnostics_.error(
         where,
         size.levels > kMaxLevels
-            ? fmt::format("the names of 'where' make more than {} levels", kMaxLevels)
-            : fmt::format("the names of 'where' make more than {:.0f} operations", kMaxOperations),
+            ? fmt::format("the names of 'where' expand to more than {} levels", kMaxLevels)
+            : fmt::format("the names of 'where' expand to more than {:.0f} operations",
+                          kMaxOperations),
         "each use of a name in this rule repeats its expression");
     return {1, 1};
   }
@@ -194,8 +195,8 @@ void check_locals(const std::vector<Let>& locals, const std::vector<ExprPtr>& us
   for (const Let& local : locals)
     if (const Expr* draw = find_draw(*local.value, drawing))
       diagnostics.error(draw->extent,
-                        fmt::format("'{}' draws a random number, which each use of it would repeat "
-                                    "with another value",
+                        fmt::format("'{}' draws a random number, and each use of it would draw "
+                                    "another one",
                                     local.name),
                         "pass it as a parameter of a symbol, or write the draw where it is used");
   SizeChecker sizes(locals, diagnostics);

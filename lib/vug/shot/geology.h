@@ -39,6 +39,26 @@ inline ParamSpec dip_angle(std::string doc, double most) {
   return {.doc = std::move(doc), .dimension = Dimension::angle, .min = 0, .max = most};
 }
 
+/// The parameter of a feature at one point.
+inline ParamSpec position() {
+  return {.doc = "its position", .dimension = Dimension::length, .required = true};
+}
+
+/// The parameters of a feature that is a plane: a bed or a water table.
+struct LayerFeature {
+  Vec3d at{0, 0, 0};
+  double dip = 0;
+  double towards = 0;
+
+  template <class P>
+  static void describe(Schema<P>& s) {
+    s.param("at", &LayerFeature::at, any_length("a point of the plane"))
+        .param("dip", &LayerFeature::dip, dip_angle("steepness of the plane", 1.5))
+        .param("towards", &LayerFeature::towards, compass("direction in which it falls"));
+  }
+  karst::Layer layer() const { return {.point = at, .dip = dip, .dip_azimuth = towards}; }
+};
+
 /// Begins the definition of the function that the source of such a kind exports.
 #define VUG_GEOLOGY_KIND(name) VUG_EXPORT_KIND(vug::shot, GeologyKind, name##_geology)
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/xml.h>
 #include <vug/survey/drawing.h>
 
 #include <vug/survey/extended_elevation.h>
@@ -34,23 +35,6 @@ struct Canvas {
   }
 };
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (static_cast<unsigned char>(c) >= 0x20 && static_cast<unsigned char>(c) < 0x80)
-      out += c;
-    else
-      out += '?';
-  }
-  return out;
-}
-
 const char* style_of_leg(const Leg& leg) {
   return leg.splay                      ? "splay"
          : leg.surface                  ? "surface"
@@ -83,7 +67,7 @@ std::string document(Canvas& canvas, const Survey& survey, const char* view) {
       ".splay,.width{{stroke:#9ab}}.surface{{stroke:#5a5;stroke-dasharray:{:.3f}}}"
       ".duplicate{{stroke:#999}}.nosurvey,.cut{{stroke-dasharray:{:.3f}}}"
       ".entrance{{fill:#c33}}.fixed{{fill:#36c}}text{{font:{:.3f}px sans-serif}}</style>\n",
-      left, top, width, height, escaped(survey.title.empty() ? "Cave survey" : survey.title), view,
+      left, top, width, height, xml_text(survey.title.empty() ? "Cave survey" : survey.title), view,
       0.002 * extent, 0.01 * extent, 0.005 * extent, text);
   out += canvas.content;
   const double y = top + height - 0.4 * margin, x = left + 0.5 * margin;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/survey/extended_elevation.h>
 
-#include <vug/survey/disjoint_stations.h>
+#include <vug/base/disjoint_sets.h>
 
 #include <cmath>
 #include <deque>
@@ -14,7 +14,7 @@ size_t index_of(int i) { return static_cast<size_t>(i); }
 
 struct Unfolding {
   const Survey& survey;
-  DisjointStations points;
+  DisjointSets<int> points;
   std::vector<std::vector<int>> legs_of;          ///< By the root of a point.
   std::vector<std::optional<double>> horizontal;  ///< By the root of a point, in metres.
   std::vector<bool> drawn;                        ///< By leg.

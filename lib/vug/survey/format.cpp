@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/atomic_file.h>
 #include <vug/survey/format.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-
 namespace vug::survey {
 
 const Format& format_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
+  std::string extension = extension_of(file);
   if (!extension.empty()) extension.erase(0, 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   std::vector<std::string> known;
   for (const Format* format : formats()) {
     if (format->info.name == extension) return *format;

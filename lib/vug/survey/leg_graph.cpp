@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/survey/leg_graph.h>
 
-#include <vug/survey/disjoint_stations.h>
+#include <vug/base/disjoint_sets.h>
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ size_t as_index(int i) { return static_cast<size_t>(i); }
 
 /// For each station the first of the stations that are equated to it.
 std::vector<int> first_equals(const Observations& observations) {
-  DisjointStations sets(observations.stations.size());
+  DisjointSets<int> sets(observations.stations.size());
   for (const Equate& each : observations.equates) sets.join(each.a, each.b);
   std::vector<int> first;
   for (size_t i = 0; i < observations.stations.size(); ++i)

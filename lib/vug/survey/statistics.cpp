@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/survey/statistics.h>
 
-#include <vug/survey/disjoint_stations.h>
+#include <vug/base/disjoint_sets.h>
 
 #include <cmath>
 
@@ -48,7 +48,7 @@ void measure_lengths(const Survey& survey, Statistics& out) {
 
 Statistics measure(const Survey& survey) {
   Statistics out;
-  DisjointStations sets(survey.stations.size()), equal(survey.stations.size());
+  DisjointSets<int> sets(survey.stations.size()), equal(survey.stations.size());
   std::vector<int> degrees(survey.stations.size(), 0);
   const auto connect = [&](int a, int b) {
     ++out.legs;

@@ -2,9 +2,9 @@
 // Removes small components from a surface without a mesh. Lattice points on one side of the surface
 // that are neighbours along an axis are connected; small sets change sides, so that the remaining
 // surface is still watertight.
+#include <vug/base/disjoint_sets.h>
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
-#include <vug/mesh/disjoint_sets.h>
 #include <vug/volume/surface_bricks.h>
 
 #include <algorithm>
@@ -89,7 +89,7 @@ size_t SurfaceBricks::flip_small_sets(double smallest) {
         "a surface with this number of voxels is too large for the removal of small components", {},
         "omit 'smallest_piece', or use a larger voxel");
   const BrickFinder finder(bricks_);
-  mesh::DisjointSets sets(bricks_.size() * kPoints);
+  DisjointSets<> sets(bricks_.size() * kPoints);
   std::vector<uint32_t> open;
   for (uint32_t b = 0; b < bricks_.size(); ++b) {
     const SurfaceBrick& brick = bricks_[b];

@@ -65,8 +65,8 @@ TEST(Search, FindsTheCheapestWays) {
   RandomStream random(RandomKey(3));
   for (size_t e = 0; e < graph.edges.size(); ++e) graph.cost.push_back(random.uniform(0.1, 3));
   const SearchTree tree = search(
-      graph, {5}, [&](int, const Arc& arc) { return graph.cost[static_cast<size_t>(arc.edge)]; },
-      [](int, double) { return Visit::expand; });
+      graph, 5, [&](int, const Arc& arc) { return graph.cost[static_cast<size_t>(arc.edge)]; },
+      [](int) { return Visit::expand; });
   const std::vector<double> expected = relaxed_costs(graph, 5);
   for (size_t i = 0; i < expected.size(); ++i) {
     EXPECT_NEAR(tree.cost[i], expected[i], 1e-9);
@@ -79,9 +79,8 @@ TEST(Search, FindsTheCheapestWays) {
 TEST(Search, DoesNotPassBlockedPoints) {
   SampleGraph graph = build_graph({Vec3d(0.0), Vec3d(1, 0, 0), Vec3d(2, 0, 0)}, 1);
   const auto unit = [](int, const Arc&) { return 1.0; };
-  const SearchTree tree = search(graph, {0}, unit, [](int point, double) {
-    return point == 1 ? Visit::block : Visit::expand;
-  });
+  const SearchTree tree =
+      search(graph, 0, unit, [](int point) { return point == 1 ? Visit::block : Visit::expand; });
   EXPECT_EQ(tree.cost[1], 1);
   EXPECT_EQ(tree.cost[2], kInfinity);
   EXPECT_EQ(tree.reached, -1);
@@ -92,7 +91,7 @@ TEST(SampleGraph, JoinsSeparateGroups) {
   for (int i = 0; i < 40; ++i) points.push_back(points[static_cast<size_t>(i)] + Vec3d(1000, 0, 0));
   const SampleGraph graph = build_graph(points, 5);
   const SearchTree tree = search(
-      graph, {0}, [](int, const Arc&) { return 1.0; }, [](int, double) { return Visit::expand; });
+      graph, 0, [](int, const Arc&) { return 1.0; }, [](int) { return Visit::expand; });
   for (const double cost : tree.cost) EXPECT_LT(cost, kInfinity);
   for (size_t i = 0; i < graph.points.size(); ++i)
     EXPECT_GE(graph.first[i + 1] - graph.first[i], 5);

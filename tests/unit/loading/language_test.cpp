@@ -44,6 +44,16 @@ TEST(Language, ExamplesAreValid) {
   }
 }
 
+TEST(Language, NetworksOfTheirPageMakeSolids) {
+  const std::vector<std::string> examples = blocks("vug", "reference/networks.md");
+  ASSERT_GE(examples.size(), 2u);
+  for (const std::string& example : examples) {
+    const Loaded loaded = load_text(example, "networks.md");
+    EXPECT_EQ(loaded.report(), "") << example;
+    EXPECT_EQ(loaded.shot.volumes.size(), 1u) << example;
+  }
+}
+
 TEST(Language, FacadesOfTheirPageDivide) {
   const std::vector<std::string> examples = blocks("vug", "reference/facades.md");
   ASSERT_GE(examples.size(), 2u);

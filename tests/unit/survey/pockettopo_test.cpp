@@ -96,7 +96,7 @@ TEST(PocketTopo, RepeatedShotsAreAveraged) {
   EXPECT_NEAR(survey.legs[1].vector.x, std::sqrt(2.0), 1e-3);
   EXPECT_TRUE(survey.stations[static_cast<size_t>(survey.legs[1].leg.to)].wall);
   ASSERT_EQ(survey.equates.size(), 1U);
-  // Plain numbers count from the smallest integer; without a trip there is no declination.
+  // Plain numbers count from the smallest integer. A leg outside of all trips keeps its bearing.
   EXPECT_EQ(survey.stations[static_cast<size_t>(survey.legs[3].leg.to)].name, "7");
   EXPECT_NEAR(survey.legs[3].vector.x, -5 * std::sin(4 * kPi / 180), 1e-3);
   EXPECT_FALSE(survey.legs[3].leg.date);

@@ -95,10 +95,7 @@ void check_placement(loading::Loaded& loaded) {
                        });
   };
   for (const Diagnostic& one : found.all())
-    if (!is_known(one))
-      one.severity == Severity::error
-          ? loaded.diagnostics.error(one.where, one.message, one.hint)
-          : loaded.diagnostics.warning(one.where, one.message, one.hint);
+    if (!is_known(one)) loaded.diagnostics.add(one);
 }
 
 bool is_without_products(const shot::Shot& shot) {

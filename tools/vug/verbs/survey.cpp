@@ -5,14 +5,11 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
-#include <vug/base/pluralize.h>
-#include <vug/scene/utf8.h>
+#include <vug/scene/report.h>
 #include <vug/survey/drawing.h>
 #include <vug/survey/read_survey.h>
 #include <vug/survey/report.h>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace vug::cli {
 namespace {
@@ -23,20 +20,6 @@ struct Options {
   bool allow_outside = false;
   std::string plan, elevation, output;
 };
-
-/// Prints the first warnings, and the number of the others.
-void print_warnings(const Diagnostics& warnings) {
-  constexpr size_t kMost = 20;
-  const std::vector<Diagnostic>& all = warnings.all();
-  for (size_t i = 0; i < std::min(all.size(), kMost); ++i) {
-    const std::string where = to_string(all[i].where);
-    fmt::print(stderr, "{}{}warning: {}\n", scene::printable(where), where.empty() ? "" : ": ",
-               scene::printable(all[i].message));
-    if (!all[i].hint.empty()) fmt::print(stderr, "hint: {}\n", scene::printable(all[i].hint));
-  }
-  if (all.size() > kMost)
-    fmt::print(stderr, "warning: {} not shown\n", pluralize(all.size() - kMost, "more warning"));
-}
 
 int run(const Options& options) {
   require_no_scene(options.file);
@@ -52,7 +35,7 @@ int run(const Options& options) {
   survey::ReadOptions reading;
   reading.allow_outside = options.allow_outside;
   const survey::Survey read = survey::read_survey(options.file, reading, warnings);
-  print_warnings(warnings);
+  fmt::print(stderr, "{}", scene::report(warnings, {}));
   if (!options.plan.empty()) write_text(options.plan, survey::plan_svg(read));
   if (!options.elevation.empty()) write_text(options.elevation, survey::elevation_svg(read));
   if (!options.output.empty()) survey::write_survey(read, options.output);

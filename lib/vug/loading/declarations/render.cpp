@@ -39,8 +39,7 @@ void report_no_names(const scene::Entry& entry, const NameEntry& selects, const 
 std::string hint_for_let(const scene::Entry& entry, const scene::Document& document) {
   for (const scene::ExprPtr& expr : entry.values)
     if (expr->kind == scene::ExprKind::name && document.find_let(full_name(*expr)))
-      return fmt::format("write the names in this entry: '{}' contains the things themselves",
-                         expr->text);
+      return fmt::format("write the names in this entry: '{}' is a list of values", expr->text);
   return {};
 }
 

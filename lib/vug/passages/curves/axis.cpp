@@ -36,10 +36,6 @@ Curve survey_line(const Network& network, const Chain& chain, const std::set<int
   return curve;
 }
 
-bool meets_at(const Chain& chain, size_t i) {
-  return (i == 0 && chain.start_meets) || (i + 1 == chain.stations.size() && chain.end_meets);
-}
-
 Curve axis_of(const Network& network, const Chain& chain, const std::set<int>& meeting,
               const PassageOptions& options) {
   Curve curve = survey_line(network, chain, meeting);
@@ -50,11 +46,11 @@ Curve axis_of(const Network& network, const Chain& chain, const std::set<int>& m
   for (size_t i = 0; i < curve.size(); ++i) {
     CurvePoint& p = curve[i];
     const Walls& w = walls[i];
-    const double widening = p.fixed && !w.measured && !meets_at(chain, i) ? options.chamber : 1;
+    const double widening = p.fixed && !w.measured && !chain.meets_at(i) ? options.chamber : 1;
     p.width = w.width() * widening;
     p.height = w.height() * widening;
     const auto& splays = network.stations[static_cast<size_t>(p.station)].splays;
-    if (options.splays && !meets_at(chain, i))
+    if (options.splays && !chain.meets_at(i))
       p.measured = splay_section(splays, p.position, across[i], w);
     if (p.measured) {
       p.width = p.measured->traits().width();
@@ -84,13 +80,13 @@ std::vector<Curve> axes(const Network& network, const std::vector<Chain>& chains
   for (const Chain& chain : chains) {
     out.push_back(axis_of(network, chain, meeting, options));
     for (size_t i = 0; i < chain.stations.size(); ++i)
-      if (!meets_at(chain, i)) joined.emplace(chain.stations[i], out.back()[i].position);
+      if (!chain.meets_at(i)) joined.emplace(chain.stations[i], out.back()[i].position);
   }
   for (size_t k = 0; k < chains.size(); ++k) {
     Curve& curve = out[k];
     for (size_t i = 0; i < curve.size(); ++i)
       if (const auto at = joined.find(curve[i].station);
-          meets_at(chains[k], i) && at != joined.end())
+          chains[k].meets_at(i) && at != joined.end())
         curve[i].position = at->second;
     curve = without_repetitions(curve);
     if (curve.size() < 2) continue;

@@ -15,12 +15,17 @@ struct Chain {
   std::vector<int> legs;
   bool start_meets = false;  ///< Whether the first station lies inside another passage.
   bool end_meets = false;
+
+  /// Whether station `i` of the chain lies inside another passage that ends this one.
+  bool meets_at(size_t i) const {
+    return (i == 0 && start_meets) || (i + 1 == stations.size() && end_meets);
+  }
 };
 
 /// The passages of a network, in the order of their first legs. At each station the two legs that
 /// continue each other best, by their directions, belong to one passage; the other passages end
-/// there. Legs that are repeated, have no length or run over
-/// the surface are omitted. The network must be valid (network::require_valid).
+/// there. Legs that are repeated, have no length or run over the surface are omitted. The network
+/// must be valid (network::require_valid).
 std::vector<Chain> chains(const network::Network& network);
 
 }  // namespace vug::passages

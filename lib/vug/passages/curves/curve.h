@@ -5,6 +5,7 @@
 #include <vug/network/network.h>
 #include <vug/passages/section.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace vug::passages {
@@ -18,6 +19,8 @@ struct CurvePoint {
   int station = -1;
   bool fixed = false;   ///< Other passages meet here: the point must stay.
   SectionPtr measured;  ///< The section from splays, if there are enough of them.
+
+  double smaller() const { return std::min(width, height); }
 };
 using Curve = std::vector<CurvePoint>;
 

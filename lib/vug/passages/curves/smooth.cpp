@@ -8,13 +8,11 @@
 namespace vug::passages {
 namespace {
 
-double smaller_size(const CurvePoint& p) { return std::min(p.width, p.height); }
-
 Curve without_close_points(const Curve& curve) {
   Curve out{curve.front()};
   for (size_t i = 1; i < curve.size(); ++i) {
     const bool last = i + 1 == curve.size();
-    const double close = smaller_size(curve[i]) / 6;
+    const double close = curve[i].smaller() / 6;
     const bool near = (curve[i].position - out.back().position).length() < close;
     if (near && !last && !curve[i].fixed) continue;
     // The last point replaces the one before if that one may go.
@@ -39,7 +37,7 @@ Curve subdivided(const Curve& curve, double max_turn) {
     const double turn =
         angle_between(directions[i], chord) + angle_between(chord, directions[i + 1]);
     // Four pieces follow a change of size by a tenth; more follow larger ones.
-    const double size = std::max(smaller_size(a), smaller_size(b));
+    const double size = std::max(a.smaller(), b.smaller());
     const double change = std::max(std::fabs(a.width - b.width) / std::min(a.width, b.width),
                                    std::fabs(a.height - b.height) / std::min(a.height, b.height));
     const double wanted = std::max(1.6 * turn / max_turn, change > 0.1 ? 3 + change : 0);
@@ -77,7 +75,7 @@ void limit_bends(Curve& curve, double max_bend) {
       if (curvature_at(a, p, b) * 0.5 * curve[i].width <= max_bend) continue;
       const Vec3d target = p + (0.5 * (a + b) - p) * 0.4;
       Vec3d shift = target - original[i].position;
-      const double most = 0.5 * smaller_size(curve[i]);
+      const double most = 0.5 * curve[i].smaller();
       if (shift.length() > most) shift *= most / shift.length();
       next[i] = original[i].position + shift;
       moved = true;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/maths.h>
+#include <vug/base/median.h>
 #include <vug/passages/curves/splay_section.h>
 #include <vug/passages/polygon_section.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vug::passages {
 namespace {
@@ -27,10 +29,8 @@ std::vector<Hit> hits(const std::vector<Vec3d>& splays, const Vec3d& station, co
   if (out.empty()) return out;
   std::vector<double> radii;
   for (const Hit& hit : out) radii.push_back(hit.radius);
-  std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2),
-                   radii.end());
-  const double median = radii[radii.size() / 2];
-  std::erase_if(out, [&](const Hit& hit) { return hit.radius > 3 * median; });
+  const double usual = median(std::move(radii));
+  std::erase_if(out, [&](const Hit& hit) { return hit.radius > 3 * usual; });
   std::sort(out.begin(), out.end(), [](const Hit& a, const Hit& b) {
     return a.angle != b.angle ? a.angle < b.angle : a.radius < b.radius;
   });

@@ -50,21 +50,18 @@ std::vector<Walls> walls_along(const network::Network& network, const Chain& cha
   const size_t n = chain.stations.size();
   std::vector<double> along(n, 0);
   Distances left(n), right(n), up(n), down(n);
-  const auto is_end = [&](size_t i) {
-    return (i == 0 && chain.start_meets) || (i + 1 == n && chain.end_meets);
-  };
   const auto section = [&](size_t i) {
     return network.stations[static_cast<size_t>(chain.stations[i])].section;
   };
   bool own = false;
-  for (size_t i = 0; i < n; ++i) own = own || (!is_end(i) && section(i));
+  for (size_t i = 0; i < n; ++i) own = own || (!chain.meets_at(i) && section(i));
   for (size_t i = 0; i < n; ++i) {
     const auto position = [&](size_t k) {
       return network.stations[static_cast<size_t>(chain.stations[k])].position;
     };
     if (i > 0) along[i] = along[i - 1] + (position(i) - position(i - 1)).length();
     const auto walls = section(i);
-    if (!walls || (own && is_end(i))) continue;
+    if (!walls || (own && chain.meets_at(i))) continue;
     const bool back = reversed(network, chain, i);
     left[i] = back ? walls->right : walls->left;
     right[i] = back ? walls->left : walls->right;

@@ -5,20 +5,12 @@
 namespace vug::shot {
 namespace {
 
-struct InceptionHorizon {
-  Vec3d at{0, 0, 0};
-  double dip = 0;
-  double towards = 0;
-
+struct InceptionHorizon : LayerFeature {
   static void describe(Schema<InceptionHorizon>& s) {
-    s.doc("A bedding plane along which passages begin to form (an inception horizon).")
-        .param("at", &InceptionHorizon::at, any_length("a point of the plane"))
-        .param("dip", &InceptionHorizon::dip, dip_angle("steepness of the plane", 1.5))
-        .param("towards", &InceptionHorizon::towards, compass("direction in which it falls"));
+    s.doc("A bedding plane along which passages begin to form (an inception horizon).");
+    LayerFeature::describe(s);
   }
-  void add(karst::Geology& geology) const {
-    geology.beds.push_back({.point = at, .dip = dip, .dip_azimuth = towards});
-  }
+  void add(karst::Geology& geology) const { geology.beds.push_back(layer()); }
 };
 
 }  // namespace

@@ -9,9 +9,7 @@ struct Entrance {
   Vec3d at{0, 0, 0};
 
   static void describe(Schema<Entrance>& s) {
-    s.doc("A dry entrance, to which a passage leads.")
-        .param("at", &Entrance::at,
-               {.doc = "its position", .dimension = Dimension::length, .required = true});
+    s.doc("A dry entrance, to which a passage leads.").param("at", &Entrance::at, position());
   }
   void add(karst::Geology& geology) const { geology.entrances.push_back(at); }
 };

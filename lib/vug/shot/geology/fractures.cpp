@@ -17,7 +17,11 @@ struct Fractures {
         .param("dip", &Fractures::dip, dip_angle("steepness; 90deg: vertical", 0.5 * kPi))
         .param("spacing", &Fractures::spacing, positive_length("mean distance between two joints"))
         .param("spread", &Fractures::spread,
-               dip_angle("standard deviation of the directions", 1.5));
+               {.doc = "standard deviation of the directions",
+                .dimension = Dimension::angle,
+                .min = 0,
+                .max = 1.5,
+                .above_min = true});
   }
   void add(karst::Geology& geology) const {
     geology.fractures.push_back(

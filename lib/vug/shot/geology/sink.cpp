@@ -12,8 +12,7 @@ struct Sink {
 
   static void describe(Schema<Sink>& s) {
     s.doc("Where a stream enters the rock.")
-        .param("at", &Sink::at,
-               {.doc = "its position", .dimension = Dimension::length, .required = true})
+        .param("at", &Sink::at, position())
         .param("discharge", &Sink::discharge,
                {.doc = "amount of water in relation to other sinks", .min = 0, .above_min = true})
         .param("name", &Sink::name, {.doc = "name of its station"});

@@ -12,8 +12,7 @@ struct Spring {
 
   static void describe(Schema<Spring>& s) {
     s.doc("Where water leaves the rock.")
-        .param("at", &Spring::at,
-               {.doc = "its position", .dimension = Dimension::length, .required = true})
+        .param("at", &Spring::at, position())
         .param("tier", &Spring::tier,
                {.doc = "the water table in whose time it was active; 0: the present", .min = 0})
         .param("name", &Spring::name, {.doc = "name of its station"});

@@ -9,9 +9,7 @@ struct Waypoint {
   Vec3d at{0, 0, 0};
 
   static void describe(Schema<Waypoint>& s) {
-    s.doc("A point through which a passage leads.")
-        .param("at", &Waypoint::at,
-               {.doc = "its position", .dimension = Dimension::length, .required = true});
+    s.doc("A point through which a passage leads.").param("at", &Waypoint::at, position());
   }
   void add(karst::Geology& geology) const { geology.waypoints.push_back(at); }
 };

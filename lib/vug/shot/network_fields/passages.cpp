@@ -12,8 +12,8 @@ struct Passages {
   double width = passages::DefaultSize().width;
   double height = passages::DefaultSize().height;
   double sinuosity = passages::MeanderOptions().sinuosity;
-  double chamber = passages::PassageOptions().chamber;
-  double fillet = passages::PassageOptions().fillet;
+  double chamber = passages::kDefaultChamber;
+  double fillet = passages::kDefaultFillet;
   bool smooth = true;
   bool splays = true;
 
@@ -31,7 +31,9 @@ struct Passages {
             "sinuosity", &Passages::sinuosity,
             {.doc = "length of a stream's meanders over that of the valley", .min = 1, .max = 3.5})
         .param("chamber", &Passages::chamber,
-               {.doc = "factor of sizes that were not measured where passages meet", .min = 1})
+               {.doc = "factor of sizes that were not measured where passages meet",
+                .min = 1,
+                .max = 10})
         .param(
             "fillet", &Passages::fillet,
             {.doc = "radius of fillets at junctions, by half the smaller size", .min = 0, .max = 1})

@@ -77,18 +77,22 @@ Indices indices_of(const std::vector<std::string>& names) {
   return indices;
 }
 
+[[noreturn]] void refuse_unknown(const std::string& path, const std::string& name,
+                                 const Indices& indices) {
+  std::vector<std::string> known;
+  for (const auto& [station, index] : indices) known.push_back(station);
+  throw Error(ErrorCode::bad_input,
+              fmt::format("the path '{}' contains the unknown station '{}'", path, name), {},
+              suggestion(name, known));
+}
+
 /// Appends the legs of one path.
 void add_path(const std::string& path, const Indices& indices, network::Network& network) {
-  std::vector<std::string> known;
-  for (const auto& [name, index] : indices) known.push_back(name);
   std::istringstream words(path);
   int previous = -1, count = 0;
   for (std::string name; words >> name; ++count) {
     const auto found = indices.find(name);
-    if (found == indices.end())
-      throw Error(ErrorCode::bad_input,
-                  fmt::format("the path '{}' contains the unknown station '{}'", path, name), {},
-                  suggestion(name, known));
+    if (found == indices.end()) refuse_unknown(path, name, indices);
     if (previous == found->second)
       throw Error(ErrorCode::bad_input,
                   fmt::format("the path '{}' joins the station '{}' to itself", path, name));

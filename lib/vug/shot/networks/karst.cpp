@@ -43,7 +43,7 @@ struct Karst : SectionChoice {
         .param("waypoints", &Karst::waypoints, count("number of random points of the network"))
         .param("dead_ends", &Karst::dead_ends, count("number of blind passages"))
         .param("loops", &Karst::loops,
-               {.doc = "loops for each junction or end", .min = 0, .max = 2})
+               {.doc = "loops for each junction or end", .min = 0, .max = 1})
         .param("attempts", &Karst::attempts,
                {.doc = "caves that are tried until the measures of one lie within those of real "
                        "caves; 8 for a preset without changes, else 1",

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stations of a network as a list of points.
-#include <vug/network/find_station.h>
 #include <vug/network/reduction.h>
 #include <vug/shot/networks.h>
-
-#include <algorithm>
 
 namespace vug::shot {
 namespace {
@@ -18,9 +15,8 @@ struct Stations {
 
   static void describe(Schema<Stations>& s) {
     s.doc(
-         "The positions of the stations of a network, in the order of the network: all, those "
-         "where "
-         "at least three legs meet, or the ends of passages.")
+         "The positions of the stations of a network that have legs underground, in the order of "
+         "the network: all, those where at least three legs meet, or the ends of passages.")
         .param("of", &Stations::of, {.doc = "the network", .required = true})
         .choice("only", &Stations::only,
                 {{"all", Choice::all}, {"junctions", Choice::junctions}, {"ends", Choice::ends}},
@@ -44,13 +40,11 @@ bool is_chosen(Choice only, size_t degree) {
 std::vector<Vec3d> positions(const Stations& p) {
   const network::PlacedGraph cave = network::cave_graph(*p.of);
   const std::vector<std::vector<int>> neighbours = network::neighbours(cave.graph);
-  std::vector<int> chosen;
-  for (size_t node = 0; node < cave.stations.size(); ++node)
-    if (is_chosen(p.only, neighbours[node].size())) chosen.push_back(cave.stations[node]);
-  std::sort(chosen.begin(), chosen.end());
   std::vector<Vec3d> points;
-  for (const int station : chosen)
-    points.push_back(p.of->stations[static_cast<size_t>(station)].position + Vec3d(0, p.up, 0));
+  for (size_t node = 0; node < cave.stations.size(); ++node)
+    if (is_chosen(p.only, neighbours[node].size()))
+      points.push_back(p.of->stations[static_cast<size_t>(cave.stations[node])].position +
+                       Vec3d(0, p.up, 0));
   return points;
 }
 

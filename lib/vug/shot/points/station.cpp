@@ -21,7 +21,7 @@ struct StationPoint {
   }
 };
 
-Vec3d position(const StationPoint& p) {
+Vec3d station_position(const StationPoint& p) {
   const network::Station& station =
       p.of->stations[static_cast<size_t>(network::find_station(*p.of, p.name))];
   return station.position + Vec3d(0, p.up, 0);
@@ -30,4 +30,6 @@ Vec3d position(const StationPoint& p) {
 }  // namespace
 }  // namespace vug::shot
 
-VUG_POINT_KIND(station) { return make_kind<Vec3d, StationPoint>("station", "point", position); }
+VUG_POINT_KIND(station) {
+  return make_kind<Vec3d, StationPoint>("station", "point", station_position);
+}

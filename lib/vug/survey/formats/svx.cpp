@@ -2,6 +2,7 @@
 // Survex .svx: measurements of a cave as text.
 #include <vug/survey/format_kind.h>
 #include <vug/survey/svx/reader.h>
+#include <vug/survey/text_encoding.h>
 
 namespace vug::survey {
 namespace {
@@ -9,7 +10,8 @@ namespace {
 Contents read_svx(std::string_view bytes, const std::filesystem::path& file,
                   const ReadOptions& options, Diagnostics& warnings) {
   svx::Reader reader(file, options, warnings);
-  reader.read(bytes, file);
+  const std::string text = as_utf8(bytes);  // The reader refers to it until it has finished.
+  reader.read(text, file);
   return reader.finish();
 }
 

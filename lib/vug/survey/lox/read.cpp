@@ -95,8 +95,7 @@ class Reader {
   /// own parent and mostly has no name.
   const std::string& path(uint32_t id, const ByteReader& record, size_t offset, int depth = 0) {
     const auto found = levels_.find(id);
-    if (found == levels_.end())
-      record.fail_at(offset, fmt::format("there is no survey with the number {}", id));
+    if (found == levels_.end()) record.fail_at(offset, fmt::format("survey {} does not exist", id));
     if (depth > kDeepestNesting)
       record.fail_at(offset,
                      fmt::format("surveys are nested more than {} levels deep", kDeepestNesting));
@@ -142,7 +141,7 @@ class Reader {
     const auto id = record.number<uint32_t>();
     const auto found = stations_.find(id);
     if (found == stations_.end())
-      record.fail_at(offset, fmt::format("there is no station with the number {}", id));
+      record.fail_at(offset, fmt::format("station {} does not exist", id));
     return found->second;
   }
 

@@ -3,6 +3,7 @@
 
 #include <vug/base/atomic_file.h>
 #include <vug/survey/svx/files.h>
+#include <vug/survey/text_encoding.h>
 
 #include <fmt/format.h>
 
@@ -67,7 +68,7 @@ void include_file(Reader& reader, Line& line) {
   line.require_end();
   const std::filesystem::path file =
       find_included({name, where, reader.files, reader.root, reader.options.allow_outside});
-  const std::string bytes = read_text(file);
+  const std::string bytes = as_utf8(read_text(file));
   // The settings of the included file last, except its survey.
   const std::string survey = reader.settings.survey;
   reader.read(bytes, file);

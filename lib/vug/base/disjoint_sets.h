@@ -9,33 +9,37 @@
 #include <utility>
 #include <vector>
 
-namespace vug::mesh {
+namespace vug {
 
+/// Index: an integer type that holds n.
+template <class Index = uint32_t>
 class DisjointSets {
  public:
   explicit DisjointSets(size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
+    std::iota(parent_.begin(), parent_.end(), Index(0));
   }
 
   size_t size() const { return parent_.size(); }
 
-  uint32_t root(uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+  Index root(Index i) {
+    while (parent(i) != i) i = parent(i) = parent(parent(i));
     return i;
   }
 
   /// Returns true if the two were in different sets.
-  bool join(uint32_t a, uint32_t b) {
+  bool join(Index a, Index b) {
     a = root(a);
     b = root(b);
     if (a == b) return false;
     if (a > b) std::swap(a, b);
-    parent_[b] = a;
+    parent(b) = a;
     return true;
   }
 
  private:
-  std::vector<uint32_t> parent_;
+  Index& parent(Index i) { return parent_[static_cast<size_t>(i)]; }
+
+  std::vector<Index> parent_;
 };
 
-}  // namespace vug::mesh
+}  // namespace vug
