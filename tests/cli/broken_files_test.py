@@ -119,7 +119,7 @@ class BrokenFiles(VugTest):
         for suffix in (".vdb", ".ply", ".exr", ".png"):
             self.write("use.vug", self.whole[suffix].read_bytes())
             for verb in ["check", "format"] if suffix == ".vdb" else ["check"]:
-                self.assertEqual(self.expect(2, verb, "use.vug").err,
+                self.assertEqual(self.expect(2, verb, "use.vug").messages,
                                  "use.vug: error: the file is not a text file\n"
                                  "hint: scenes are UTF-8 text; 'vug info' describes grids, meshes and "
                                  "pictures\n")

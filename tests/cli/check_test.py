@@ -61,8 +61,8 @@ class Check(VugTest):
                 "s.vug:2:5: {0}: let 'pebble' is never used\nlet pebble = sphere(1cm)\n    ^~~~~~\n"
                 "hint: use it in an expression or remove it\n")
         for verb in (("check", "s.vug"), ("build", "s.vug", "-o", "out")):
-            self.assertEqual(self.expect(0, *verb).err, both.format("warning"), verb)
-            self.assertEqual(self.expect(2, *verb, "--strict").err, both.format("error"), verb)
+            self.assertEqual(self.expect(0, *verb).messages, both.format("warning"), verb)
+            self.assertEqual(self.expect(2, *verb, "--strict").messages, both.format("error"), verb)
         report = json.loads(self.vug("check", "s.vug", "--strict", "--json").out)
         self.assertEqual([d["severity"] for d in report["diagnostics"]], ["error", "error"])
         self.write("s.vug", "let red = (1, 0, 0)\nmaterial stone = lambert()\n")  # a text for inclusion

@@ -212,7 +212,7 @@ class Farm(VugTest):
         self.assertEqual(digest(self.folder / "state"), kept)
         whole = (self.folder / "state").read_bytes()
         self.write("state", whole[:len(whole) // 2])
-        self.assertEqual(self.expect(2, *args, "--spp", "4096", "--resume").err,
+        self.assertEqual(self.expect(2, *args, "--spp", "4096", "--resume").messages,
                          "error: cannot read the checkpoint 'state': it is cut short\n"
                          "hint: remove it to start again\n")
         self.write("none.vugpart", b"")

@@ -6,6 +6,7 @@ VUG in the environment names the program; VUG_SLOW says that a sanitizer makes i
 import hashlib
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -25,6 +26,12 @@ class Result:
         self.code = process.returncode
         self.out = process.stdout
         self.err = process.stderr
+
+    @property
+    def messages(self):
+        """Standard error without the lines of stages, which slow machines print for short stages, too."""
+        lines = self.err.splitlines(keepends=True)
+        return "".join(line for line in lines if not re.fullmatch(r"[^:]+: \d+\.\d s\n", line))
 
 
 def digest(path):

@@ -29,6 +29,13 @@ bool ends_in_levels(std::string_view full, std::string_view name) {
               did_you_mean(name, known, "vug survey --stations lists the stations of a survey"));
 }
 
+/// Whether the stations are at one place, as equated ones are.
+bool coincide(const Network& network, const std::vector<int>& stations) {
+  const auto position = [&](int i) { return network.stations[static_cast<size_t>(i)].position; };
+  return std::all_of(stations.begin(), stations.end(),
+                     [&](int i) { return position(i) == position(stations.front()); });
+}
+
 }  // namespace
 
 int find_station(const Network& network, std::string_view name) {
@@ -39,7 +46,7 @@ int find_station(const Network& network, std::string_view name) {
     if (ends_in_levels(network.stations[i].name, name)) found.push_back(static_cast<int>(i));
   }
   if (found.empty()) refuse_unknown(network, std::string(name));
-  if (found.size() > 1) {
+  if (!coincide(network, found)) {
     std::vector<std::string> candidates;
     for (size_t i = 0; i < std::min<size_t>(found.size(), 5); ++i)
       candidates.push_back(network.stations[static_cast<size_t>(found[i])].name);

@@ -103,6 +103,7 @@ struct ObjectPlan {
   render::MaterialPtr material;  ///< Null: grey.
   bool flat = false;
   bool direct = false;      ///< Trace the level set itself instead of a mesh.
+  bool floating = false;    ///< Hangs in mid-air on purpose.
   Vec3d emission{0, 0, 0};  ///< W/sr/m^2.
   std::string light_group;
 };
@@ -131,6 +132,7 @@ struct PointInstancer {
   std::vector<double> shares;    ///< Relative frequency of each model; empty: equal.
   render::MaterialPtr material;  ///< Null: the materials of the models.
   bool apart = false;            ///< Each instance has a name of its own.
+  bool floating = false;         ///< Instances hang in mid-air on purpose.
   RandomKey key{0};
   SourceLocation where;  ///< Location of the name in the text.
 };

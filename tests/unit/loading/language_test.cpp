@@ -150,6 +150,18 @@ TEST(Language, TheTutorialBuildsTheSceneOfAnOwnCave) {
   EXPECT_EQ(load_text(built, "my_cave.vug", options).report(), "");
 }
 
+TEST(Language, TheTutorialOfSurveysBuildsItsScene) {
+  const std::vector<std::string> examples = blocks("vug", "tutorials/your_survey.md");
+  ASSERT_EQ(examples.size(), 2u);
+  const fs::path folder = fs::path(VUG_DATA) / "scenes/teaching";
+  LoadOptions options;
+  options.include_folders = {fs::path(VUG_DATA)};
+  for (const std::string& example : examples)
+    EXPECT_EQ(load_text(example, (folder / "creek.vug").string(), options).report(), "");
+  const std::string scene = read_text(folder / "survey.vug");
+  EXPECT_EQ(examples[1], scene.substr(scene.find("param")));
+}
+
 TEST(Language, TheFaultOfTheTutorialIsReportedAsShown) {
   std::string shown;
   for (const std::string& block : blocks("text"))

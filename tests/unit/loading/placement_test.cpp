@@ -105,11 +105,12 @@ std::string with_prop(const std::string& at) {
 TEST(Placement, APropInMidAir) {
   EXPECT_EQ(mistakes(with_prop("(0, 1.2, 0)")),
             "t.vug:9:7: 'chests' floats 1.00 m above 'walls': its foot is at (0, 1, 0)\n"
-            "move it down by 1.00 m; lamps and other emissive objects may hang\n");
+            "move it down by 1.00 m, or write 'floating true' if it hangs there on purpose\n");
   EXPECT_EQ(mistakes(with_prop("[(1, 0.2, 0), pose(position: (0, 0.7, 0), yaw: 30deg)]")),
             "t.vug:9:7: instance 2 of 'chests' floats 0.50 m above 'walls': its foot is at "
             "(0, 0.5, 0)\n"
-            "move it down by 0.50 m; lamps and other emissive objects may hang\n");
+            "move it down by 0.50 m, or write 'floating true' if it hangs there on purpose\n");
+  EXPECT_EQ(mistakes(with_prop("(0, 1.2, 0) floating true")), "") << "on purpose";
   EXPECT_EQ(mistakes(with_prop("(0, 0.2, 0)")), "") << "on the floor";
   EXPECT_EQ(mistakes(with_prop("(0, 0.05, 0)")), "") << "partly in the floor";
   EXPECT_EQ(mistakes(with_prop("(1.8, 1.5, 0)")), "") << "on a wall";
@@ -203,7 +204,7 @@ TEST(Placement, MeshesOfFilesAreSolids) {
   };
   EXPECT_EQ(dressed("(0, 4.7, 0)"),
             "t.vug:5:7: 'chest' floats 0.50 m above 'boulder': its foot is at (0, 4.5, 0)\n"
-            "move it down by 0.50 m; lamps and other emissive objects may hang\n");
+            "move it down by 0.50 m, or write 'floating true' if it hangs there on purpose\n");
   EXPECT_EQ(dressed("(0, 4.2, 0)"), "");
   EXPECT_EQ(dressed("(4.2, 1, 0)"), "") << "on the side";
   // A shell with a hole still has an inside.

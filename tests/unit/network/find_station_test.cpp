@@ -8,7 +8,9 @@ namespace {
 
 Network named(const std::vector<std::string>& names) {
   Network network;
-  for (const std::string& name : names) network.stations.push_back({.name = name});
+  for (const std::string& name : names)
+    network.stations.push_back(
+        {.name = name, .position = Vec3d(static_cast<double>(network.stations.size()), 0, 0)});
   return network;
 }
 
@@ -28,6 +30,13 @@ TEST(FindStation, FindsFullNamesAndTheirLastLevels) {
   EXPECT_EQ(find_station(network, "4"), 1);
   // A full name comes before a name that only ends in it.
   EXPECT_EQ(find_station(network, "14"), 3);
+}
+
+TEST(FindStation, EquatedStationsAreOne) {
+  Network network = named({"creek.mouth", "creek.stream.hall", "creek.upper.hall"});
+  EXPECT_NE(problem(network, "hall"), "");
+  network.stations[2].position = network.stations[1].position;
+  EXPECT_EQ(find_station(network, "hall"), 1);
 }
 
 TEST(FindStation, ReportsUnknownAndAmbiguousNames) {

@@ -20,6 +20,8 @@ Schema<ObjectBlock> object_schema() {
       .param(
           "direct", &ObjectBlock::direct,
           {.doc = "trace the level set itself instead of a mesh; needs a fraction of the memory"})
+      .param("floating", &ObjectBlock::floating,
+             {.doc = "it hangs in mid-air on purpose, e.g. on a rope: no check reports it"})
       .param("emission", &ObjectBlock::emission,
              {.doc = "emitted radiance in W/sr/m^2, on its outer side",
               .min = 0,

@@ -30,6 +30,8 @@ Schema<shot::PointInstancer> place_schema() {
           "material", &shot::PointInstancer::material,
           {.doc = "material of all instances instead of their own; its masks are evaluated at the "
                   "instance, those of a model's own material on the model"})
+      .param("floating", &shot::PointInstancer::floating,
+             {.doc = "instances hang in mid-air on purpose: no check reports them"})
       .param("apart", &shot::PointInstancer::apart,
              {.doc = "name each instance separately in mattes: NAME/1, NAME/2 ..."});
   return s;

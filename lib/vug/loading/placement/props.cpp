@@ -162,8 +162,8 @@ void check_props(const Set& set, Accuracy accuracy, Diagnostics& diagnostics) {
     const std::string what =
         fmt::format("{} floats {:.2f} m above '{}': its foot is at {}", piece.name, gap,
                     ground->name, position_text(foot_of(box)));
-    const std::string hint =
-        fmt::format("move it down by {:.2f} m; lamps and other emissive objects may hang", gap);
+    const std::string hint = fmt::format(
+        "move it down by {:.2f} m, or write 'floating true' if it hangs there on purpose", gap);
     piece.modelled ? diagnostics.warning(piece.where, what, hint)
                    : diagnostics.error(piece.where, what, hint);
   }

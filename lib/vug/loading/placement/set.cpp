@@ -85,7 +85,7 @@ void add_instances(const shot::Shot& shot, const shot::PointInstancer& plan, Set
     piece.name = instances.size() == 1 ? fmt::format("'{}'", plan.name)
                                        : fmt::format("instance {} of '{}'", i + 1, plan.name);
     piece.where = plan.where;
-    piece.floating = !model.lights.empty();
+    piece.floating = plan.floating || !model.lights.empty();
     for (const Solid& solid : model.solids) {
       Solid here = moved(solid, each.transform);
       if (plan.material) here.material = plan.material;
@@ -116,6 +116,7 @@ Set set_of(const Loaded& scene, const shot::Shot& part) {
     SetPiece piece;
     piece.name = fmt::format("'{}'", object.name);
     piece.where = location_of(scene, object.name, {"object", "mesh", "volume"});
+    piece.floating = object.floating;
     piece.solids = solids_of(object);
     piece.modelled = std::none_of(piece.solids.begin(), piece.solids.end(),
                                   [](const Solid& solid) { return solid.mesh != nullptr; });

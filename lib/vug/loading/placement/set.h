@@ -13,7 +13,7 @@ struct SetPiece {
   std::string name;      ///< "chest", or "instance 2 of chests".
   SourceLocation where;  ///< Its declaration.
   std::vector<Solid> solids;
-  bool floating = false;  ///< May be in mid-air, since it has lights of its own.
+  bool floating = false;  ///< May be in mid-air: the text says so, or it has lights of its own.
   bool modelled = false;  ///< A level set of this scene, whose field says where it is.
 };
 
