@@ -5,8 +5,8 @@
 
 #include "require.h"
 
+#include <vug/base/utf8.h>
 #include <vug/survey/format.h>
-#include <vug/survey/text_encoding.h>
 
 #include <cmath>
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include "verb.h"
 
 #include <fmt/format.h>
-#include <vug/scene/utf8.h>
+#include <vug/base/utf8.h>
 
 #include <cstdio>
 
@@ -13,7 +13,7 @@ namespace vug::cli {
 
 int print_error(const Error& error) {
   clear_progress_bar();
-  using scene::printable;  // messages quote names and files, which may hold arbitrary bytes
+  // Messages quote names and files, which may contain arbitrary bytes.
   const std::string where = printable(to_string(error.where()));
   fmt::print(stderr, "{}{}error: {}\n", where, where.empty() ? "" : ": ", printable(error.what()));
   for (const std::string& doing : error.context())
@@ -32,8 +32,8 @@ int print_error(const Error& error) {
 }
 
 void print_warning(const Error& error, const std::string& what) {
-  fmt::print(stderr, "warning: {}; {}\n", scene::printable(error.what()), what);
-  if (!error.hint().empty()) fmt::print(stderr, "hint: {}\n", scene::printable(error.hint()));
+  fmt::print(stderr, "warning: {}; {}\n", printable(error.what()), what);
+  if (!error.hint().empty()) fmt::print(stderr, "hint: {}\n", printable(error.hint()));
 }
 
 }  // namespace vug::cli

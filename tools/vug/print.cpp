@@ -2,7 +2,7 @@
 #include "print.h"
 
 #include <fmt/format.h>
-#include <vug/scene/utf8.h>
+#include <vug/base/utf8.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::cli {
@@ -37,7 +37,7 @@ void print(const Json& value, int depth) {
     } else {
       const std::string text = part.is_string() ? part.get<std::string>() : dumped(part, -1);
       const size_t line = text.find('\n');
-      fmt::print("{}{} {}{}\n", indent, label, scene::printable(text.substr(0, line)),
+      fmt::print("{}{} {}{}\n", indent, label, printable(text.substr(0, line)),
                  line == std::string::npos ? "" : " ...");
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/utf8.h>
 #include <vug/scene/format_columns.h>
-#include <vug/scene/utf8.h>
 
 #include <algorithm>
 

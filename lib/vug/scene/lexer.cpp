@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/utf8.h>
 #include <vug/scene/lexer.h>
 #include <vug/scene/units.h>
-#include <vug/scene/utf8.h>
 
 #include <fmt/format.h>
 

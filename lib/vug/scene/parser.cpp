@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/atomic_file.h>
+#include <vug/base/utf8.h>
 #include <vug/scene/check.h>
 #include <vug/scene/include_search.h>
 #include <vug/scene/parser.h>
 #include <vug/scene/statement_parser.h>
-#include <vug/scene/utf8.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/utf8.h>
 #include <vug/scene/parser.h>
 #include <vug/scene/report.h>
 #include <vug/scene/text_at.h>
-#include <vug/scene/utf8.h>
 
 #include <fmt/format.h>
 

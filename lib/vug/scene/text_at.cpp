@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/utf8.h>
 #include <vug/scene/text_at.h>
-#include <vug/scene/utf8.h>
 
 #include <algorithm>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/utf8.h>
 #include <vug/survey/text_encoding.h>
 
 #include <array>
@@ -72,22 +73,6 @@ std::optional<Encoding> find_encoding(std::string_view name) {
   if (plain == "cp1250") return Encoding::windows1250;
   if (plain == "cp1252") return Encoding::windows1252;
   return std::nullopt;
-}
-
-bool is_utf8(std::string_view bytes) {
-  for (size_t i = 0; i < bytes.size();) {
-    const auto lead = static_cast<unsigned char>(bytes[i]);
-    const size_t more = lead < 0x80                   ? 0
-                        : lead >= 0xc2 && lead < 0xe0 ? 1
-                        : (lead & 0xf0) == 0xe0       ? 2
-                        : lead >= 0xf0 && lead < 0xf5 ? 3
-                                                      : bytes.size();
-    if (more >= bytes.size() - i) return false;
-    for (size_t k = 1; k <= more; ++k)
-      if ((bytes[i + k] & 0xc0) != 0x80) return false;
-    i += more + 1;
-  }
-  return true;
 }
 
 std::string as_utf8(std::string_view bytes) {

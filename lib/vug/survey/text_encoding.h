@@ -13,8 +13,6 @@ enum class Encoding { utf8, latin1, latin2, windows1250, windows1252 };
 /// The encoding of this name in any case, e.g. "ISO8859-2", "utf-8", "cp1250"; nothing for others.
 std::optional<Encoding> find_encoding(std::string_view name);
 
-bool is_utf8(std::string_view bytes);
-
 /// The text in UTF-8; nothing if the bytes are not valid in the encoding.
 std::optional<std::string> to_utf8(std::string_view bytes, Encoding encoding);
 

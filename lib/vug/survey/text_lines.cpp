@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/utf8.h>
 #include <vug/survey/text_lines.h>
 
 #include <algorithm>
@@ -9,11 +10,6 @@ namespace vug::survey {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\x1a'; }
-
-int characters(std::string_view text) {
-  return static_cast<int>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-}
 
 }  // namespace
 
@@ -69,8 +65,8 @@ bool TextLines::next() {
 
 SourceLocation TextLines::at(size_t start, size_t length) const {
   start = std::min(start, line_.size());
-  const int column = characters(line_.substr(0, start)) + 1;
-  const int end = column + characters(line_.substr(start, length));
+  const int column = utf8_count(line_.substr(0, start)) + 1;
+  const int end = column + utf8_count(line_.substr(start, length));
   return {file_, number_, column, length > 0 ? number_ : 0, length > 0 ? end : 0};
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/utf8.h>
 #include <vug/survey/svx/line.h>
 
 #include <fmt/format.h>
@@ -109,11 +110,7 @@ void Line::require_end() {
 }
 
 int Line::column(size_t position) const {
-  const auto starts = [](char c) { return (static_cast<uint8_t>(c) & 0xC0) != 0x80; };
-  return 1 + static_cast<int>(std::count_if(
-                 text_.begin(),
-                 text_.begin() + static_cast<std::ptrdiff_t>(std::min(position, text_.size())),
-                 starts));
+  return 1 + utf8_count(text_.substr(0, std::min(position, text_.size())));
 }
 
 SourceLocation Line::range(size_t start) const {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/utf8.h>
 #include <vug/survey/therion/tokens.h>
 
 namespace vug::survey::therion {
@@ -22,7 +23,7 @@ class ColumnCounter {
  private:
   int column(size_t at) {
     for (; counted_ < at; ++counted_)
-      if ((text_[counted_] & 0xc0) != 0x80) ++characters_;
+      if (!is_utf8_tail(text_[counted_])) ++characters_;
     return characters_ + 1;
   }
   const SourceLocation& line_;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/scene/utf8.h>
+#include <vug/base/utf8.h>
 
 #include <algorithm>
 #include <cstdint>
 
-namespace vug::scene {
+namespace vug {
 
 int utf8_count(std::string_view text) {
   return static_cast<int>(
@@ -70,4 +70,4 @@ std::string printable(std::string_view text) {
   return out;
 }
 
-}  // namespace vug::scene
+}  // namespace vug

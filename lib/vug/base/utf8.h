@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace vug::scene {
+namespace vug {
 
 /// True for bytes that continue a character.
 constexpr bool is_utf8_tail(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
@@ -28,4 +28,4 @@ bool is_binary(std::string_view text);
 /// The text with ill-formed bytes and control characters (except tabs) replaced by U+FFFD.
 std::string printable(std::string_view text);
 
-}  // namespace vug::scene
+}  // namespace vug
