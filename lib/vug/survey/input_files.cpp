@@ -10,7 +10,7 @@
 namespace vug::survey {
 namespace {
 
-constexpr size_t kDeepest = 50;
+constexpr size_t kDeepest = 100;
 constexpr int kMostFiles = 100'000;
 
 std::filesystem::path resolved(const std::filesystem::path& path) {
@@ -31,8 +31,15 @@ bool is_within(const std::filesystem::path& file, const std::filesystem::path& f
 
 }  // namespace
 
+void require_size(size_t bytes, const ReadOptions& options, const SourceLocation& where) {
+  if (bytes > options.max_bytes)
+    refuse(fmt::format("the files of the survey exceed {} bytes", options.max_bytes), where,
+           "read a part of the survey");
+}
+
 InputFiles::InputFiles(const std::filesystem::path& first, size_t bytes, const ReadOptions& options)
-    : files_{first}, bytes_(bytes), max_bytes_(options.max_bytes) {
+    : files_{first}, bytes_(bytes), options_(options) {
+  require_size(bytes, options, {first.string(), 1, 1});
   if (!options.allow_outside)
     root_ = resolved(options.root.empty() ? first.parent_path() : options.root);
 }
@@ -70,17 +77,20 @@ std::string InputFiles::enter(const std::string& name, const std::string& extens
     refuse(fmt::format("files are nested more than {} levels deep, or more than {}", kDeepest,
                        kMostFiles),
            where, "join some of the files");
-  std::error_code error;
-  bytes_ += static_cast<size_t>(std::filesystem::file_size(path, error));
-  if (error || bytes_ > max_bytes_)
-    refuse(fmt::format("the files of the survey exceed {} bytes", max_bytes_), where,
-           "read a part of the survey");
+  // The size is checked before the file is in memory, and again in case it has grown.
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(path, unknown);
+  require_size(bytes_ + (unknown ? 0 : static_cast<size_t>(size)), options_, where);
   files_.push_back(path);
+  std::string text;
   try {
-    return read_text(path);
+    text = read_text(path);
   } catch (const Error& failed) {
     throw failed.at(where);
   }
+  bytes_ += text.size();
+  require_size(bytes_, options_, where);
+  return text;
 }
 
 }  // namespace vug::survey

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that a survey text names, e.g. by `input` of Therion: finds and reads them within limits.
+// Files that a survey text names, e.g. by *include of Survex: finds and reads them within limits.
 #pragma once
 
 #include <vug/survey/format.h>
@@ -10,9 +10,13 @@
 
 namespace vug::survey {
 
+/// Error(bad_input) at `where` if files of `bytes` together exceed the limit of the options.
+void require_size(size_t bytes, const ReadOptions& options, const SourceLocation& where);
+
 class InputFiles {
  public:
   /// `first` is the file that the user named, of which `bytes` are in memory already.
+  /// Error(bad_input) if they exceed the limit.
   InputFiles(const std::filesystem::path& first, size_t bytes, const ReadOptions& options);
 
   /// Reads a file that the file in progress names, and makes it the file in progress until `leave`.
@@ -34,7 +38,7 @@ class InputFiles {
   std::vector<std::filesystem::path> files_;  ///< The files in progress, the first one first.
   std::filesystem::path root_;                ///< Empty: files may lie anywhere.
   size_t bytes_;                              ///< The total of all files.
-  size_t max_bytes_;
+  ReadOptions options_;
   int count_ = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include <vug/base/atomic_file.h>
 #include <vug/survey/adjust.h>
+#include <vug/survey/input_files.h>
 
 #include <fmt/format.h>
 
@@ -11,7 +12,11 @@ namespace vug::survey {
 Survey read_survey(const std::filesystem::path& file, const ReadOptions& options,
                    Diagnostics& warnings) {
   const Format& format = format_of(file);
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(file, unknown);
+  if (!unknown) require_size(static_cast<size_t>(size), options, {file.string(), 1, 1});
   const std::string bytes = read_text(file);
+  require_size(bytes.size(), options, {file.string(), 1, 1});
   Contents contents = format.read(bytes, file, options, warnings);
   if (Survey* survey = std::get_if<Survey>(&contents)) return std::move(*survey);
   return adjust(std::get<Observations>(std::move(contents)), warnings);

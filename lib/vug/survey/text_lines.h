@@ -32,14 +32,18 @@ std::optional<double> parse_number(std::string_view text);
 /// A whole number from `low` to `high`; nothing for other texts.
 std::optional<int> parse_integer(std::string_view text, int low, int high);
 
-/// Reads lines that end with LF, CR LF or CR.
+/// Reads lines that end with LF, CR LF or CR. A byte order mark before the first one is skipped.
 class TextLines {
  public:
-  TextLines(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
+  TextLines(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+  }
 
   /// Moves to the next line; false at the end of the text.
   bool next();
   std::string_view line() const { return line_; }
+  /// The number of the line, from 1.
+  int number() const { return number_; }
   const std::string& file() const { return file_; }
 
   /// The location of a range of bytes of the line; columns count characters of UTF-8.

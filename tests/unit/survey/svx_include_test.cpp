@@ -79,15 +79,29 @@ TEST_F(SvxInclude, MissingFilesCyclesAndSizesAreErrors) {
   write("f.svx", "*include g\n1 2 3 4 5\n");
   write("g.svx", "*begin y\n1 2 3 4 5\n");
   expect_fault("a.svx", "the file 'a.svx' includes itself", 2);
-  expect_fault("c.svx", "the file 'nothing' does not exist", 3);
+  expect_fault("c.svx", "cannot read the file 'nothing': no such file", 3);
   expect_fault("d.svx", "*end without *begin in this file", 1);
   expect_fault("f.svx", "*begin without *end in this file", 1);
   std::filesystem::create_directory(scratch.file("folder"));
   write("h.svx", "*include folder\n");
-  expect_fault("h.svx", "the file 'folder' does not exist", 1);
+  expect_fault("h.svx", "cannot read the file 'folder': it is a folder", 1);
   ReadOptions small;
+  small.max_bytes = 35;
+  expect_fault("f.svx", "the files of the survey exceed 35 bytes", 1, small);
   small.max_bytes = 15;
-  expect_fault("f.svx", "the files of the survey have more than 15 bytes", 0, small);
+  expect_fault("f.svx", "the files of the survey exceed 15 bytes", 1, small);
+}
+
+TEST_F(SvxInclude, HugeFilesAreNotRead) {
+  // A file of 8 GiB without contents: reading it would take minutes.
+  write("huge.svx", "1 2 3 4 5\n");
+  std::filesystem::resize_file(scratch.file("huge.svx"), std::uintmax_t{1} << 33);
+  write("a.svx", "\n*include huge\n");
+  const std::string message = "the files of the survey exceed 1073741824 bytes";
+  expect_fault("a.svx", message, 2);
+  expect_fault("huge.svx", message, 1);
+  std::filesystem::rename(scratch.file("huge.svx"), scratch.file("huge.3d"));
+  expect_fault("huge.3d", message, 1);
 }
 
 }  // namespace

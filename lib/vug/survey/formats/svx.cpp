@@ -9,9 +9,9 @@ namespace {
 
 Contents read_svx(std::string_view bytes, const std::filesystem::path& file,
                   const ReadOptions& options, Diagnostics& warnings) {
-  svx::Reader reader(file, options, warnings);
-  const std::string text = as_utf8(bytes);  // The reader refers to it until it has finished.
-  reader.read(text, file);
+  InputFiles files(file, bytes.size(), options);
+  svx::Reader reader(files, warnings);
+  reader.read(as_utf8(bytes));
   return reader.finish();
 }
 

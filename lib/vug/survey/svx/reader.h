@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vug/base/diagnostics.h>
-#include <vug/survey/format.h>
+#include <vug/survey/input_files.h>
 #include <vug/survey/svx/north.h>
 #include <vug/survey/svx/readings.h>
 #include <vug/survey/svx/stations.h>
@@ -26,14 +26,14 @@ struct Traverse {
 };
 
 struct Reader {
-  Reader(const std::filesystem::path& file, const ReadOptions& read_options, Diagnostics& notes);
+  Reader(InputFiles& input, Diagnostics& notes) : files(input), warnings(notes) {}
 
-  /// Reads the lines of a file.
-  void read(std::string_view bytes, const std::filesystem::path& file);
+  /// Reads the lines of the file in progress.
+  void read(std::string_view text);
   /// Checks names and returns the result; call it once, after the files.
   Observations finish();
 
-  const ReadOptions& options;
+  InputFiles& files;
   Diagnostics& warnings;
   Observations out;
   Settings settings;
@@ -43,13 +43,9 @@ struct Reader {
   Traverse traverse;
   bool in_tube = false;  ///< The next cross-section continues the last tube.
   std::set<std::pair<std::string, int>> exports;  ///< Surveys and the stations that they export.
-  std::set<std::string> exporting;                ///< Surveys with *export or *infer exports.
+  std::set<std::string> exporting;                ///< Surveys with *export.
   North north;
-
-  std::filesystem::path root;                ///< Folder of all included files.
-  std::vector<std::filesystem::path> files;  ///< From the first file to the current one.
-  std::deque<std::string> file_names;        ///< Referred to by lines.
-  size_t bytes_read = 0;
+  std::deque<std::string> file_names;  ///< Referred to by lines.
 };
 
 /// Runs the command after the asterisk.
