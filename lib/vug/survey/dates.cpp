@@ -50,25 +50,9 @@ bool is_iso(std::string_view text) {
   return true;
 }
 
-/// Reads one date and removes it.
-DateText take_date(std::string_view& text) {
-  const std::string_view separator = is_iso(text) ? "-" : ".";
-  const size_t before = text.size();
-  const std::string_view whole = text;
-  int year = take_number(text), month = 0, day = 0;
-  const size_t digits = before - text.size();
+/// The days of a date; a month or day of 0 is not given. `written` is its text for messages.
+DateText checked_date(int year, int month, int day, std::string_view written) {
   DateText out;
-  if (year < 0) {
-    out.fault = fmt::format("expected a date, found '{}'", text.substr(0, text.find(' ')));
-    return out;
-  }
-  if (digits <= 2) {
-    year += 1900;
-    out.warning = fmt::format("a year with two digits is taken as {}", year);
-  }
-  if (take(text, separator)) month = take_number(text);
-  if (month != 0 && take(text, separator)) day = take_number(text);
-  const std::string_view written = whole.substr(0, before - text.size());
   if (year < 1500 || year > 9999)
     out.fault = fmt::format("the year of '{}' is out of range", written);
   else if (month < 0 || month > 12)
@@ -80,6 +64,26 @@ DateText take_date(std::string_view& text) {
   else
     out.range = {day_number(year, month, day == 0 ? 1 : day),
                  day_number(year, month, day == 0 ? days_in(year, month) : day)};
+  return out;
+}
+
+/// Reads one date and removes it.
+DateText take_date(std::string_view& text) {
+  const std::string_view separator = is_iso(text) ? "-" : ".";
+  const size_t before = text.size();
+  const std::string_view whole = text;
+  int year = take_number(text), month = 0, day = 0;
+  const size_t digits = before - text.size();
+  if (year < 0) {
+    DateText out;
+    out.fault = fmt::format("expected a date, found '{}'", text.substr(0, text.find(' ')));
+    return out;
+  }
+  if (digits <= 2) year += 1900;
+  if (take(text, separator)) month = take_number(text);
+  if (month != 0 && take(text, separator)) day = take_number(text);
+  DateText out = checked_date(year, month, day, whole.substr(0, before - text.size()));
+  if (digits <= 2) out.warning = fmt::format("a year with two digits is taken as {}", year);
   return out;
 }
 
@@ -121,6 +125,21 @@ std::string date_text(int day) {
   int month = 1, rest = day - start_of(year);
   while (rest >= days_in(year, month)) rest -= days_in(year, month++);
   return fmt::format("{:04}-{:02}-{:02}", year, month, rest + 1);
+}
+
+DateText parse_date(const DateWords& words) {
+  const std::string written = fmt::format("{}-{}-{}", words.year, words.month, words.day);
+  const auto number = [](std::string_view text) {
+    const int value = take_number(text);
+    return text.empty() ? value : -1;
+  };
+  const int year = number(words.year), month = number(words.month), day = number(words.day);
+  if (year >= 0 && month >= 0 && day >= 0)
+    return checked_date(words.year.size() <= 2 ? year + 1900 : year, month == 0 ? -1 : month,
+                        day == 0 ? -1 : day, written);
+  DateText out;
+  out.fault = fmt::format("'{}' is not a date", written);
+  return out;
 }
 
 DateText parse_dates(std::string_view text) {

@@ -30,4 +30,12 @@ struct DateText {
 /// of its days. The words "surveyed" and "explored" may precede a date; explored dates are ignored.
 DateText parse_dates(std::string_view text);
 
+/// A day of which the parts are separate words, as Compass and Walls write it.
+struct DateWords {
+  std::string_view year;  ///< Two digits are a year of the 20th century.
+  std::string_view month;
+  std::string_view day;
+};
+DateText parse_date(const DateWords& words);
+
 }  // namespace vug::survey

@@ -37,6 +37,18 @@ TEST(Dates, DaysAndTextsAgreeOverCenturies) {
   EXPECT_EQ(day_number(2000, 1, 1), 36524);
 }
 
+TEST(Dates, SeparateWords) {
+  EXPECT_EQ(parse_date({"2000", "02", "29"}).range, parse_dates("2000-02-29").range);
+  EXPECT_EQ(parse_date({"79", "7", "10"}).range, parse_dates("1979-07-10").range);
+  EXPECT_EQ(parse_date({"1999", "2", "29"}).fault, "the day of '1999-2-29' does not exist");
+  EXPECT_EQ(parse_date({"1999", "2", "0"}).fault, "the day of '1999-2-0' does not exist");
+  EXPECT_EQ(parse_date({"1999", "0", "1"}).fault, "the month of '1999-0-1' is not from 1 to 12");
+  EXPECT_EQ(parse_date({"199", "1", "1"}).fault, "the year of '199-1-1' is out of range");
+  for (const DateWords& words : {DateWords{"", "1", "1"}, DateWords{"1999", "1", "1x"},
+                                 DateWords{"1999", "-1", "1"}, DateWords{"9999999999", "1", "1"}})
+    EXPECT_FALSE(parse_date(words).range);
+}
+
 TEST(Dates, FaultsAreNamed) {
   EXPECT_EQ(parse_dates("2001.02.29").fault, "the day of '2001.02.29' does not exist");
   EXPECT_EQ(parse_dates("2001.13").fault, "the month of '2001.13' is not from 1 to 12");

@@ -37,21 +37,16 @@ double number(const TextLines& lines, const std::vector<Word>& words, size_t ind
   return *value;
 }
 
-/// Month, day and year; years below 100 are those of the 20th century.
+/// Month, day and year.
 std::optional<DateRange> read_date(const TextLines& lines, std::string_view text) {
   const std::vector<Word> words = split_words(text.substr(0, text.find("COMMENT:")));
   if (words.empty()) return std::nullopt;
-  std::optional<int> month, day, year;
-  if (words.size() == 3) {
-    month = parse_integer(words[0].text, 1, 12);
-    day = parse_integer(words[1].text, 1, 31);
-    year = parse_integer(words[2].text, 0, 2199);
-  }
-  if (!month || !day || !year || (*year >= 100 && *year < 1900))
-    lines.fail(fmt::format("{} is not a date", quote_text(trimmed(text))),
-               "write the month, the day and the year, such as 7 10 1979");
-  const int days = day_number(*year < 100 ? *year + 1900 : *year, *month, *day);
-  return DateRange{days, days};
+  constexpr const char* kForm = "write the month, the day and the year, such as 7 10 1979";
+  if (words.size() != 3)
+    lines.fail(fmt::format("{} is not a date", quote_text(trimmed(text))), kForm);
+  const DateText date = parse_date({words[2].text, words[0].text, words[1].text});
+  if (!date.range) lines.fail(date.fault, kForm);
+  return date.range;
 }
 
 void read_format(DatHeader& header, const TextLines& lines, const Word& word) {

@@ -49,13 +49,9 @@ class PltReader {
     date_.reset();
     last_ = -1;
     if (words.size() < 5 || words[1].text != "D") return;
-    const auto month = parse_integer(words[2].text, 1, 12);
-    const auto day = parse_integer(words[3].text, 1, 31);
-    const auto year = parse_integer(words[4].text, 0, 2199);
-    if (!month || !day || !year || (*year >= 100 && *year < 1900))
-      lines_.fail("the date after D is not a month, a day and a year", "write D 7 10 1979");
-    const int days = day_number(*year < 100 ? *year + 1900 : *year, *month, *day);
-    date_ = DateRange{days, days};
+    const DateText date = parse_date({words[4].text, words[2].text, words[3].text});
+    if (!date.range) lines_.fail(date.fault, "write the month, the day and the year: D 7 10 1979");
+    date_ = date.range;
   }
 
   double number(const std::vector<Word>& words, size_t index, const char* name) const {
