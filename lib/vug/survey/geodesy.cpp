@@ -77,15 +77,20 @@ CoordinateSystem require_system(const std::string& name) {
 
 }  // namespace
 
-Geodesy::Geodesy() : cache_(std::make_unique<Cache>()) {}
+Geodesy::Geodesy() = default;
 Geodesy::~Geodesy() = default;
+
+Geodesy::Cache& Geodesy::cache() {
+  if (!cache_) cache_ = std::make_unique<Cache>();
+  return *cache_;
+}
 
 std::string Geodesy::fault_of(const std::string& name) {
   const std::optional<CoordinateSystem> system = coordinate_system(name);
   if (!system) return fmt::format("unknown coordinate system '{}'", name);
   if (system->definition.empty()) return "";
   try {
-    cache_->find(system->definition, kWgs84);
+    cache().find(system->definition, kWgs84);
   } catch (const Error&) {
     return fmt::format("PROJ does not know the coordinate system '{}'", name);
   }
@@ -96,12 +101,12 @@ Vec3d Geodesy::transform(const std::string& from, const std::string& to, const V
   const CoordinateSystem source = require_system(from), target = require_system(to);
   const Vec3d here = place + source.origin;
   const bool same = source.definition == target.definition;
-  return (same ? here : cache_->apply(source.definition, target.definition, here)) - target.origin;
+  return (same ? here : cache().apply(source.definition, target.definition, here)) - target.origin;
 }
 
 Geographic Geodesy::geographic(const std::string& from, const Vec3d& place) {
   const CoordinateSystem source = require_system(from);
-  const Vec3d found = cache_->apply(source.definition, kWgs84, place + source.origin);
+  const Vec3d found = cache().apply(source.definition, kWgs84, place + source.origin);
   return {found.x, found.y, found.z};
 }
 
@@ -109,7 +114,7 @@ double Geodesy::true_north(const std::string& grid, const Geographic& place) {
   const CoordinateSystem target = require_system(grid);
   constexpr double kStep = 1e-5;  // Degrees: about a metre to the north and to the south.
   const auto at = [&](double latitude) {
-    return cache_->apply(kWgs84, target.definition, {place.longitude, latitude, place.height});
+    return cache().apply(kWgs84, target.definition, {place.longitude, latitude, place.height});
   };
   const Vec3d north = at(place.latitude + kStep) - at(place.latitude - kStep);
   return maths::atan2(north.x, north.y);

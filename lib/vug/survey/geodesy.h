@@ -19,7 +19,8 @@ struct Geographic {
 /// Coordinate systems are named as in Survex: "EPSG:27700", "ESRI:102009", "UTM30N", "OSGB:SD",
 /// "S-MERC", "long-lat", "EUR79Z30", "JTSK", "iJTSK", "JTSK03", "iJTSK03", "local", or a definition
 /// of PROJ that begins with "+". Coordinates are easting, northing and altitude in metres, or
-/// longitude and latitude in degrees. Keeps the transformations that it has made.
+/// longitude and latitude in degrees. Keeps the transformations that it has made; PROJ starts with
+/// the first of them.
 class Geodesy {
  public:
   Geodesy();
@@ -37,7 +38,9 @@ class Geodesy {
 
  private:
   struct Cache;
-  std::unique_ptr<Cache> cache_;
+  Cache& cache();
+
+  std::unique_ptr<Cache> cache_;  ///< Null before its first use.
 };
 
 }  // namespace vug::survey

@@ -6,12 +6,30 @@
 #include <vug/survey/geodesy.h>
 #include <vug/survey/geomagnetism.h>
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+// Counts the contexts of PROJ: this definition replaces that of the library in this program.
+struct pj_ctx;
+static int contexts = 0;
+extern "C" pj_ctx* proj_context_create() {
+  ++contexts;
+  return reinterpret_cast<pj_ctx* (*)()>(dlsym(RTLD_NEXT, "proj_context_create"))();
+}
+
 namespace vug::survey {
 namespace {
+
+TEST(Geodesy, ProjStartsWithTheFirstTransformation) {
+  const int before = contexts;
+  Geodesy geodesy;
+  EXPECT_EQ(geodesy.transform("EPSG:27700", "EPSG:27700", {1, 2, 3}), Vec3d(1, 2, 3));
+  EXPECT_EQ(contexts, before);
+  geodesy.transform("UTM30N", "long-lat", {500000, 5538630, 0});
+  EXPECT_GT(contexts, before);
+}
 
 constexpr double kDegree = kPi / 180;
 
@@ -61,6 +79,15 @@ TEST(Geodesy, TrueNorthOnTheGrid) {
   // The convergence of a transverse Mercator grid is about the longitude times sin(latitude).
   EXPECT_NEAR(geodesy.true_north("UTM30N", {-2, 50, 0}) / kDegree,
               -maths::atan2(maths::tan(kDegree) * maths::sin(50 * kDegree), 1) / kDegree, 1e-3);
+}
+
+TEST(Geodesy, CompoundSystemsHaveTheNorthOfTheirHorizontalPart) {
+  Geodesy geodesy;
+  const Geographic place{-2.04008, 54.14929, 225};
+  const double plane = geodesy.true_north("EPSG:27700", place);
+  EXPECT_NEAR(geodesy.true_north("EPSG:7405", place), plane, 1e-12);
+  // 0.04 degrees west of the central meridian of the grid.
+  EXPECT_NEAR(plane / kDegree, 0.04008 * maths::sin(54.14929 * kDegree), 5e-4);
 }
 
 TEST(Geomagnetism, DeclinationsOfCavern) {
