@@ -80,6 +80,15 @@ void place_dead_ends(LegGraph& graph, const std::vector<DeadEnd>& dead_ends) {
   }
 }
 
+/// A station of legs on the surface and below it has both flags.
+void flag_stations(Survey& survey) {
+  for (const Leg& leg : survey.legs)
+    for (const int end : {leg.from, leg.to}) {
+      Station& station = survey.stations[static_cast<size_t>(end)];
+      (leg.surface ? station.surface : station.underground) = true;
+    }
+}
+
 Survey survey_of(Observations&& observations, const LegGraph& graph) {
   Survey survey;
   survey.title = std::move(observations.title);
@@ -97,6 +106,7 @@ Survey survey_of(Observations&& observations, const LegGraph& graph) {
   }
   survey.equates = std::move(observations.equates);
   survey.tubes = std::move(observations.tubes);
+  flag_stations(survey);
   return survey;
 }
 

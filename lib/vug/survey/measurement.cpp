@@ -38,6 +38,19 @@ Averaged average_bearing(const Reading& fore, const Reading& back) {
   return average(fore, {fore.value + apart, back.variance});
 }
 
+MeasuredVector turned(const MeasuredVector& leg, double angle) {
+  const double s = maths::sin(angle), c = maths::cos(angle);
+  const Vec3d& p = leg.vector;
+  const Covariance& v = leg.covariance;
+  return {{c * p.x + s * p.y, c * p.y - s * p.x, p.z},
+          {.xx = c * c * v.xx + s * s * v.yy + 2 * s * c * v.xy,
+           .yy = s * s * v.xx + c * c * v.yy - 2 * s * c * v.xy,
+           .zz = v.zz,
+           .xy = s * c * (v.yy - v.xx) + (c * c - s * s) * v.xy,
+           .yz = c * v.yz - s * v.zx,
+           .zx = c * v.zx + s * v.yz}};
+}
+
 MeasuredVector polar_leg(const Reading& tape, const Reading& bearing, const Reading& gradient,
                          double position) {
   const double s = maths::sin(bearing.value), c = maths::cos(bearing.value);

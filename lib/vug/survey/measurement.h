@@ -43,6 +43,9 @@ struct MeasuredVector {
   Covariance covariance;
 };
 
+/// The vector and its covariance after a rotation about the z axis: `angle` is added to bearings.
+MeasuredVector turned(const MeasuredVector& leg, double angle);
+
 /// `position` is the variance of a station (a third of it is added to each axis).
 MeasuredVector polar_leg(const Reading& tape, const Reading& bearing, const Reading& gradient,
                          double position);

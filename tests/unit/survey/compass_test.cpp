@@ -88,7 +88,8 @@ TEST(Compass, FaultsOfDataNameTheirLine) {
           {dat("", "1 FORMAT: DDDDLUDRLADadB"), 6, "a FORMAT of 14 characters is ambiguous"},
           {dat("", "1 CORRECTIONS: 1 2"), 6, "the line ends where a number is expected"},
           {dat("", "1 COLOUR: 2"), 6, "unknown setting 'COLOUR:'"},
-          {dat("", "0", "13 1 1999"), 3, "'13 1 1999' is not a date"},
+          {dat("", "0", "13 1 1999"), 3, "the month of '1999-13-1' is not from 1 to 12"},
+          {dat("", "0", "1 1999"), 3, "'1 1999' is not a date"},
           {dat("A B\n"), 10, "the line ends before LEN"},
           {dat("A B x 0 0 0 0 0 0\n"), 10, "'x' is not a number"},
           {dat("A B nan 0 0 0 0 0 0\n"), 10, "'nan' is not a number"},
@@ -104,17 +105,16 @@ TEST(Compass, FaultsOfDataNameTheirLine) {
 }
 
 TEST(Compass, FaultsOfPlotsNameTheirLine) {
-  expect_faults("plt",
-                {
-                    {"", 1, "the file is empty"},
-                    {"Q\n", 1, "unknown command 'Q'"},
-                    {"M 1 2\n", 1, "the line ends before the elevation"},
-                    {"M 1 2 x SA\n", 1, "'x' is not a number"},
-                    {"M 1 2 3 A\n", 1, "the name of the station is missing"},
-                    {"D 1 2 3 SA\n", 1, "a line to draw precedes the first position"},
-                    {"N x D 99 1 1\n", 1, "the date after D is not a month, a day and a year"},
-                    {"M 1 2 3 SA P 1 2\n", 1, "the line ends before the distance to a wall"},
-                });
+  expect_faults("plt", {
+                           {"", 1, "the file is empty"},
+                           {"Q\n", 1, "unknown command 'Q'"},
+                           {"M 1 2\n", 1, "the line ends before the elevation"},
+                           {"M 1 2 x SA\n", 1, "'x' is not a number"},
+                           {"M 1 2 3 A\n", 1, "the name of the station is missing"},
+                           {"D 1 2 3 SA\n", 1, "a line to draw precedes the first position"},
+                           {"N x D 99 1 1\n", 1, "the month of '1-99-1' is not from 1 to 12"},
+                           {"M 1 2 3 SA P 1 2\n", 1, "the line ends before the distance to a wall"},
+                       });
 }
 
 TEST(Compass, FaultsOfProjectsNameTheirLine) {

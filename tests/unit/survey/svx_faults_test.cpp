@@ -43,6 +43,12 @@ TEST(SvxFaults, MessagesAndLines) {
           {"*units compass percent\n", 1, "'percent' is not a unit of this quantity"},
           {"*sd tape 0 metres\n", 1, "the standard deviation is out of range"},
           {"*sd tape 0.1\n", 1, "expected a unit, found the end of the line"},
+          {"*cartesian north\n", 1, "expected 'grid', 'magnetic' or 'true', found 'north'"},
+          {"*cartesian true rotation 10 degrees\n", 1,
+           "the rotation of '*cartesian' is not supported"},
+          {"*cs OSGB:SD\n*cs out EPSG:27700\n*cartesian true\n"
+           "*data cartesian from to easting northing altitude\n1 2 3 4 5\n",
+           5, "the north of '*cartesian' depends on the place, which is not known"},
           {"*calibrate tape\n", 1, "expected the zero error, found the end of the line"},
           {"*calibrate tape 0 0\n", 1, "the scale is out of range"},
           {"*calibrate declination 3 2\n", 1, "the scale of declination is not 1"},

@@ -129,10 +129,10 @@ TEST(Svx, AnonymousStationsAreNeverTheSame) {
 }
 
 TEST(Svx, FlagsOfStations) {
-  Diagnostics warnings;
-  const Observations read = observe_svx(
-      "*entrance 2\n*flags surface\n1 2 3 4 5\n*flags not surface\n2 3 4 5 6\n*fix 3 0 0 0\n",
-      warnings);
+  const Survey read =
+      read_svx_text(
+          "*entrance 2\n*flags surface\n1 2 3 4 5\n*flags not surface\n2 3 4 5 6\n*fix 3 0 0 0\n")
+          .survey;
   const auto named = [&](const std::string& name) {
     for (const Station& each : read.stations)
       if (each.name == name) return each;
@@ -174,6 +174,43 @@ TEST(Svx, SurveysExportTheirStations) {
   EXPECT_EQ(warnings_of(survey + "*equate a.2 x\n"),
             "the survey 'a' does not export the station '2'\n");
   EXPECT_EQ(warnings_of("*begin a\n1 2 3 4 5\n*end a\n*equate a.2 x\n"), "");
+}
+
+TEST(Svx, ExportsCanBeInferred) {
+  // As in cavern 1.4.4: a station is exported if it is named once while the setting is on.
+  const std::string survey = "*begin a\n*export 2\n1 2 3 4 5\n*end a\n";
+  EXPECT_EQ(warnings_of("*infer exports on\n" + survey + "*equate a.1 x\n"), "");
+  EXPECT_EQ(warnings_of(survey + "*infer exports on\n*equate a.1 x\n"), "");
+  EXPECT_EQ(warnings_of("*begin a\n*export 2\n*infer exports on\n1 2 3 4 5\n*infer exports off\n"
+                        "3 1 3 4 5\n*end a\n*equate a.1 a.3 x\n"),
+            "the survey 'a' does not export the station '3'\n");
+}
+
+TEST(Svx, TheNorthOfCartesianData) {
+  const std::string data = "*data cartesian from to easting northing altitude\n";
+  const std::string leg = data + "1 2 0 100 7\n";
+  const auto bearing = [&](const std::string& head) {
+    const Vec3d v = last_vector(head + leg);
+    EXPECT_NEAR(v.length(), std::hypot(100, 7), 1e-9);
+    return maths::atan2(v.x, v.y) * 180 / kPi;
+  };
+  const std::string place =
+      "*cs OSGB:SD\n*cs out EPSG:27700\n*declination auto 97480 72608 225\n*date 1982.02.07\n";
+  EXPECT_EQ(bearing("*declination 10 degrees\n"), 0);
+  EXPECT_NEAR(bearing("*declination 10 degrees\n*cartesian magnetic\n"), 10, 1e-9);
+  EXPECT_EQ(bearing("*cartesian true\n"), 0);
+  EXPECT_NEAR(bearing(place + "*cartesian true\n"), 0.0325, 1e-3);
+  EXPECT_NEAR(bearing(place + "*cartesian magnetic\n"), -7.1391 + 0.0325, 1e-3);
+  EXPECT_NEAR(bearing(place + "*cartesian grid\n"), 0, 1e-9);
+  EXPECT_EQ(bearing("*begin\n*cartesian magnetic\n*declination 9 degrees\n*end\n"), 0);
+
+  // The accuracy turns with the leg.
+  Diagnostics warnings;
+  const Observations read = observe_svx(
+      "*cartesian magnetic\n*declination 90 degrees\n*sd northing 2 metres\n" + leg, warnings);
+  EXPECT_NEAR(read.legs[0].vector.x, 100, 1e-9);
+  EXPECT_NEAR(read.legs[0].covariance.xx, 4, 1e-9);
+  EXPECT_NEAR(read.legs[0].covariance.xy, 0, 1e-9);
 }
 
 TEST(Svx, MagneticNorthFollowsTheDates) {

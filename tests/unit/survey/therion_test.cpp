@@ -82,6 +82,17 @@ TEST(Therion, DeviationsGiveTheCovariance) {
   EXPECT_EQ(survey.fixes[0].covariance->xy, 0.001);
 }
 
+TEST(Therion, AGradeMayBeEmptyAndReplaceAnother) {
+  const std::string legs = data("grade own\n1 2 10 0 0");
+  const Observations standard = read_th(data("1 2 10 0 0"));
+  EXPECT_EQ(read_th("grade own\nendgrade\n" + legs).legs[0].covariance.yy,
+            standard.legs[0].covariance.yy);
+  EXPECT_EQ(read_th("grade own\nlength 1 m\nendgrade\ngrade own\nendgrade\n" + legs)
+                .legs[0]
+                .covariance.yy,
+            standard.legs[0].covariance.yy);
+}
+
 TEST(Therion, EncodingsBecomeUtf8) {
   EXPECT_EQ(read_th("encoding ISO8859-2\nsurvey s -title \"\xb9\xe1\"\nendsurvey\n").title,
             "\u0161\u00e1");
@@ -164,8 +175,9 @@ TEST(Therion, FaultsNameTheirLine) {
           {data("grade BCRA9"), 4, "unknown grade 'BCRA9'"},
           {data("declination 3"), 4, "'declination' lacks an argument"},
           {data("fix 1 2 3"), 4, "'fix' has a station and 3, 6 or 9 numbers"},
-          {data("fix 1 2 3 4 0 1 1"), 4, "a standard deviation must be positive"},
-          {data("fix 1 2 3 4 1 1 1 1 0 0"), 4, "a covariance exceeds the standard deviations"},
+          {data("fix 1 2 3 4 0 1 1"), 4, "a standard deviation is out of range"},
+          {data("fix 1 2 3 4 1 1 1 1 0 0"), 4,
+           "the covariances are too large for the standard deviations"},
           {data("cs lat-long"), 4, "coordinates in degrees are not supported"},
           {data("cs UTM99"), 4, "unknown coordinate system 'UTM99'"},
           {data("cs UTM33\ncs UTM34"), 5,

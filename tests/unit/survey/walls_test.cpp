@@ -74,6 +74,7 @@ TEST(Walls, FaultsNameTheirLine) {
                            {"#fix A 1 2\n", 1, "'#fix' has a station and three coordinates"},
                            {"#fix A 1 2 x\n", 1, "'x' is not a length"},
                            {"#date 2001\n", 1, "'#date' has no date"},
+                           {"#date 2/x/2001\n", 1, "'2001-2-x' is not a date"},
                            {"\nA\n", 2, "the line names fewer than two stations"},
                            {"A B\n", 1, "the line ends before the distance"},
                            {"A B 1\n", 1, "the line ends before the azimuth"},

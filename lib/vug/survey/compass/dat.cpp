@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/survey/backsights.h>
 #include <vug/survey/compass/dat.h>
 #include <vug/survey/compass/dat_header.h>
 #include <vug/survey/compass/feet.h>
@@ -122,21 +123,6 @@ class SurveyReader {
     return Reading{*degrees * kDegree, variance};
   }
 
-  /// The readings in both directions combined, in the direction of the shot.
-  Reading combined(std::optional<Reading> fore, std::optional<Reading> back, bool is_bearing,
-                   const Shot& shot) {
-    if (fore && back) {
-      const Averaged both = is_bearing ? average_bearing(*fore, *back) : average(*fore, *back);
-      if (both.disagreement > 3)
-        warnings_.warning(shot.where,
-                          fmt::format("the {} and its backsight differ by {:.1f} standard "
-                                      "deviations",
-                                      is_bearing ? "bearing" : "inclination", both.disagreement));
-      return both.reading;
-    }
-    return fore ? *fore : *back;
-  }
-
   MeasuredVector vector(const Shot& shot, double length) {
     const Deviations sd;
     const double position = sd.position * sd.position;
@@ -158,7 +144,9 @@ class SurveyReader {
     if (!gradient && !reversed && length > 0)
       throw Error(ErrorCode::bad_input, "the inclination is missing", shot.where,
                   "write the inclination of the shot or of its backsight");
-    const Reading slope = length > 0 ? combined(gradient, reversed, false, shot) : Reading{};
+    const Reading slope =
+        length > 0 ? *BothDirections{gradient, reversed}.combine("clino", shot.where, warnings_)
+                   : Reading{};
     if (std::fabs(slope.value) > kPi / 2 * (1 + 1e-9))
       throw Error(ErrorCode::bad_input, "the corrected inclination is steeper than vertical",
                   shot.where, "check the corrections in the header");
@@ -170,7 +158,9 @@ class SurveyReader {
       return plumb_leg({std::copysign(length, slope.value), tape.variance}, sd.plumb * sd.plumb,
                        position);
     }
-    return polar_leg(tape, combined(bearing, back_bearing, true, shot), slope, position);
+    return polar_leg(tape,
+                     *BothDirections{bearing, back_bearing}.combine_bearings(shot.where, warnings_),
+                     slope, position);
   }
 
   void add(const Shot& shot) {

@@ -13,6 +13,7 @@ void command_prefix(Reader& reader, Line& line);
 
 // commands_readings.cpp: settings of data lines
 void command_calibrate(Reader& reader, Line& line);
+void command_cartesian(Reader& reader, Line& line);
 void command_data(Reader& reader, Line& line);
 void command_date(Reader& reader, Line& line);
 void command_declination(Reader& reader, Line& line);

@@ -58,6 +58,29 @@ void command_calibrate(Reader& reader, Line& line) {
   line.set_position(end);
 }
 
+void command_cartesian(Reader& reader, Line& line) {
+  line.peek();
+  const size_t start = line.position();
+  const std::string north = line.keyword();
+  CartesianNorth& setting = reader.settings.cartesian;
+  if (north == "grid") {
+    setting = CartesianNorth::grid;
+  } else if (north == "magnetic") {
+    setting = CartesianNorth::magnetic;
+  } else if (north == "true") {
+    setting = CartesianNorth::geographic;
+  } else {
+    line.set_position(start);
+    line.fail_expected("'grid', 'magnetic' or 'true'", "e.g. *cartesian magnetic");
+  }
+  line.peek();
+  const size_t end = line.position();
+  if (line.keyword() == "rotation")
+    line.fail(end, "the rotation of '*cartesian' is not supported",
+              "turn the data, or write '*cartesian magnetic' with '*declination'");
+  line.set_position(end);
+}
+
 void command_data(Reader& reader, Line& line) {
   reader.traverse = {};
   reader.in_tube = false;

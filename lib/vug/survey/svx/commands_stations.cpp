@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The commands about stations and their coordinates.
+#include <vug/survey/fix_covariance.h>
 #include <vug/survey/svx/commands.h>
 
 #include <fmt/format.h>
@@ -24,17 +25,7 @@ std::optional<Covariance> read_fix_covariance(Line& line) {
               "covariances xy, yz, zx");
   const double x = values[0], y = count < 3 ? values[0] : values[1],
                z = count == 1 ? values[0] : values[std::min<size_t>(count, 3) - 1];
-  for (const double deviation : {x, y, z})
-    if (!(deviation >= 1e-6 && deviation <= 1e6))
-      line.fail(start, "a standard deviation is out of range", "it is between 1e-6 and 1e6 metres");
-  const Covariance v{x * x, y * y, z * z, values[3], values[4], values[5]};
-  const double determinant = v.xx * (v.yy * v.zz - v.yz * v.yz) -
-                             v.xy * (v.xy * v.zz - v.yz * v.zx) +
-                             v.zx * (v.xy * v.yz - v.yy * v.zx);
-  if (!(v.xx * v.yy > v.xy * v.xy && determinant > 1e-9 * v.xx * v.yy * v.zz))
-    line.fail(start, "the covariances are too large for the standard deviations",
-              "the matrix of covariances must be positive definite");
-  return v;
+  return fix_covariance({x, y, z}, {values[3], values[4], values[5]}, line.range(start));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ void check_exports(Reader& reader) {
   for (const NameInSurvey& each : reader.stations.names_in_surveys()) {
     const std::string& name = reader.stations[each.station].name;
     reader.stations[each.station].exported = true;
+    if (reader.stations.is_exported(each.station)) continue;
     size_t dot = each.survey.empty() ? 0 : each.survey.size() + 1;
     for (dot = name.find('.', dot); dot != std::string::npos; dot = name.find('.', dot + 1)) {
       const std::string survey = name.substr(0, dot);

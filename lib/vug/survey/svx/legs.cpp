@@ -8,25 +8,6 @@
 namespace vug::survey::svx {
 namespace {
 
-Style style_of_leg_data(DataStyle style) {
-  switch (style) {
-    case DataStyle::normal:
-      return Style::normal;
-    case DataStyle::diving:
-      return Style::diving;
-    case DataStyle::cartesian:
-      return Style::cartesian;
-    case DataStyle::cylpolar:
-      return Style::cylpolar;
-    case DataStyle::nosurvey:
-      return Style::nosurvey;
-    case DataStyle::passage:
-    case DataStyle::ignore:
-      break;
-  }
-  return Style::unknown;
-}
-
 void require_valid_ends(Reader& reader, const LegLine& line) {
   if (line.from.anonymous && line.to.anonymous)
     throw Error(ErrorCode::bad_input, "both stations of the leg are anonymous",
@@ -50,16 +31,13 @@ void add_leg(Reader& reader, const LegLine& line) {
   Leg& leg = observed.leg;
   leg.from = line.backwards ? line.to.station : line.from.station;
   leg.to = line.backwards ? line.from.station : line.to.station;
-  leg.style = style_of_leg_data(settings.order->style);
+  leg.style = leg_style(settings.order->style);
   leg.where = line.line.range(line.from.start);
   for (const int station : {leg.from, leg.to}) reader.stations.use(station);
   if (settings.infer_equates && read.length == 0 && leg.style != Style::nosurvey) {
     reader.out.equates.push_back({leg.from, leg.to, leg.where});
     return;
   }
-  for (const int station : {leg.from, leg.to})
-    (settings.surface ? reader.stations[station].surface : reader.stations[station].underground) =
-        true;
   leg.surface = settings.surface;
   leg.duplicate = settings.duplicate;
   leg.splay = settings.splay || line.from.splay || line.to.splay;

@@ -24,4 +24,22 @@ double North::correction(const Settings& settings, const std::string& grid,
   return known_.emplace(key, angle).first->second;
 }
 
+double North::cartesian_correction(const Settings& settings, const std::string& grid,
+                                   const SourceLocation& where, Diagnostics& warnings) {
+  if (settings.cartesian == CartesianNorth::output) return 0;
+  if (settings.cartesian == CartesianNorth::magnetic)
+    return correction(settings, grid, where, warnings);
+  const Declination& declination = settings.declination;
+  const bool geographic = settings.cartesian == CartesianNorth::geographic;
+  const std::string& system = settings.coordinate_system;
+  if (grid.empty() || (!geographic && (system.empty() || system == grid))) return 0;
+  if (!declination.automatic)
+    throw Error(ErrorCode::bad_input,
+                "the north of '*cartesian' depends on the place, which is not known", where,
+                "write '*declination auto' with a place of the survey above the data");
+  const Geographic place = geodesy_.geographic(declination.coordinate_system, declination.place);
+  const double angle = geodesy_.true_north(grid, place);
+  return geographic ? angle : angle - geodesy_.true_north(system, place);
+}
+
 }  // namespace vug::survey::svx

@@ -15,6 +15,10 @@ class North {
   /// survey. Adds a warning for a leg without a date.
   double correction(const Settings& settings, const std::string& grid, const SourceLocation& where,
                     Diagnostics& warnings);
+  /// The same for the bearings of cartesian data. Error(bad_input) if the angle between two norths
+  /// depends on a place that is not known.
+  double cartesian_correction(const Settings& settings, const std::string& grid,
+                              const SourceLocation& where, Diagnostics& warnings);
   Geodesy& geodesy() { return geodesy_; }
 
  private:

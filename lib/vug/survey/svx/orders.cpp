@@ -20,53 +20,45 @@ constexpr unsigned kMeasured = kNormal | kDiving | kCylpolar;
 
 constexpr const char* kInterleaved = "e.g. *data normal station newline tape compass clino";
 
-struct ItemName {
-  Item item;
-  unsigned styles;
-};
-
-const std::map<std::string, ItemName>& known_items() {
-  static const std::map<std::string, ItemName> all = {
-      {"altitude", {Item::altitude, kCartesian}},
-      {"backbearing", {Item::back_compass, kMeasured}},
-      {"backclino", {Item::back_clino, kNormal | kDiving}},
-      {"backcompass", {Item::back_compass, kMeasured}},
-      {"backgradient", {Item::back_clino, kNormal | kDiving}},
-      {"backlength", {Item::back_tape, kMeasured}},
-      {"backtape", {Item::back_tape, kMeasured}},
-      {"bearing", {Item::compass, kMeasured}},
-      {"ceiling", {Item::up, kPassage}},
-      {"clino", {Item::clino, kNormal | kDiving}},
-      {"compass", {Item::compass, kMeasured}},
-      {"count", {Item::count, kMeasured}},
-      {"depth", {Item::depth, kDiving | kCylpolar}},
-      {"depthchange", {Item::depth_change, kDiving | kCylpolar}},
-      {"direction", {Item::direction, kLegs}},
-      {"down", {Item::down, kPassage}},
-      {"dx", {Item::easting, kCartesian}},
-      {"dy", {Item::northing, kCartesian}},
-      {"dz", {Item::altitude, kCartesian}},
-      {"easting", {Item::easting, kCartesian}},
-      {"floor", {Item::down, kPassage}},
-      {"from", {Item::from, kLegs}},
-      {"fromcount", {Item::from_count, kMeasured}},
-      {"fromdepth", {Item::from_depth, kDiving | kCylpolar}},
-      {"gradient", {Item::clino, kNormal | kDiving}},
-      {"ignore", {Item::ignore, kLegs | kPassage}},
-      {"ignoreall", {Item::ignore_all, kLegs | kPassage}},
-      {"left", {Item::left, kPassage}},
-      {"length", {Item::tape, kMeasured}},
-      {"newline", {Item::newline, kLegs}},
-      {"northing", {Item::northing, kCartesian}},
-      {"right", {Item::right, kPassage}},
-      {"station", {Item::station, kLegs | kPassage}},
-      {"tape", {Item::tape, kMeasured}},
-      {"to", {Item::to, kLegs}},
-      {"tocount", {Item::to_count, kMeasured}},
-      {"todepth", {Item::to_depth, kDiving | kCylpolar}},
-      {"up", {Item::up, kPassage}},
-  };
-  return all;
+/// The styles that have an item.
+unsigned styles_of(Item item) {
+  switch (item) {
+    case Item::from:
+    case Item::to:
+    case Item::newline:
+    case Item::direction:
+      return kLegs;
+    case Item::station:
+    case Item::ignore:
+    case Item::ignore_all:
+      return kLegs | kPassage;
+    case Item::tape:
+    case Item::back_tape:
+    case Item::compass:
+    case Item::back_compass:
+    case Item::from_count:
+    case Item::to_count:
+    case Item::count:
+      return kMeasured;
+    case Item::clino:
+    case Item::back_clino:
+      return kNormal | kDiving;
+    case Item::from_depth:
+    case Item::to_depth:
+    case Item::depth:
+    case Item::depth_change:
+      return kDiving | kCylpolar;
+    case Item::easting:
+    case Item::northing:
+    case Item::altitude:
+      return kCartesian;
+    case Item::left:
+    case Item::right:
+    case Item::up:
+    case Item::down:
+      return kPassage;
+  }
+  return 0;
 }
 
 const std::map<std::string, DataStyle>& style_names() {
@@ -163,15 +155,15 @@ std::shared_ptr<const Order> read_order(Line& line) {
   while (!line.at_end()) {
     const size_t at = line.position();
     const std::string name = line.keyword();
-    const auto found = known_items().find(name);
-    if (found == known_items().end()) {
+    const auto found = item_names().find(name);
+    if (found == item_names().end()) {
       line.set_position(at);
-      line.fail_expected("a reading", suggestion(name, keys_of(known_items())));
+      line.fail_expected("a reading", suggestion(name, keys_of(item_names())));
     }
-    if ((found->second.styles & bit(order->style)) == 0)
+    if ((styles_of(found->second) & bit(order->style)) == 0)
       line.fail(at, fmt::format("the style '{}' has no reading '{}'", style_name, name),
                 "remove it, or write 'ignore' for a column to skip");
-    add_item(*order, found->second.item, name, line, at);
+    add_item(*order, found->second, name, line, at);
   }
   if (const std::string missing = missing_item(*order); !missing.empty())
     line.fail(start, fmt::format("the style '{}' lacks {}", style_name, missing),

@@ -20,6 +20,14 @@ struct Declination {
   std::string coordinate_system;
 };
 
+/// The north of cartesian data.
+enum class CartesianNorth {
+  output,    ///< That of the grid of the survey.
+  grid,      ///< That of the grid of *cs.
+  magnetic,  ///< That of compasses.
+  geographic,
+};
+
 struct Settings {
   std::string survey;  ///< The full name of the current survey; empty at the top.
   std::shared_ptr<const Order> order = default_order();
@@ -27,6 +35,7 @@ struct Settings {
   std::array<Calibration, kQuantities> calibrations = default_calibrations();
   std::array<double, kQuantities> variances = default_variances();
   Declination declination;
+  CartesianNorth cartesian = CartesianNorth::output;
   std::string coordinate_system;  ///< The system of *fix; empty: local metres.
   std::optional<DateRange> date;
   LetterCase letter_case = LetterCase::lower;

@@ -54,6 +54,7 @@ int StationTable::add(const std::string& name, const SourceLocation& where) {
   stations_.back().name = name;
   stations_.back().where = where;
   used_.push_back(false);
+  exported_.push_back(false);
   return number;
 }
 
@@ -78,6 +79,7 @@ StationName StationTable::read(Line& line, const Settings& settings, Diagnostics
   const auto found = index_.find(name.text);
   const int station = found != index_.end() ? found->second : add(name.text, line.range(start));
   if (found == index_.end()) index_.emplace(name.text, station);
+  if (settings.infer_exports) exported_[static_cast<size_t>(station)] = true;
   if (name.below) names_in_surveys_.push_back({settings.survey, station, line.range(start)});
   return {station, false, false, start};
 }

@@ -39,12 +39,15 @@ class StationTable {
   /// Marks a station as part of a leg, an equate or a fix.
   void use(int station) { used_[static_cast<size_t>(station)] = true; }
   bool is_used(int station) const { return used_[static_cast<size_t>(station)]; }
+  /// Whether the station was named while *infer exports was on: all its surveys export it.
+  bool is_exported(int station) const { return exported_[static_cast<size_t>(station)]; }
 
  private:
   int add(const std::string& name, const SourceLocation& where);
 
   std::vector<Station> stations_;
   std::vector<bool> used_;
+  std::vector<bool> exported_;
   std::unordered_map<std::string, int> index_;
   std::vector<NameInSurvey> names_in_surveys_;
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/survey/backsights.h>
 #include <vug/survey/svx/vectors.h>
 
 #include <fmt/format.h>
@@ -10,8 +11,6 @@ namespace {
 
 using Kind = ItemValue::Kind;
 
-/// Two readings that differ by more than this number of standard deviations cause a warning.
-constexpr double kSuspicious = 3;
 constexpr double kRightAngle = kPi / 2;
 
 /// The readings of one leg under the current settings.
@@ -37,21 +36,16 @@ struct LegReader {
   Reading reading(Item item, Quantity quantity) const {
     return {calibrated(item, quantity), settings().variances[quantity]};
   }
-  Reading averaged(const Averaged& both, Item back, const char* what) const {
-    if (both.disagreement > kSuspicious)
-      warn(back,
-           fmt::format("the readings of {} in both directions differ by {:.1f} standard deviations",
-                       what, both.disagreement));
-    return both.reading;
-  }
 
   Reading tape() const;
   Reading one_tape(Item item, Quantity quantity) const;
   bool has_bearing() const {
     return value(Item::compass).given() || value(Item::back_compass).given();
   }
+  /// A leg with a bearing.
   Reading bearing() const;
   Reading one_bearing(Item item, Quantity quantity) const;
+  /// A leg with a gradient.
   Reading gradient() const;
   Reading one_gradient(Item item, Quantity quantity) const;
   int plumb() const;
@@ -71,12 +65,10 @@ Reading LegReader::one_tape(Item item, Quantity quantity) const {
 }
 
 Reading LegReader::tape() const {
-  const bool fore = value(Item::tape).given(), back = value(Item::back_tape).given();
-  if (fore && back)
-    return averaged(average(one_tape(Item::tape, kTape), one_tape(Item::back_tape, kBackTape)),
-                    Item::back_tape, "the tape");
-  if (fore) return one_tape(Item::tape, kTape);
-  if (back) return one_tape(Item::back_tape, kBackTape);
+  BothDirections read;
+  if (value(Item::tape).given()) read.fore = one_tape(Item::tape, kTape);
+  if (value(Item::back_tape).given()) read.back = one_tape(Item::back_tape, kBackTape);
+  if (const auto both = read.combine("tape", where(Item::back_tape), reader.warnings)) return *both;
   if (value(Item::from_count).is_number() && value(Item::to_count).is_number()) {
     const Calibration& count = settings().calibrations[kCount];
     const double turns = value(Item::to_count).number - value(Item::from_count).number;
@@ -96,17 +88,15 @@ Reading LegReader::one_bearing(Item item, Quantity quantity) const {
 Reading LegReader::bearing() const {
   const double north = reader.north.correction(settings(), reader.out.coordinate_system,
                                                leg.line.range(leg.from.start), reader.warnings);
-  const auto read = [&](Item item, Quantity quantity, double turn) {
+  const auto read = [&](Item item, Quantity quantity, double turn) -> std::optional<Reading> {
+    if (!value(item).given()) return std::nullopt;
     Reading one = one_bearing(item, quantity);
     one.value += north + turn;
     return one;
   };
-  const bool fore = value(Item::compass).given(), back = value(Item::back_compass).given();
-  if (!back) return read(Item::compass, kCompass, 0);
-  const Reading second = read(Item::back_compass, kBackCompass, kPi);
-  if (!fore) return second;
-  return averaged(average_bearing(read(Item::compass, kCompass, 0), second), Item::back_compass,
-                  "the compass");
+  return *BothDirections{read(Item::compass, kCompass, 0),
+                         read(Item::back_compass, kBackCompass, kPi)}
+              .combine_bearings(where(Item::back_compass), reader.warnings);
 }
 
 Reading LegReader::one_gradient(Item item, Quantity quantity) const {
@@ -118,13 +108,13 @@ Reading LegReader::one_gradient(Item item, Quantity quantity) const {
 }
 
 Reading LegReader::gradient() const {
-  const bool fore = value(Item::clino).given(), back = value(Item::back_clino).given();
-  if (!back) return one_gradient(Item::clino, kClino);
-  Reading second = one_gradient(Item::back_clino, kBackClino);
-  second.value = -second.value;
-  if (!fore) return second;
-  return averaged(average(one_gradient(Item::clino, kClino), second), Item::back_clino,
-                  "the clino");
+  BothDirections read;
+  if (value(Item::clino).given()) read.fore = one_gradient(Item::clino, kClino);
+  if (value(Item::back_clino).given()) {
+    read.back = one_gradient(Item::back_clino, kBackClino);
+    read.back->value = -read.back->value;
+  }
+  return *read.combine("clino", where(Item::back_clino), reader.warnings);
 }
 
 /// 1 for a leg vertically up, -1 for one down, 0 for others.
@@ -201,7 +191,11 @@ MeasuredVector LegReader::cartesian() const {
   };
   const Reading x = axis(Item::easting, kEasting), y = axis(Item::northing, kNorthing),
                 z = axis(Item::altitude, kAltitude);
-  return {{x.value, y.value, z.value}, {.xx = x.variance, .yy = y.variance, .zz = z.variance}};
+  const MeasuredVector read{{x.value, y.value, z.value},
+                            {.xx = x.variance, .yy = y.variance, .zz = z.variance}};
+  const double angle = reader.north.cartesian_correction(
+      settings(), reader.out.coordinate_system, leg.line.range(leg.from.start), reader.warnings);
+  return angle == 0 ? read : turned(read, angle);
 }
 
 }  // namespace

@@ -12,23 +12,6 @@ namespace {
 
 bool is_anonymous(const std::string& name) { return name == "." || name == "-"; }
 
-Style leg_style(DataStyle style) {
-  switch (style) {
-    case DataStyle::normal:
-      return Style::normal;
-    case DataStyle::diving:
-      return Style::diving;
-    case DataStyle::cartesian:
-      return Style::cartesian;
-    case DataStyle::cylpolar:
-      return Style::cylpolar;
-    case DataStyle::nosurvey:
-      return Style::nosurvey;
-    default:
-      return Style::unknown;
-  }
-}
-
 }  // namespace
 
 int Centreline::station(const Token& name) {
@@ -42,7 +25,7 @@ void Centreline::read_data(const std::vector<Token>& line) {
   const Order& order = settings_.order;
   if (order.interleaved) return read_interleaved(line);
   const DataLine data = read_data_line(line, order, 0, order.items.size());
-  if (order.style == DataStyle::dimensions)
+  if (order.style == DataStyle::passage)
     add_dimensions(data);
   else
     add_leg(data);

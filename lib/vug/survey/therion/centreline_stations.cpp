@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names of stations in a centreline, and the commands about stations.
+#include <vug/survey/fix_covariance.h>
 #include <vug/survey/plausible.h>
 #include <vug/survey/therion/centreline.h>
 
@@ -101,25 +102,9 @@ void Centreline::read_fix(const std::vector<Token>& line) {
   fix.position = {values[0], values[1], values[2]};
   fix.where = line[0].where.up_to(line.back().where);
   require_plausible(fix.position, fix.where);
-  if (numbers > 3) {
-    for (size_t i = 3; i < 6; ++i)
-      if (values[i] <= 0)
-        fail("a standard deviation must be positive", line[i + 2].where, "write a number above 0");
-    Covariance c;
-    c.xx = values[3] * values[3];
-    c.yy = values[4] * values[4];
-    c.zz = values[5] * values[5];
-    c.xy = values[6];
-    c.yz = values[7];
-    c.zx = values[8];
-    const double determinant = c.xx * (c.yy * c.zz - c.yz * c.yz) -
-                               c.xy * (c.xy * c.zz - c.yz * c.zx) +
-                               c.zx * (c.xy * c.yz - c.yy * c.zx);
-    if (!(c.xy * c.xy < c.xx * c.yy) || !(determinant > 0) || !std::isfinite(determinant))
-      fail("a covariance exceeds the standard deviations", line[5].where,
-           "write covariances smaller than the products of the standard deviations");
-    fix.covariance = c;
-  }
+  if (numbers > 3)
+    fix.covariance = fix_covariance({values[3], values[4], values[5]},
+                                    {values[6], values[7], values[8]}, fix.where);
   context_.observations.stations[static_cast<size_t>(fix.station)].fixed = true;
   context_.observations.fixes.push_back(fix);
 }

@@ -9,10 +9,10 @@ namespace {
 bool is_wall(Item item) {
   return item == Item::left || item == Item::right || item == Item::up || item == Item::down;
 }
-bool is_gradient(Item item) { return item == Item::gradient || item == Item::back_gradient; }
+bool is_gradient(Item item) { return item == Item::clino || item == Item::back_clino; }
 bool may_be_omitted(Item item) {
-  return is_wall(item) || item == Item::bearing || item == Item::back_bearing ||
-         item == Item::back_gradient || item == Item::back_length;
+  return is_wall(item) || item == Item::compass || item == Item::back_compass ||
+         item == Item::back_clino || item == Item::back_tape;
 }
 
 Value parse_value(const Token& token, Item item) {

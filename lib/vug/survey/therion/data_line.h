@@ -28,7 +28,7 @@ class Values {
   void add(const Values& other);
 
  private:
-  std::array<Value, static_cast<size_t>(Item::direction) + 1> values_;
+  std::array<Value, kItems> values_;
 };
 
 /// A data line or a part of it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/base/maths.h>
+#include <vug/survey/backsights.h>
 #include <vug/survey/therion/leg_vector.h>
 
 #include <fmt/format.h>
@@ -23,24 +23,13 @@ class LegReadings {
             settings_.variances[quantity]};
   }
 
-  std::optional<Reading> combined(std::optional<Reading> fore, std::optional<Reading> back,
-                                  const char* name, bool is_bearing) const {
-    if (!fore || !back) return fore ? fore : back;
-    const Averaged both = is_bearing ? average_bearing(*fore, *back) : average(*fore, *back);
-    if (both.disagreement > 3)
-      warnings_.warning(line_.where, fmt::format("the {} and its backsight differ by {:.1f} "
-                                                 "standard deviations",
-                                                 name, both.disagreement));
-    return both.reading;
-  }
-
   std::optional<Reading> number(Item item, Quantity quantity) const {
     return has(item) ? std::optional(reading(item, quantity)) : std::nullopt;
   }
 
   Reading length() const {
-    if (const auto direct = combined(number(Item::length, kLength),
-                                     number(Item::back_length, kLength), "length", false))
+    const BothDirections read{number(Item::tape, kLength), number(Item::back_tape, kLength)};
+    if (const auto direct = read.combine("tape", line_.where, warnings_))
       return checked_length(*direct);
     if (has(Item::from_count) && has(Item::to_count)) {
       // Counters may run in either direction.
@@ -70,7 +59,8 @@ class LegReadings {
       result.value = std::remainder(result.value + turn + settings_.declination, 2 * kPi);
       return result;
     };
-    return combined(turned(Item::bearing, 0), turned(Item::back_bearing, kPi), "bearing", true);
+    return BothDirections{turned(Item::compass, 0), turned(Item::back_compass, kPi)}
+        .combine_bearings(line_.where, warnings_);
   }
 
   std::optional<Reading> gradient() const {
@@ -88,14 +78,14 @@ class LegReadings {
              "check the calibration");
       return result;
     };
-    return combined(checked(Item::gradient, 1), checked(Item::back_gradient, -1), "gradient",
-                    false);
+    return BothDirections{checked(Item::clino, 1), checked(Item::back_clino, -1)}.combine(
+        "clino", line_.where, warnings_);
   }
 
   /// 1 for a leg straight up, -1 for one straight down, else 0.
   int plumb() const {
-    const Value& fore = line_.values[Item::gradient];
-    const Value& back = line_.values[Item::back_gradient];
+    const Value& fore = line_.values[Item::clino];
+    const Value& back = line_.values[Item::back_clino];
     if (fore.is_plumb()) return fore.kind == Value::Kind::up ? 1 : -1;
     if (back.is_plumb() && !fore.is_number()) return back.kind == Value::Kind::up ? -1 : 1;
     return 0;
@@ -143,14 +133,9 @@ MeasuredVector cartesian_vector(const LegReadings& readings, const Settings& set
   const Reading east = readings.reading(Item::easting, kEasting);
   const Reading north = readings.reading(Item::northing, kNorthing);
   const Reading up = readings.reading(Item::altitude, kAltitude);
-  const double s = maths::sin(settings.declination), c = maths::cos(settings.declination);
-  MeasuredVector result;
-  result.vector = {c * east.value + s * north.value, c * north.value - s * east.value, up.value};
-  result.covariance.xx = c * c * east.variance + s * s * north.variance;
-  result.covariance.yy = s * s * east.variance + c * c * north.variance;
-  result.covariance.zz = up.variance;
-  result.covariance.xy = s * c * (north.variance - east.variance);
-  return result;
+  return turned({{east.value, north.value, up.value},
+                 {.xx = east.variance, .yy = north.variance, .zz = up.variance}},
+                settings.declination);
 }
 
 }  // namespace

@@ -9,57 +9,12 @@
 namespace vug::survey::therion {
 namespace {
 
-const std::map<std::string, Item>& columns_by_name() {
-  static const std::map<std::string, Item> all = {
-      {"from", Item::from},
-      {"to", Item::to},
-      {"station", Item::station},
-      {"newline", Item::newline},
-      {"length", Item::length},
-      {"tape", Item::length},
-      {"backlength", Item::back_length},
-      {"backtape", Item::back_length},
-      {"compass", Item::bearing},
-      {"bearing", Item::bearing},
-      {"backcompass", Item::back_bearing},
-      {"backbearing", Item::back_bearing},
-      {"clino", Item::gradient},
-      {"gradient", Item::gradient},
-      {"backclino", Item::back_gradient},
-      {"backgradient", Item::back_gradient},
-      {"fromcount", Item::from_count},
-      {"tocount", Item::to_count},
-      {"count", Item::count},
-      {"counter", Item::count},
-      {"fromdepth", Item::from_depth},
-      {"todepth", Item::to_depth},
-      {"depth", Item::depth},
-      {"depthchange", Item::depth_change},
-      {"easting", Item::easting},
-      {"dx", Item::easting},
-      {"northing", Item::northing},
-      {"dy", Item::northing},
-      {"altitude", Item::altitude},
-      {"dz", Item::altitude},
-      {"left", Item::left},
-      {"right", Item::right},
-      {"up", Item::up},
-      {"ceiling", Item::up},
-      {"down", Item::down},
-      {"floor", Item::down},
-      {"ignore", Item::ignore},
-      {"ignoreall", Item::ignore_all},
-      {"direction", Item::direction},
-  };
-  return all;
-}
-
 DataStyle find_style(const Token& word) {
   static const std::map<std::string, DataStyle> all = {
-      {"normal", DataStyle::normal},         {"topofil", DataStyle::normal},
-      {"diving", DataStyle::diving},         {"cartesian", DataStyle::cartesian},
-      {"cylpolar", DataStyle::cylpolar},     {"nosurvey", DataStyle::nosurvey},
-      {"dimensions", DataStyle::dimensions}, {"passage", DataStyle::dimensions},
+      {"normal", DataStyle::normal},      {"topofil", DataStyle::normal},
+      {"diving", DataStyle::diving},      {"cartesian", DataStyle::cartesian},
+      {"cylpolar", DataStyle::cylpolar},  {"nosurvey", DataStyle::nosurvey},
+      {"dimensions", DataStyle::passage}, {"passage", DataStyle::passage},
   };
   const auto found = all.find(lower_case(word.text));
   if (found == all.end())
@@ -84,22 +39,21 @@ class Columns {
 
 /// The missing columns; empty if the style has all it needs.
 std::string missing(DataStyle style, const Columns& columns) {
-  if (style == DataStyle::dimensions) return columns.has(Item::station) ? "" : "station";
+  if (style == DataStyle::passage) return columns.has(Item::station) ? "" : "station";
   const bool joined = columns.has(Item::station) && columns.has(Item::newline);
   if (!joined && !(columns.has(Item::from) && columns.has(Item::to)))
     return "from and to, or station and newline";
   const bool counts =
       columns.has(Item::count) || (columns.has(Item::from_count) && columns.has(Item::to_count));
-  const bool length = counts || columns.any({Item::length, Item::back_length});
-  const bool bearing = columns.any({Item::bearing, Item::back_bearing});
+  const bool length = counts || columns.any({Item::tape, Item::back_tape});
+  const bool bearing = columns.any({Item::compass, Item::back_compass});
   const bool depth = columns.any({Item::depth, Item::depth_change}) ||
                      (columns.has(Item::from_depth) && columns.has(Item::to_depth));
   const bool polar =
       style == DataStyle::normal || style == DataStyle::diving || style == DataStyle::cylpolar;
   if (polar && !length) return "length";
   if (polar && !bearing) return "compass";
-  if (style == DataStyle::normal && !columns.any({Item::gradient, Item::back_gradient}))
-    return "clino";
+  if (style == DataStyle::normal && !columns.any({Item::clino, Item::back_clino})) return "clino";
   if ((style == DataStyle::diving || style == DataStyle::cylpolar) && !depth)
     return "fromdepth and todepth, depth, or depthchange";
   if (style == DataStyle::cartesian &&
@@ -117,8 +71,8 @@ Order read_order(const std::vector<Token>& line) {
   Order order;
   order.style = find_style(line[1]);
   for (size_t i = 2; i < line.size(); ++i) {
-    const auto found = columns_by_name().find(lower_case(line[i].text));
-    if (found == columns_by_name().end())
+    const auto found = item_names().find(lower_case(line[i].text));
+    if (found == item_names().end())
       fail(fmt::format("unknown reading {}", quote_text(line[i].text)), line[i].where,
            "readings are e.g. from, to, length, compass, clino, left, right, up, down, ignore");
     const Item item = found->second;

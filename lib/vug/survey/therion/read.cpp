@@ -71,11 +71,11 @@ class Reader {
     } else if (command == "input") {
       input(line);
     } else if (grade_) {
-      if (command == "endgrade")
-        grade_.reset();
-      else
+      if (command == "endgrade") {
+        context_.grades[grade_name_] = *std::exchange(grade_, std::nullopt);
+      } else {
         read_deviations(line, 0, *grade_);
-      if (grade_) context_.grades[grade_name_] = *grade_;
+      }
     } else if (centreline_) {
       if (command == "endcentreline" || command == "endcenterline") {
         centreline_->finish();

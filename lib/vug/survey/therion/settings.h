@@ -2,6 +2,7 @@
 // The settings of a Therion centreline, which `group` saves and `endgroup` restores.
 #pragma once
 
+#include <vug/survey/data_items.h>
 #include <vug/survey/measurement.h>
 #include <vug/survey/therion/tokens.h>
 
@@ -72,39 +73,6 @@ void read_deviations(const std::vector<Token>& line, size_t at, Grade& grade);
 
 /// A finite number. Error(bad_input) for other words.
 double read_number(const Token& word);
-
-/// The columns of data lines.
-enum class Item {
-  from,
-  to,
-  station,
-  newline,
-  length,
-  back_length,
-  bearing,
-  back_bearing,
-  gradient,
-  back_gradient,
-  from_count,
-  to_count,
-  count,
-  from_depth,
-  to_depth,
-  depth,
-  depth_change,
-  easting,
-  northing,
-  altitude,
-  left,
-  right,
-  up,
-  down,
-  ignore,
-  ignore_all,
-  direction,
-};
-
-enum class DataStyle { none, normal, diving, cartesian, cylpolar, nosurvey, dimensions };
 
 struct Order {
   DataStyle style = DataStyle::none;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/base/maths.h>
+#include <vug/survey/backsights.h>
 #include <vug/survey/dates.h>
 #include <vug/survey/named_stations.h>
 #include <vug/survey/plausible.h>
@@ -91,20 +91,15 @@ class Reader {
   }
 
   void read_date(const std::vector<Word>& words) {
-    std::optional<int> year, month, day;
-    if (words.size() == 2) {
-      const std::vector<Word> parts = split_words(words[1].text, "-/");
-      if (parts.size() == 3) {
-        const bool american = words[1].text.find('/') != std::string_view::npos;
-        year = parse_integer(parts[american ? 2 : 0].text, 1900, 2199);
-        month = parse_integer(parts[american ? 0 : 1].text, 1, 12);
-        day = parse_integer(parts[american ? 1 : 2].text, 1, 31);
-      }
-    }
-    if (!year || !month || !day)
-      lines_.fail("'#date' has no date", "write #date 2001-02-03 or #date 2/3/2001");
-    const int days = day_number(*year, *month, *day);
-    date_ = DateRange{days, days};
+    constexpr const char* kForms = "write #date 2001-02-03 or #date 2/3/2001";
+    const bool american = words.size() > 1 && words[1].text.find('/') != std::string_view::npos;
+    const std::vector<Word> parts =
+        words.size() == 2 ? split_words(words[1].text, "-/") : std::vector<Word>();
+    if (parts.size() != 3) lines_.fail("'#date' has no date", kForms);
+    const DateText date = parse_date(
+        {parts[american ? 2 : 0].text, parts[american ? 0 : 1].text, parts[american ? 1 : 2].text});
+    if (!date.range) lines_.fail(date.fault, words[1], kForms);
+    date_ = date.range;
   }
 
   /// The survey of the current prefixes and of those in the name, and the name itself.
@@ -174,7 +169,7 @@ class Reader {
                                        word.text.substr(std::min(slash + 1, word.text.size()))};
     const Deviations sd;
     const double deviation = vertical ? sd.clino : sd.compass;
-    std::optional<Reading> both[2];
+    BothDirections both;
     for (int back = 0; back < 2; ++back) {
       if (texts[back].empty() || is_omitted(texts[back])) continue;
       const AngleUnit& unit = vertical ? (back ? settings_.back_vertical : settings_.vertical)
@@ -198,16 +193,10 @@ class Reader {
       if (vertical && std::fabs(value) > high + 1e-9)
         lines_.fail("the corrected vertical angle is steeper than vertical", word,
                     "check INCV and INCVB of #units");
-      both[back] = Reading{value, deviation * deviation};
+      (back ? both.back : both.fore) = Reading{value, deviation * deviation};
     }
-    if (!both[0] || !both[1]) return both[0] ? both[0] : both[1];
-    const Averaged mean =
-        vertical ? average(*both[0], *both[1]) : average_bearing(*both[0], *both[1]);
-    if (mean.disagreement > 3)
-      warnings_.warning(lines_.at(word), fmt::format("the readings in both directions differ by "
-                                                     "{:.1f} standard deviations",
-                                                     mean.disagreement));
-    return mean.reading;
+    return vertical ? both.combine("clino", lines_.at(word), warnings_)
+                    : both.combine_bearings(lines_.at(word), warnings_);
   }
 
   MeasuredVector polar_vector(const std::vector<Word>& words, double& length) {
@@ -258,13 +247,10 @@ class Reader {
       const size_t axis = std::string_view("enu").find(settings_.rect_order[i]);
       result.vector[static_cast<int>(axis)] = distance(words[i + 2]);
     }
-    // Offsets refer to true north.
-    const double s = maths::sin(-settings_.grid), c = maths::cos(-settings_.grid);
-    const Vec3d v = result.vector;
-    result.vector = {c * v.x + s * v.y, c * v.y - s * v.x, v.z};
     const Deviations sd;
     const double variance = sd.coordinate * sd.coordinate;
     result.covariance.xx = result.covariance.yy = result.covariance.zz = variance;
+    result = turned(result, -settings_.grid);  // Offsets refer to true north.
     length = result.vector.length();
     return result;
   }
