@@ -50,7 +50,12 @@ class Survey(VugTest):
         self.expect(0, "survey", "cave.svx", "-o", "cave.3d")
         again = json.loads(self.expect(0, "survey", "cave.3d", "--json").out)
         self.assertEqual((again["title"], again["stations"], again["loops"]), ("Two loops", 6, 1))
-        self.assertIn("formats that can be written", self.expect(2, "survey", "cave.svx", "-o", "x.svx").err)
+        self.expect(0, "survey", "cave.3d", "-o", "again.svx")
+        report = json.loads(self.expect(0, "survey", "again.svx", "--json").out)
+        self.assertEqual((report["title"], report["stations"], report["loops"]), ("Two loops", 6, 1))
+        self.assertEqual((report["splays"], report["cross_sections"]), (1, 2))
+        self.assertEqual(report["altitude"]["low_station"], "cave.5")
+        self.assertIn("formats that can be written", self.expect(2, "survey", "cave.svx", "-o", "x.th").err)
 
     def test_errors_name_the_line(self):
         (self.folder / "bad.svx").write_text("*begin a\n1 2 3 x 5\n*end a\n")

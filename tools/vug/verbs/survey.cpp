@@ -56,8 +56,9 @@ Verb survey_verb() {
             app.add_option("--plan", options->plan, "SVG file for a drawing of the plan");
             app.add_option("--elevation", options->elevation,
                            "SVG file for a drawing of the extended elevation");
-            app.add_option("-o,--output", options->output,
-                           "File for the survey in another format, e.g. cave.3d or cave.lox");
+            app.add_option(
+                "-o,--output", options->output,
+                "File for the survey in another format, e.g. cave.3d, cave.lox or cave.svx");
             app.add_flag("--allow-outside", options->allow_outside,
                          "Allow included files outside of the survey's folder");
             return [options] { return run(*options); };

@@ -2,6 +2,7 @@
 // Survex .svx: measurements of a cave as text.
 #include <vug/survey/format_kind.h>
 #include <vug/survey/svx/reader.h>
+#include <vug/survey/svx/write.h>
 #include <vug/survey/text_encoding.h>
 
 namespace vug::survey {
@@ -22,5 +23,5 @@ VUG_SURVEY_FORMAT(svx) {
   return survey_format("svx",
                        "Survex data: measurements of all data styles, with their errors, read with "
                        "the included files",
-                       "survex2024", read_svx);
+                       "survex2024", read_svx, svx::write);
 }
