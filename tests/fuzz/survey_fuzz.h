@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What holds for the reader of every survey format and any bytes: it fails with bad_input, or
-// returns finite values and valid indices; what it returns can be written and read again.
+// returns finite values and valid indices, also after the closure of loops; the result can be
+// written and read again in its format and as .svx.
 #pragma once
 
 #include "require.h"
 
 #include <vug/base/utf8.h>
+#include <vug/survey/adjust.h>
 #include <vug/survey/format.h>
+#include <vug/survey/statistics.h>
 
 #include <cmath>
 #include <cstdint>
@@ -70,6 +73,28 @@ inline void check(const Observations& survey) {
   check_tubes(survey.tubes, n);
 }
 
+/// The coordinates of a file: as it contains them, or from its measurements.
+inline Survey survey_of(Contents contents, Diagnostics& warnings) {
+  std::visit([](const auto& survey) { check(survey); }, contents);
+  if (Survey* survey = std::get_if<Survey>(&contents)) return std::move(*survey);
+  Survey survey = adjust(std::get<Observations>(std::move(contents)), warnings);
+  check(survey);
+  return survey;
+}
+
+/// A survey that a format can store is read again.
+inline Survey write_and_read(const Survey& survey, const Format& format, const ReadOptions& options,
+                             Diagnostics& warnings) {
+  std::string written;
+  try {
+    written = format.write(survey);
+  } catch (const Error& error) {
+    require(error.code() == ErrorCode::bad_input, "the format cannot store the survey");
+    return survey;
+  }
+  return survey_of(format.read(written, "again." + format.info.name, options, warnings), warnings);
+}
+
 inline void fuzz(const std::string& extension, const uint8_t* data, size_t size) {
   const std::string file = "fuzz." + extension;
   const Format& format = format_of(file);
@@ -77,23 +102,20 @@ inline void fuzz(const std::string& extension, const uint8_t* data, size_t size)
   ReadOptions options;
   options.root = "/no/such/folder";
   Diagnostics warnings;
+  std::optional<Survey> survey;
   try {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-    const Contents contents = format.read(bytes, file, options, warnings);
-    std::visit([](const auto& survey) { check(survey); }, contents);
-    if (!format.write) return;
-    std::string written;
-    try {
-      written = format.write(std::get<Survey>(contents));
-    } catch (const Error& error) {
-      require(error.code() == ErrorCode::bad_input, "the format cannot store the survey");
-      return;
-    }
-    check(std::get<Survey>(format.read(written, file, options, warnings)));
+    survey = survey_of(format.read(bytes, file, options, warnings), warnings);
   } catch (const Error& error) {
     require(error.code() == ErrorCode::bad_input, "errors blame the input");
-    require(error.where().file == file, "errors name the file");
+    require(error.where().file == file || error.where().file.empty(), "errors name the file");
+    return;
   }
+  const Statistics size_of_survey = measure(*survey);
+  require(size_of_survey.loops >= 0 && size_of_survey.components >= 0, "counts");
+  if (format.write) write_and_read(*survey, format, options, warnings);
+  const Survey again = write_and_read(*survey, format_of("x.svx"), options, warnings);
+  require(again.legs.size() <= survey->legs.size(), "the text has the legs of the survey");
 }
 
 }  // namespace vug::survey
