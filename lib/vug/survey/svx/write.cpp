@@ -163,18 +163,20 @@ class Writer {
     block.legs += storable ? "\n" : " ; " + date_text(leg.date->first) + "\n";
   }
 
-  /// Tape, compass and clino between the coordinates, so exact that the sums of many legs are.
+  /// Tape, compass and clino between the coordinates to a micrometre: the closure of loops
+  /// amplifies rounding where long legs, whose bearings have little weight, lie between fixed
+  /// stations.
   std::string readings(const Leg& leg) const {
     const Vec3d v = station(leg.to).position - station(leg.from).position;
     const double flat = std::hypot(v.x, v.y), length = std::hypot(flat, v.z);
     if (!(length <= kLongestLeg)) refuse("a leg is longer than 10000 km", leg.where);
-    const int digits = std::clamp(static_cast<int>(std::ceil(std::log10(length + 1))) + 4, 5, 15);
+    const int digits = std::clamp(static_cast<int>(std::ceil(std::log10(length + 1))) + 5, 6, 15);
     const double degrees = 180 / kPi;
     double bearing = maths::atan2(v.x, v.y) * degrees;
     if (bearing < 0) bearing += 360;
     std::string compass = decimal(bearing, digits, leg.where);
     if (compass == "360") compass = "0";
-    return fmt::format("{} {} {}", decimal(length, 5, leg.where), compass,
+    return fmt::format("{} {} {}", decimal(length, 6, leg.where), compass,
                        decimal(maths::atan2(v.z, flat) * degrees, digits, leg.where));
   }
 
@@ -225,7 +227,7 @@ class Writer {
     if (s.entrance) out += fmt::format("*entrance {}\n", name);
     if (!is_fix) return;
     out += fmt::format("*fix {}", name);
-    for (int axis = 0; axis < 3; ++axis) out += ' ' + decimal(s.position[axis], 4, s.where);
+    for (int axis = 0; axis < 3; ++axis) out += ' ' + decimal(s.position[axis], 6, s.where);
     out += '\n';
   }
 
