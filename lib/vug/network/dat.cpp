@@ -20,7 +20,7 @@ struct DatFiles {
 
 DatFiles files_of(const std::filesystem::path& file) {
   std::string name = file.filename().string();
-  if (!name.ends_with(kNodes) && !name.ends_with(kLinks))
+  if (!is_dat_name(file))
     throw Error(
         ErrorCode::bad_input,
         fmt::format("the name of '{}' does not end with {} or {}", file.string(), kNodes, kLinks),
@@ -88,6 +88,11 @@ Network parse_dat(const DatText& nodes, const DatText& links, const DatReadOptio
     network.legs.push_back({.from = from, .to = to});
   });
   return network;
+}
+
+bool is_dat_name(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  return name.ends_with(kNodes) || name.ends_with(kLinks);
 }
 
 Network read_dat(const std::filesystem::path& file, const DatReadOptions& options) {

@@ -16,6 +16,9 @@ struct DatReadOptions {
   bool recenter = true;
 };
 
+/// Whether the name of the file ends in _nodes.dat or _links.dat.
+bool is_dat_name(const std::filesystem::path& file);
+
 /// Reads NAME_nodes.dat and NAME_links.dat, of which `file` is one. Throws Error(bad_input) with
 /// the line of the fault.
 Network read_dat(const std::filesystem::path& file, const DatReadOptions& options = {});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vug::network {
 namespace {
@@ -15,11 +16,25 @@ constexpr double kSectionWeight = 0.2;
 /// Advice for a value outside a band, e.g. "the legs are too straight: tortuosity 1.04; real caves
 /// have 1.18 to 1.42".
 template <class AnyCriterion>
-std::string advice_for(const AnyCriterion& criterion, double value, double low, double high) {
-  if (!(value < low || value > high)) return {};
+std::string advice_for(const AnyCriterion& criterion, double value) {
+  const RealRange real = range_of(criterion);
+  if (!(value < real.low || value > real.high)) return {};
   return fmt::format("{}: {} {:.3g}; real caves have {:.3g} to {:.3g}",
-                     value < low ? criterion.too_low : criterion.too_high, criterion.name, value,
-                     low, high);
+                     value < real.low ? criterion.too_low : criterion.too_high, criterion.name,
+                     value, real.low, real.high);
+}
+
+/// The ordinate at `x` of a line through points with ascending x: 0 below the first, 1 above the
+/// last, NaN for NaN.
+double interpolate(const std::vector<std::pair<double, double>>& points, double x) {
+  if (std::isnan(x)) return kUndefined;
+  if (x <= points.front().first) return 0;
+  if (x >= points.back().first) return 1;
+  size_t i = 1;
+  while (x > points[i].first) ++i;
+  const auto& [x0, y0] = points[i - 1];
+  const auto& [x1, y1] = points[i];
+  return y0 + (x - x0) / (x1 - x0) * (y1 - y0);
 }
 
 CriterionScore score_of(const Criterion& criterion, const Metrics& metrics) {
@@ -28,18 +43,18 @@ CriterionScore score_of(const Criterion& criterion, const Metrics& metrics) {
   CriterionScore result{criterion.name, value, place, kUndefined, {}};
   if (std::isnan(place)) return result;
   result.realism = std::min({1.0, place / kTail, (1 - place) / kTail});
-  result.advice = advice_for(criterion, value, criterion.quantiles[1], criterion.quantiles[5]);
+  result.advice = advice_for(criterion, value);
   return result;
 }
 
 CriterionScore score_of(const SectionCriterion& criterion, const SectionSummary& sections) {
   const double value = criterion.value(sections);
-  CriterionScore result{criterion.name, value, kUndefined, kUndefined, {}};
+  CriterionScore result{criterion.name, value, percentile(criterion, value), kUndefined, {}};
   if (std::isnan(value)) return result;
   const double above = (value - criterion.lowest) / (criterion.low - criterion.lowest);
   const double below = (criterion.highest - value) / (criterion.highest - criterion.high);
   result.realism = std::clamp(std::min(above, below), 0.0, 1.0);
-  result.advice = advice_for(criterion, value, criterion.low, criterion.high);
+  result.advice = advice_for(criterion, value);
   return result;
 }
 
@@ -58,14 +73,30 @@ double mean_realism(const std::vector<CriterionScore>& scores) {
 }  // namespace
 
 double percentile(const Criterion& criterion, double value) {
+  std::vector<std::pair<double, double>> points;
+  for (size_t i = 0; i < kQuantileFractions.size(); ++i)
+    points.emplace_back(criterion.quantiles[i], kQuantileFractions[i]);
+  return interpolate(points, value);
+}
+
+double percentile(const SectionCriterion& criterion, double value) {
+  const auto count = static_cast<double>(criterion.regions.size());
+  std::vector<std::pair<double, double>> points{{criterion.lowest, 0}};
+  for (size_t i = 0; i < criterion.regions.size(); ++i)
+    points.emplace_back(criterion.regions[i], (static_cast<double>(i) + 0.5) / count);
+  points.emplace_back(criterion.highest, 1);
+  return interpolate(points, value);
+}
+
+RealRange range_of(const Criterion& criterion) {
   const auto& q = criterion.quantiles;
-  if (std::isnan(value)) return kUndefined;
-  if (value <= q.front()) return 0;
-  if (value >= q.back()) return 1;
-  size_t i = 1;
-  while (value > q[i]) ++i;
-  const double t = (value - q[i - 1]) / (q[i] - q[i - 1]);
-  return kQuantileFractions[i - 1] + t * (kQuantileFractions[i] - kQuantileFractions[i - 1]);
+  return {q[0], q[1], q[3], q[5], q[6]};
+}
+
+RealRange range_of(const SectionCriterion& criterion) {
+  const std::vector<double>& r = criterion.regions;
+  const double middle = (r[(r.size() - 1) / 2] + r[r.size() / 2]) / 2;
+  return {criterion.lowest, criterion.low, middle, criterion.high, criterion.highest};
 }
 
 std::vector<std::string> Realism::advice() const {

@@ -21,6 +21,7 @@ struct Criterion {
   const char* too_low;              ///< Advice for a value below the 10 % quantile.
   const char* too_high;             ///< Advice for a value above the 90 % quantile.
   double (*value)(const Metrics&);  ///< NaN if it is undefined.
+  const char* unit = "";
 };
 
 /// The ten criteria, in the order of Metrics. The path length is divided by the root of the number
@@ -35,17 +36,29 @@ struct SectionCriterion {
   const char* too_low;
   const char* too_high;
   double (*value)(const SectionSummary&);
+  std::vector<double> regions;  ///< The values of the regions where it was measured, ascending.
+  const char* unit = "";
 };
 const std::vector<SectionCriterion>& section_criteria();
 
 /// The fraction of real caves with at most this value, by linear interpolation between quantiles;
 /// 0 below the least, 1 above the largest, NaN for NaN.
 double percentile(const Criterion& criterion, double value);
+/// The same among the surveyed regions: the value of region i of n (from 0) is the quantile
+/// (i + 1/2) / n, the outer limits are 0 and 1.
+double percentile(const SectionCriterion& criterion, double value);
+
+/// The values of a criterion among real caves. Advice is given for values outside low to high.
+struct RealRange {
+  double lowest, low, median, high, highest;
+};
+RealRange range_of(const Criterion& criterion);
+RealRange range_of(const SectionCriterion& criterion);
 
 struct CriterionScore {
   std::string name;
   double value = 0;
-  double percentile = 0;  ///< In 0..1; NaN for passage sizes and undefined values.
+  double percentile = 0;  ///< In 0..1; NaN for undefined values.
   double realism = 0;     ///< 1 in the band of real caves, 0 outside all of them; NaN if undefined.
   std::string advice;     ///< A sentence, or empty if the value is in the band.
 };

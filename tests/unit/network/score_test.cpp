@@ -46,6 +46,23 @@ TEST(Score, QuantilesIncreaseAndAreTheirOwnPercentiles) {
     }
 }
 
+TEST(Score, RegionsAreTheirOwnPercentiles) {
+  for (const SectionCriterion& c : section_criteria()) {
+    const auto count = static_cast<double>(c.regions.size());
+    for (size_t i = 0; i < c.regions.size(); ++i)
+      EXPECT_NEAR(percentile(c, c.regions[i]), (static_cast<double>(i) + 0.5) / count, 1e-12);
+    EXPECT_EQ(percentile(c, c.lowest), 0);
+    EXPECT_EQ(percentile(c, c.highest), 1);
+    EXPECT_TRUE(std::isnan(percentile(c, kUndefined)));
+    const RealRange real = range_of(c);
+    EXPECT_LT(real.lowest, real.low) << c.name;
+    EXPECT_LE(real.low, c.regions.front()) << c.name;
+    EXPECT_NEAR(percentile(c, real.median), 0.5, 1e-12) << c.name;
+    EXPECT_GE(real.high, c.regions.back()) << c.name;
+    EXPECT_LT(real.high, real.highest) << c.name;
+  }
+}
+
 TEST(Score, StraightLegsGetAdvice) {
   Metrics metrics = median_cave();
   metrics.tortuosity = 1.04;
