@@ -118,6 +118,12 @@ VolumePtr find_volume(const Shot& shot, const std::string& name) {
   return find_named(shot.volumes, name, "volume", kVolume);
 }
 
+const NetworkPlan& find_network(const Shot& shot, const std::string& name) {
+  std::vector<const NetworkPlan*> networks;
+  for (const NetworkPlan& plan : shot.networks) networks.push_back(&plan);
+  return *find_named(networks, name, "network", "network plan = karst(preset: branchwork)");
+}
+
 CellsPtr find_cells(const Shot& shot, const std::string& name) {
   return find_named(declared_cells(shot), name, "cells", "cells NAME on MESH { ... }");
 }

@@ -39,5 +39,8 @@ MeshPtr find_mesh(const Shot& shot, const std::string& name);
 VolumePtr find_volume(const Shot& shot, const std::string& name);
 /// The cells of that name; the first ones for an empty name. Error(bad_input) as find_mesh.
 CellsPtr find_cells(const Shot& shot, const std::string& name);
+/// The network of that name; the first one for an empty name. Error(bad_input) as find_mesh. The
+/// result is an element of the shot.
+const NetworkPlan& find_network(const Shot& shot, const std::string& name);
 
 }  // namespace vug::shot

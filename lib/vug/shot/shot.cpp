@@ -7,6 +7,7 @@ namespace {
 /// Calls `with` for each pair of lists; the only enumeration of all lists.
 template <class A, class B, class With>
 void with_lists(A& a, B& b, const With& with) {
+  with(a.networks, b.networks);
   with(a.volumes, b.volumes);
   with(a.meshes, b.meshes);
   with(a.objects, b.objects);

@@ -12,6 +12,7 @@
 #include <vug/paint/paint.h>
 #include <vug/render/scene.h>
 #include <vug/shot/caps.h>
+#include <vug/shot/networks.h>
 #include <vug/shot/render_settings.h>
 
 #include <cstdint>
@@ -145,6 +146,12 @@ struct MediumPlan {
   SourceLocation where;  ///< Location of the name in the text.
 };
 
+/// `network NAME = ...`: the plan of a cave.
+struct NetworkPlan {
+  std::string name;
+  NetworkPtr network;
+};
+
 /// `camera NAME { ... }`: a camera.
 struct CameraPlan {
   std::string name;
@@ -181,6 +188,7 @@ struct Shot {
   std::string recipe;  ///< The scene text with its overrides, from which the shot can be rebuilt.
   /// Digest of the scene text, of all included texts and of `draft`.
   Digest text_digest;
+  std::vector<NetworkPlan> networks;
   std::vector<VolumePtr> volumes;
   std::vector<MeshPtr> meshes;
   std::vector<ObjectPlan> objects;

@@ -9,6 +9,10 @@
 #include <vug/base/parallel.h>
 #include <vug/delivery/describe_cells.h>
 #include <vug/delivery/measure.h>
+#include <vug/network/read_network.h>
+#include <vug/network/score_plot.h>
+#include <vug/scene/report.h>
+#include <vug/shot/queries.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::cli {
@@ -21,15 +25,21 @@ struct Options {
   std::string cells;
   bool json = false;
   double max_invalid = 0;
+  bool score = false;
+  std::string network;
+  std::string plot;
 };
 
-/// Error(bad_input) for scene options, which do not apply to a file of geometry.
+bool is_scene(const Options& options) { return extension_of(options.scene.scene) == ".vug"; }
+
+/// Error(bad_input) for scene options, which do not apply to a file of geometry or to a survey.
 void refuse_scene_options(const Options& options) {
   const char* option = !options.scene.defines.empty() ? "-D"
                        : options.scene.seed           ? "--seed"
                        : options.scene.frame          ? "--frame"
                        : !options.mesh.empty()        ? "--mesh"
                        : !options.cells.empty()       ? "--cells"
+                       : !options.network.empty()     ? "--network"
                        : options.scene.strict         ? "--strict"
                                                       : nullptr;
   if (option)
@@ -41,8 +51,12 @@ void refuse_scene_options(const Options& options) {
 
 metrics::Report report_of(const Options& options) {
   Progress& progress = terminal_progress(options.work.bar_mode());
-  if (extension_of(options.scene.scene) != ".vug") {
+  if (!is_scene(options)) {
     refuse_scene_options(options);
+    if (network::is_network_file(options.scene.scene))
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("'{}' is a network, not a mesh", options.scene.scene), {},
+                  "add --score to compare it with real caves");
     return delivery::measure_file(options.scene.scene, progress);
   }
   const loading::Loaded loaded = options.scene.load();
@@ -51,7 +65,7 @@ metrics::Report report_of(const Options& options) {
 }
 
 int run_cells(const Options& options) {
-  if (extension_of(options.scene.scene) != ".vug") refuse_scene_options(options);
+  if (!is_scene(options)) refuse_scene_options(options);
   const loading::Loaded loaded = options.scene.load();
   building::Builder builder(loaded.shot, options.work.build_options(loaded),
                             terminal_progress(options.work.bar_mode()));
@@ -59,7 +73,36 @@ int run_cells(const Options& options) {
   return kDone;
 }
 
+network::ScoredNetwork scored(const Options& options) {
+  const std::filesystem::path file = options.scene.scene;
+  if (!is_scene(options)) {
+    refuse_scene_options(options);
+    Diagnostics warnings;
+    const network::Network read = network::read_network(file, warnings);
+    fmt::print(stderr, "{}", scene::report(warnings, {}));
+    return network::scored(read, file.filename().string());
+  }
+  const loading::Loaded loaded = options.scene.load();
+  const shot::NetworkPlan& plan = shot::find_network(loaded.shot, options.network);
+  return network::scored(*plan.network, plan.name);
+}
+
+int run_score(const Options& options) {
+  if (!options.plot.empty()) {
+    require_extension(options.plot, ".svg", "plots are SVG files");
+    require_outputs({options.plot}, {options.scene.scene});
+  }
+  const network::ScoredNetwork cave = scored(options);
+  if (!options.plot.empty()) write_text(options.plot, network::score_svg(cave));
+  if (options.json)
+    fmt::print("{}\n", network::score_json(cave).dump(2));
+  else
+    fmt::print("{}", network::score_table(cave));
+  return kDone;
+}
+
 int run(const Options& options) {
+  if (options.score) return run_score(options);
   if (!options.cells.empty()) return run_cells(options);
   const metrics::Report report = report_of(options);
   if (options.json)
@@ -76,7 +119,9 @@ Verb measure_verb() {
   return {
       "measure",
       "Measures a mesh of a scene, or a .vdb, .obj, .ply or .stl file; exit code 1 if it is not a "
-      "closed solid, intersects itself or is folded.",
+      "closed solid, intersects itself or is folded. With --score, compares the plan of a cave "
+      "with "
+      "real caves.",
       [](CLI::App& app) {
         auto options = std::make_shared<Options>();
         options->scene.add_to(app, &options->work);
@@ -89,6 +134,15 @@ Verb measure_verb() {
                        "have no area "
                        "before the exit code is 1; default 0")
             ->transform(number_in(Dimension::none, 0, 1));
+        CLI::Option* score = app.add_flag(
+            "--score", options->score,
+            "Compare a network with real caves instead: a network of the scene, a survey, or "
+            "NAME_nodes.dat");
+        score->excludes("--mesh")->excludes("--cells")->excludes("--max-invalid");
+        app.add_option("--network", options->network, "Network of the scene; default the first")
+            ->needs(score);
+        app.add_option("--plot", options->plot, "SVG file for a drawing of the score")
+            ->needs(score);
         app.add_flag("--json", options->json, "Machine-readable output");
         options->work.add_to(app);
         return [options] {

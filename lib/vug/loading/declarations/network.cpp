@@ -11,7 +11,10 @@ const DeclarationKind& network_declaration() {
                             "graph(...).",
                             "network", ""),
       [](const scene::Declaration& declaration, ReadContext& context) {
-        return read_kind_declaration("network", "", declaration, context);
+        const Value value = read_kind_declaration("network", "", declaration, context);
+        if (const auto* network = value.object<shot::NetworkPtr>())
+          context.shot.networks.push_back({declaration.name, *network});
+        return value;
       }};
   return kind;
 }
