@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/passages/curves/axis.h>
+#include <vug/passages/curves/star_outline.h>
 #include <vug/passages/passages.h>
 #include <vug/passages/sweep/sweep.h>
 
@@ -74,6 +75,28 @@ double signed_curvature(const Curve& curve, size_t i, double curvature) {
   return before.cross(after).y > 0 ? curvature : -curvature;
 }
 
+/// Sections between two stations, of which splays measured at least one, change from one to the
+/// other.
+void blend_measured(const Curve& curve, std::vector<SectionFrame>& frames) {
+  const std::vector<double> along = arc_lengths(curve);
+  size_t from = curve.size();
+  StarOutline start;
+  for (size_t i = 0; i < curve.size(); ++i) {
+    if (curve[i].station < 0) continue;
+    const bool blends =
+        from + 1 < i && (curve[from].measured != nullptr || curve[i].measured != nullptr);
+    if (blends && start.empty()) start = star_outline(*frames[from].section);
+    StarOutline end;
+    if (blends) end = star_outline(*frames[i].section);
+    for (size_t k = from + 1; blends && k < i; ++k) {
+      const double t = (along[k] - along[from]) / (along[i] - along[from]);
+      frames[k].section = blended_section(start, end, t * t * (3 - 2 * t));
+    }
+    start = std::move(end);
+    from = i;
+  }
+}
+
 /// Sections of consecutive points are one object if they are equal, so that segments between them
 /// are uniform.
 std::vector<SectionFrame> section_frames(const Curve& curve, const PassageOptions& options) {
@@ -103,6 +126,7 @@ std::vector<SectionFrame> section_frames(const Curve& curve, const PassageOption
     }
     out.push_back({p.position, across[i].right, across[i].up, section});
   }
+  blend_measured(curve, out);
   return out;
 }
 

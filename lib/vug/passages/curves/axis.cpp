@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace vug::passages {
 namespace {
@@ -36,6 +37,18 @@ Curve survey_line(const Network& network, const Chain& chain, const std::set<int
   return curve;
 }
 
+/// The offset in the plane of a section from its origin to the middle of its bounding rectangle, or
+/// to a point on the way that is well inside.
+Vec2d towards_middle(const Section& section) {
+  const SectionTraits& traits = section.traits();
+  Vec2d offset = (traits.min + traits.max) * 0.5;
+  for (int i = 0; i < 4; ++i) {
+    if (section.distance(offset.x, offset.y) < -0.5 * traits.core) return offset;
+    offset *= 0.5;
+  }
+  return {0, 0};
+}
+
 Curve axis_of(const Network& network, const Chain& chain, const std::set<int>& meeting,
               const PassageOptions& options) {
   Curve curve = survey_line(network, chain, meeting);
@@ -55,6 +68,8 @@ Curve axis_of(const Network& network, const Chain& chain, const std::set<int>& m
     if (p.measured) {
       p.width = p.measured->traits().width();
       p.height = p.measured->traits().height();
+      const Vec2d offset = towards_middle(*p.measured);
+      p.position += across[i].right * offset.x + across[i].up * offset.y;
     } else {
       p.position +=
           across[i].right * (0.5 * (w.right - w.left)) + across[i].up * (0.5 * (w.up - w.down));
@@ -68,6 +83,31 @@ Curve without_repetitions(const Curve& curve) {
   for (const CurvePoint& p : curve)
     if (out.empty() || (p.position - out.back().position).length() > 1e-9) out.push_back(p);
   return out;
+}
+
+/// The walls of a station as seen from a point of the axis.
+Walls walls_from(const Walls& walls, const Vec3d& offset, const Frame& frame) {
+  const double u = offset.dot(frame.right), v = offset.dot(frame.up);
+  return {walls.left + u, walls.right - u, walls.up - v, walls.down + v, walls.measured};
+}
+
+/// Measures the sections of splays about the final axis and across its final direction, so that the
+/// walls stay where they are.
+void remeasure(const Network& network, const Chain& chain, const DefaultSize& size, Curve& curve) {
+  std::vector<Vec3d> points;
+  for (const CurvePoint& p : curve) points.push_back(p.position);
+  const std::vector<Frame> across = frames(points, tangents(curve));
+  const std::vector<Walls> walls = walls_along(network, chain, size);
+  for (size_t i = 0; i < curve.size(); ++i) {
+    CurvePoint& p = curve[i];
+    if (!p.measured || p.station < 0) continue;
+    const auto at = std::find(chain.stations.begin(), chain.stations.end(), p.station);
+    const network::Station& station = network.stations[static_cast<size_t>(p.station)];
+    const Walls seen = walls_from(walls[static_cast<size_t>(at - chain.stations.begin())],
+                                  p.position - station.position, across[i]);
+    if (SectionPtr again = splay_section(station.splays, p.position, across[i], seen))
+      p.measured = std::move(again);
+  }
 }
 
 }  // namespace
@@ -92,6 +132,7 @@ std::vector<Curve> axes(const Network& network, const std::vector<Chain>& chains
     if (curve.size() < 2) continue;
     if (options.smooth) curve = smoothed(curve, options.bends);
     curve = without_repetitions(meandered(curve, options.meanders));
+    remeasure(network, chains[k], options.size, curve);
   }
   return out;
 }
