@@ -2,12 +2,10 @@
 // The surface of a cave has as many handles as its network has independent cycles.
 #include "../scan/external_data.h"
 #include "passage_samples.h"
+#include "surface_topology.h"
 
 #include <vug/base/error.h>
-#include <vug/mesh/topology.h>
 #include <vug/network/dat.h>
-#include <vug/volume/polygons.h>
-#include <vug/volume/voxelize.h>
 
 #include <gtest/gtest.h>
 
@@ -15,20 +13,6 @@
 
 namespace vug::passages {
 namespace {
-
-mesh::Topology topology_of(const field::Field& field, double voxel) {
-  volume::VoxelizeOptions options;
-  options.voxel = voxel;
-  const volume::Polygons polygons = volume::polygons_of(volume::voxelize(field, options));
-  mesh::Mesh mesh;
-  mesh.positions = polygons.points;
-  for (const auto& t : polygons.triangles) mesh.triangles.push_back({t[0], t[1], t[2]});
-  for (const auto& q : polygons.quads) {
-    mesh.triangles.push_back({q[0], q[1], q[2]});
-    mesh.triangles.push_back({q[0], q[2], q[3]});
-  }
-  return mesh::inspect(mesh);
-}
 
 void expect_genus(const network::Network& network, size_t genus, double voxel,
                   const PassageOptions& options = {}) {
