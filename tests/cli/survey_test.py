@@ -23,6 +23,17 @@ SURVEY = """*title "Two loops"
 """
 
 
+SCENE = """network plan = graph(
+  names: ["mouth", "fork", "hall", "sump"],
+  at: [(0, 0, 0), (9, -1, 2), (18, -2, 0), (14, -4, 11)],
+  paths: ["mouth fork hall", "fork sump"],
+  widths: [3m, 4m, 5m, 2m],
+  heights: [2m, 3m, 4m, 2m])
+volume cave = level_set(box(size: (60, 30, 60)) - passages(of: plan), voxel: 50cm)
+volume mist = fog(sphere(5m), voxel: 50cm)
+"""
+
+
 class Survey(VugTest):
     def setUp(self):
         super().setUp()
@@ -72,6 +83,38 @@ class Survey(VugTest):
         (self.folder / "below/all.svx").write_text("*include ../cave\n")
         self.assertIn("outside of the survey's folder", self.expect(2, "survey", "below/all.svx").err)
         self.expect(0, "survey", "below/all.svx", "--allow-outside")
+
+    def shoot(self, *args):
+        return json.loads(self.expect(0, "survey", "--shoot", "plan.vug", *args, "--json").out)
+
+    def test_surveys_of_scenes(self):
+        (self.folder / "plan.vug").write_text(SCENE)
+        report = self.shoot("--along", "plan", "--longest-leg", "4m", "--splays", "12", "-o", "plan.3d")
+        self.assertEqual(report["title"], "plan of plan")
+        self.assertEqual(report["cross_sections"], report["stations"])
+        self.assertTrue(0 < report["splays"] <= 12 * report["stations"])
+        self.assertAlmostEqual(report["length"]["measured"], report["length"]["adjusted"], places=2)
+        again = json.loads(self.expect(0, "survey", "plan.3d", "--json").out)
+        for key in ("title", "stations", "splays", "cross_sections", "loops"):
+            self.assertEqual(again[key], report[key])
+        first = (self.folder / "plan.3d").read_bytes()
+        self.shoot("--longest-leg", "4m", "--splays", "12", "-o", "again.3d")
+        self.assertEqual((self.folder / "again.3d").read_bytes(), first)
+        self.shoot("--longest-leg", "4m", "--splays", "12", "--seed", "5", "-o", "other.3d")
+        self.assertNotEqual((self.folder / "other.3d").read_bytes(), first)
+
+    def test_errors_of_surveys_of_scenes(self):
+        (self.folder / "plan.vug").write_text(SCENE)
+        shoot = ("survey", "--shoot", "plan.vug")
+        self.assertIn("the scene has no network 'x'", self.expect(2, *shoot, "--along", "x").err)
+        self.assertIn("the scene has no volume 'x'", self.expect(2, *shoot, "--volume", "x").err)
+        self.assertIn("'mist' is a fog", self.expect(2, *shoot, "--volume", "mist").err)
+        self.assertIn("--shoot requires a scene", self.expect(2, "survey", "--shoot", "cave.svx").err)
+        self.assertIn("the survey is missing", self.expect(2, "survey").err)
+        self.expect(2, "survey", "cave.svx", "--shoot", "plan.vug")
+        self.expect(2, "survey", "cave.svx", "--along", "plan")
+        self.expect(2, *shoot, "--splays", "-1")
+        self.expect(2, *shoot, "-o", "plan.vug")
 
 
 if __name__ == "__main__":

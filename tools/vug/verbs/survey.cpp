@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arguments.h"
 #include "print.h"
-#include "verb.h"
+#include "shoot_options.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -19,23 +19,34 @@ struct Options {
   bool json = false;
   bool allow_outside = false;
   std::string plan, elevation, output;
+  ShootOptions shoot;
 };
 
+survey::Survey read_or_shoot(const Options& options) {
+  if (options.shoot.given()) return options.shoot.survey();
+  Diagnostics warnings;
+  survey::ReadOptions reading;
+  reading.allow_outside = options.allow_outside;
+  survey::Survey read = survey::read_survey(options.file, reading, warnings);
+  fmt::print(stderr, "{}", scene::report(warnings, {}));
+  return read;
+}
+
 int run(const Options& options) {
-  require_no_scene(options.file);
+  const std::string& input = options.shoot.given() ? options.shoot.scene.scene : options.file;
+  if (input.empty())
+    throw Error(ErrorCode::bad_input, "the survey is missing", {},
+                "write vug survey FILE, or vug survey --shoot SCENE --along NETWORK");
+  if (!options.shoot.given()) require_no_scene(options.file);
   std::vector<std::filesystem::path> outputs;
   for (const std::string* each : {&options.plan, &options.elevation, &options.output})
     if (!each->empty()) outputs.emplace_back(*each);
   for (const std::string* each : {&options.plan, &options.elevation})
     if (!each->empty()) require_extension(*each, ".svg", "drawings are SVG files");
   if (!options.output.empty()) survey::writable_format_of(options.output);
-  require_outputs(outputs, {options.file});
+  require_outputs(outputs, {input});
 
-  Diagnostics warnings;
-  survey::ReadOptions reading;
-  reading.allow_outside = options.allow_outside;
-  const survey::Survey read = survey::read_survey(options.file, reading, warnings);
-  fmt::print(stderr, "{}", scene::report(warnings, {}));
+  const survey::Survey read = read_or_shoot(options);
   if (!options.plan.empty()) write_text(options.plan, survey::plan_svg(read));
   if (!options.elevation.empty()) write_text(options.elevation, survey::elevation_svg(read));
   if (!options.output.empty()) survey::write_survey(read, options.output);
@@ -46,23 +57,26 @@ int run(const Options& options) {
 }  // namespace
 
 Verb survey_verb() {
-  return {"survey", "Reads a cave survey, closes its loops, and reports, draws or converts it.",
-          [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
+  return {
+      "survey",
+      "Reads a cave survey and closes its loops, or surveys the passages of a scene, and reports, "
+      "draws or converts it.",
+      [](CLI::App& app) {
+        auto options = std::make_shared<Options>();
+        CLI::Option* file =
             app.add_option("file", options->file,
-                           "Survey in a format of Survex, Therion, Compass, Walls or PocketTopo")
-                ->required();
-            app.add_flag("--json", options->json, "Machine-readable output");
-            app.add_option("--plan", options->plan, "SVG file for a drawing of the plan");
-            app.add_option("--elevation", options->elevation,
-                           "SVG file for a drawing of the extended elevation");
-            app.add_option(
-                "-o,--output", options->output,
-                "File for the survey in another format, e.g. cave.3d, cave.lox or cave.svx");
-            app.add_flag("--allow-outside", options->allow_outside,
-                         "Allow included files outside of the survey's folder");
-            return [options] { return run(*options); };
-          }};
+                           "Survey in a format of Survex, Therion, Compass, Walls or PocketTopo");
+        options->shoot.add_to(app, file);
+        app.add_flag("--json", options->json, "Machine-readable output");
+        app.add_option("--plan", options->plan, "SVG file for a drawing of the plan");
+        app.add_option("--elevation", options->elevation,
+                       "SVG file for a drawing of the extended elevation");
+        app.add_option("-o,--output", options->output,
+                       "File for the survey in another format, e.g. cave.3d, cave.lox or cave.svx");
+        app.add_flag("--allow-outside", options->allow_outside,
+                     "Allow included files outside of the survey's folder");
+        return [options] { return run(*options); };
+      }};
 }
 
 }  // namespace vug::cli
