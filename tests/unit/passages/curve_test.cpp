@@ -10,6 +10,7 @@
 #include <vug/passages/curves/meander.h>
 #include <vug/passages/curves/smooth.h>
 #include <vug/passages/curves/splay_section.h>
+#include <vug/passages/curves/star_outline.h>
 #include <vug/passages/curves/walls.h>
 
 #include <gtest/gtest.h>
@@ -207,6 +208,36 @@ TEST(Splays, WideGapsFollowTheMeasuredWalls) {
   ASSERT_TRUE(section);
   EXPECT_NEAR(section->distance(0, -1), 0, 0.03);
   EXPECT_EQ(splay_section({{2, 0, 0}, {0, 2, 0}}, {0, 0, 0}, frame, walls), nullptr);
+}
+
+TEST(Splays, OutlinesBlendByTheirRadii) {
+  const SectionPtr ellipse = make_family("tube")->fit({.width = 2, .height = 6});
+  const SectionPtr circle = make_family("tube")->fit({.width = 4, .height = 4});
+  const StarOutline narrow = star_outline(*ellipse), round = star_outline(*circle);
+  for (const double radius : round) EXPECT_NEAR(radius, 2, 1e-5);
+  EXPECT_NEAR(narrow[0], 1, 1e-5);
+  EXPECT_NEAR(narrow[narrow.size() / 4], 3, 1e-5);
+  const SectionPtr middle = blended_section(narrow, round, 0.5);
+  EXPECT_NEAR(middle->distance(1.5, 0), 0, 1e-5);
+  EXPECT_NEAR(middle->distance(0, -2.5), 0, 1e-5);
+}
+
+// A cone about the x axis, surveyed along a line 1 m next to it.
+TEST(Splays, WallsBetweenStationsAreThoseOfBothStations) {
+  network::Network network = network_of({{0, 0, -1}, {8, 0, -1}, {16, 0, -1}}, {{0, 1}, {1, 2}});
+  const auto on_wall = [](double x, double radius, double angle) {
+    return Vec3d(x, radius * std::cos(angle), radius * std::sin(angle));
+  };
+  for (size_t i = 0; i < 3; ++i)
+    for (int k = 0; k < 32; ++k)
+      network.stations[i].splays.push_back(
+          on_wall(8.0 * static_cast<double>(i), 2 + 0.4 * static_cast<double>(i), kPi * k / 16));
+  const field::Field air = passages(network);
+  for (const double angle : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}) {
+    EXPECT_NEAR(air.value(on_wall(4, 2.2, angle)), 0, 0.06) << angle;
+    EXPECT_NEAR(air.value(on_wall(8, 2.4, angle)), 0, 0.03) << angle;
+    EXPECT_NEAR(air.value(on_wall(12, 2.6, angle)), 0, 0.06) << angle;
+  }
 }
 
 TEST(Passages, InvalidNetworksAreRefused) {
