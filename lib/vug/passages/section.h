@@ -9,6 +9,7 @@
 #include <vug/field/numbers/pack.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace vug::passages {
@@ -34,6 +35,11 @@ struct SectionTraits {
   double height() const { return max.y - min.y; }
 };
 
+/// The half-axes of an ellipse, perpendicular to each other.
+struct EllipseAxes {
+  Vec2d first, second;
+};
+
 /// The shape of a passage across its direction: u points to the right of a caver who looks along
 /// the passage, v up, both in metres from the axis of the passage, which lies inside. Values are
 /// negative inside and have a Lipschitz constant of 1 in the plane. They are the exact distance to
@@ -53,6 +59,9 @@ class Section {
   virtual void slopes(const Pack* u, const Pack* v, int count, PlaneDistance<Pack>* out) const = 0;
   /// About `count` points of the outline (at least one for each corner), counterclockwise.
   virtual std::vector<Vec2d> outline(int count) const = 0;
+
+  /// The axes of sections that are ellipses about the origin.
+  virtual std::optional<EllipseAxes> ellipse() const { return std::nullopt; }
 
   double distance(double u, double v) const { return at(u, v).value; }
   /// Bounds of the distance over a rectangle, from its centre and the Lipschitz constant.

@@ -137,6 +137,37 @@ TEST(Section, TheOutlineHasASlope) {
     }
 }
 
+// Also where convergence is slowest: on the longer axis, and near the ellipse's centres of
+// curvature.
+TEST(Section, EllipsesInSinglePrecisionAreExactUpToRounding) {
+  RandomStream random(RandomKey(6));
+  for (const double ratio : {1.05, 2.0, 4.0, 10.0, 30.0, 100.0}) {
+    const double b = 0.7, a = ratio * b;
+    const SectionPtr tube = make_family("tube")->fit({2 * a, 2 * b, 0});
+    for (int round = 0; round < 1500; ++round) {
+      float u[8], v[8], found[8];
+      for (int lane = 0; lane < 8; ++lane) {
+        const double near = b * std::exp2(random.uniform(-20, 0));
+        double x = random.uniform(-1.6, 1.6) * a, y = random.uniform(-2.6, 2.6) * b;
+        if (lane % 4 == 1) y = 0;
+        if (lane % 4 == 2) y = near;
+        if (lane % 4 == 3) x = (a - b * b / a) * random.uniform(0.97, 1.03), y = near;
+        u[lane] = static_cast<float>(x);
+        v[lane] = static_cast<float>(y);
+      }
+      const Pack pu = Pack::load(u), pv = Pack::load(v);
+      Pack out;
+      tube->distances(&pu, &pv, 1, &out);
+      out.store(found);
+      for (int lane = 0; lane < 8; ++lane)
+        ASSERT_NEAR(static_cast<double>(found[lane]),
+                    tube->distance(static_cast<double>(u[lane]), static_cast<double>(v[lane])),
+                    1e-6 * a)
+            << ratio << " at " << u[lane] << " " << v[lane];
+    }
+  }
+}
+
 TEST(Section, BatchesAgreeWithScalars) {
   for (const SectionCase& c : section_cases(true)) {
     RandomStream random(RandomKey(4).at(c.label));
