@@ -50,6 +50,30 @@ TEST(Sweep, AConeHasItsRadiusEverywhere) {
     }
 }
 
+// Halfway between two ellipses lies the ellipse of their mean half-axes, turned by half the angle.
+TEST(Sweep, ALoftedTubeIsAnEllipseInItsMiddle) {
+  const SectionFamilyPtr tube = make_family("tube");
+  for (const double turn : {0.0, 0.3, -0.4}) {
+    const auto frame = [&](double x, double angle, double width, double height) {
+      return SectionFrame{{x, 0, 0},
+                          {0, std::sin(angle), std::cos(angle)},
+                          {0, std::cos(angle), -std::sin(angle)},
+                          tube->fit({width, height, 0})};
+    };
+    const Segment segment(frame(0, 0, 3, 2), frame(4, turn, 2, 4));
+    const SectionPtr middle = tube->fit({2.5, 3, 0});
+    const double c = std::cos(0.5 * turn), s = std::sin(0.5 * turn);
+    RandomStream random(RandomKey(3));
+    for (int i = 0; i < 500; ++i) {
+      const double y = random.uniform(-3, 3), z = random.uniform(-3, 3);
+      ASSERT_NEAR(segment.value(field::point({2, y, z})),
+                  segment.scale() * middle->distance(c * z + s * y, c * y - s * z), 1e-9)
+          << turn << " at " << y << " " << z;
+    }
+    EXPECT_GT(segment.scale(), 0.9);
+  }
+}
+
 // A ring of radius R and tube r with r / R = 1/2: the distance is |(|(x, z)| - R, y)| - r.
 TEST(Sweep, ATorusIsCorrectWithinTwoPercent) {
   const double ring = 2, tube = 1;

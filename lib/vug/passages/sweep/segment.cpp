@@ -50,6 +50,10 @@ Segment::Segment(const SectionFrame& from, const SectionFrame& to)
   uniform_ = from_.section == to_.section &&
              (a.core == a.reach || (from_.right - to_.right).length() < 1e-9);
   reach_ = std::max(a.reach, b.reach);
+  const auto one = from_.section->ellipse(), other = to_.section->ellipse();
+  if (one && other)
+    loft_ = EllipseLoft::between(from_.in_space(one->first), from_.in_space(one->second),
+                                 to_.in_space(other->first), to_.in_space(other->second));
   const double sigma = uniform_ ? 0 : slope();
   scale_ = 1 / std::sqrt(1 + sigma * sigma);
 }
@@ -89,9 +93,10 @@ double Segment::difference(const Plane& one, const Plane& other) {
   return most + std::min(0.5 * gap, 0.1 * most + 0.01 * gap);
 }
 
-/// max |D_from - D_to| / L. Exact distances differ most on one of the two outlines: off them, the
-/// nearer outline is left at the same rate at most.
+/// max |dD/ds|: of a loft, or |D_from - D_to| / L. Exact distances differ most on one of the two
+/// outlines: off them, the nearer outline is left at the same rate at most.
 double Segment::slope() const {
+  if (loft_) return loft_->slope() / length_;
   return std::max(difference(from_, to_), difference(to_, from_)) / length_;
 }
 
@@ -112,8 +117,40 @@ T Segment::finish(const T& from, const T& to, const T& s) const {
   return select(beyond > T(0.0), cap, plane) * T(scale_);
 }
 
+/// The value and gradient with a loft; the formula is that of `finish`.
+template <class S>
+Dual<S> Segment::lofted(const Point<S>& p) const {
+  using field::clamp, field::max, field::select, field::sqrt, field::square;
+  const Point<S> offset = offset_from(p, start_);
+  const S s = along_axis(offset, along_), zero(0.0);
+  const S t = clamp(s * S(1 / length_), zero, S(1.0));
+  const auto d =
+      loft_->sample(along_axis(offset, loft_->first()), along_axis(offset, loft_->second()), t);
+  const S beyond = max(zero - s, s - S(length_));
+  const auto past = beyond > zero;
+  const S depth = select(s < zero, S(from_.depth), S(to_.depth));
+  const S height = max(d.value + depth, zero), cap = sqrt(square(height) + square(beyond));
+  const S inverse = S(scale_) / max(cap, S(1e-18));
+  const S value = select(past, cap - depth, d.value) * S(scale_);
+  const S across = select(past, height * inverse, S(scale_));
+  const S on =
+      select(past, select(s < zero, zero - beyond, beyond) * inverse, d.dt * S(scale_ / length_));
+  const S u = d.du * across, v = d.dv * across;
+  const Vec3d &a = loft_->first(), &b = loft_->second();
+  return {value, u * S(a.x) + v * S(b.x) + on * S(along_.x),
+          u * S(a.y) + v * S(b.y) + on * S(along_.y), u * S(a.z) + v * S(b.z) + on * S(along_.z)};
+}
+
 template <class T>
 T Segment::at(const Point<T>& p) const {
+  if (loft_) {
+    if constexpr (std::is_same_v<T, double>) {
+      return lofted(p).v;
+    } else {
+      const Dual<double> d = lofted(Point<double>{p.x.v, p.y.v, p.z.v});
+      return field::differentiated(d.v, field::gradient_of(d), p);
+    }
+  }
   const Point<T> offset = offset_from(p, start_);
   const T from = across(from_, offset);
   return finish(from, uniform_ ? from : across(to_, offset), along_axis(offset, along_));
@@ -138,6 +175,15 @@ void Segment::sample(const Plane& plane, const Point<Pack>* points, int count, D
 
 template <class T>
 void Segment::fill(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const {
+  if (loft_) {
+    for (int i = 0; i < count; ++i) {
+      if constexpr (std::is_same_v<T, Pack>)
+        out[i] = lofted(points[i]).v;
+      else
+        out[i] = lofted(points[i]);
+    }
+    return;
+  }
   using D = std::conditional_t<std::is_same_v<T, Pack>, Pack, PlaneDistance<Pack>>;
   field::Scratch::Frame frame(scratch);
   D* from = frame.template take<D>(static_cast<size_t>(count));
@@ -182,7 +228,7 @@ Box3d Segment::bounds() const {
         for (const double v : {t.min.y, t.max.y})
           box.extendBy(start_ + along_ * s + plane->right * u + plane->up * v);
   }
-  return box;
+  return loft_ ? grown(box, loft_->bulge()) : box;
 }
 
 }  // namespace vug::passages

@@ -6,6 +6,7 @@
 #include <vug/field/point.h>
 #include <vug/field/scratch.h>
 #include <vug/passages/section.h>
+#include <vug/passages/sweep/ellipse_loft.h>
 
 namespace vug::passages {
 
@@ -26,8 +27,9 @@ struct SectionFrame {
 ///   f = scale * (|(D + r, e)| - r)   with r the depth of the section at that end,
 /// which is D between the ends: circles continue as half spheres, other sections shrink by what a
 /// half sphere does. The slope along the axis is at most sigma = max |D_from - D_to| / L, and scale
-/// = 1 / sqrt(1 + sigma^2), so the Lipschitz constant is 1. The axis is never bent: no point is
-/// projected onto a curve, which would be discontinuous at the medial axis of bends.
+/// = 1 / sqrt(1 + sigma^2), so the Lipschitz constant is 1. Between two ellipses, D is instead the
+/// distance to an ellipse whose half-axes are interpolated (EllipseLoft). The axis is never bent:
+/// no point is projected onto a curve, which would be discontinuous at the medial axis of bends.
 class Segment {
  public:
   /// Error(bad_input) if the positions coincide. The frames are turned into the plane across the
@@ -63,6 +65,7 @@ class Segment {
     Vec3d right, up;
     SectionPtr section;
     double depth = 0;
+    Vec3d in_space(const Vec2d& p) const { return right * p.x + up * p.y; }
   };
   Plane plane(const SectionFrame& frame) const;
   static double difference(const Plane& one, const Plane& other);
@@ -71,6 +74,8 @@ class Segment {
   T finish(const T& from, const T& to, const T& s) const;
   template <class T>
   static T across(const Plane& plane, const Point<T>& offset);
+  template <class S>
+  Dual<S> lofted(const Point<S>& p) const;
   template <class D>
   void sample(const Plane& plane, const Point<Pack>* points, int count, D* out,
               field::Scratch& scratch) const;
@@ -79,6 +84,7 @@ class Segment {
   double length_;
   Plane from_, to_;
   bool uniform_ = false;
+  std::optional<EllipseLoft> loft_;
   double scale_ = 1, reach_ = 0;
 };
 

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/passages/sweep/ellipse_loft.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::passages {
+namespace {
+
+constexpr double kWidestTurn = 0.5;  // Radians.
+
+bool circle(double a, double b) { return std::fabs(a - b) <= 1e-12 * a; }
+
+}  // namespace
+
+std::optional<EllipseLoft> EllipseLoft::between(Vec3d from_a, Vec3d from_b, Vec3d to_a,
+                                                Vec3d to_b) {
+  EllipseLoft out;
+  const double a = to_a.length(), b = to_b.length();
+  out.a0_ = from_a.length();
+  out.b0_ = from_b.length();
+  out.a1_ = a - out.a0_;
+  out.b1_ = b - out.b0_;
+  const bool round_from = circle(out.a0_, out.b0_), round_to = circle(a, b);
+  out.round_ = round_from && round_to;
+  if (round_from && !round_to) {
+    from_a = to_a;
+    from_b = to_b;
+  } else if (round_to) {
+    to_a = from_a;
+  }
+  out.first_ = from_a.normalized();
+  out.second_ = from_b.normalized();
+  const Vec3d turned = to_a.normalized();
+  double along = turned.dot(out.first_), aside = turned.dot(out.second_);
+  if (along < 0) {  // An ellipse equals itself after half a turn.
+    along = -along;
+    aside = -aside;
+  }
+  const double turn = maths::atan2(aside, along);
+  if (std::fabs(turn) > kWidestTurn) return std::nullopt;
+  if (std::fabs(turn) > 1e-9) {
+    out.turn_ = turn;
+    out.cosine_ = maths::cos(turn);
+    out.sine_ = maths::sin(turn);
+  }
+  const auto ratio = [](double one, double other) {
+    return std::max(one, other) / std::min(one, other);
+  };
+  out.steps_ = ellipse_steps(std::max(ratio(out.a0_, out.b0_), ratio(a, b)));
+  return out;
+}
+
+double EllipseLoft::slope() const {
+  const double oblong = std::max(std::fabs(a0_ - b0_), std::fabs(a0_ + a1_ - b0_ - b1_));
+  const double speed = turn_ == 0 ? 0 : 2 * std::fabs(sine_) / (1 + cosine_);
+  return std::max(std::fabs(a1_), std::fabs(b1_)) + oblong * speed;
+}
+
+double EllipseLoft::bulge() const {
+  const double oblong = std::max(std::fabs(a0_ - b0_), std::fabs(a0_ + a1_ - b0_ - b1_));
+  return oblong * std::fabs(turn_);
+}
+
+}  // namespace vug::passages

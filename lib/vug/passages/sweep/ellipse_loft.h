@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Internal to passages/: an ellipse whose half-axes change linearly along a segment, so that one
+// distance replaces two and their blend.
+#pragma once
+
+#include <vug/field/numbers/scalar.h>
+#include <vug/passages/section.h>
+
+namespace vug::passages {
+
+/// The half-axes at t in 0..1 are a = a0 + t a1 and b = b0 + t b1; their frame turns with t. With h
+/// the support function of the ellipse, the distance is D = max n . p - h(n) over unit normals n,
+/// and dD/dt = -dh/dt at the maximum: |dD/dt| is at most max(|a1|, |b1|) plus |a - b| times the
+/// angular speed.
+class EllipseLoft {
+ public:
+  /// A distance in the plane and its derivatives along the axes of the first section, and by t.
+  template <class S>
+  struct Sample {
+    S value, du, dv, dt;
+  };
+
+  /// Half-axes of both ends in scene space; they differ by a turn in the plane. Circles have the
+  /// direction of the other end. No loft where the axes turn by more than half a radian.
+  static std::optional<EllipseLoft> between(Vec3d from_a, Vec3d from_b, Vec3d to_a, Vec3d to_b);
+
+  template <class S>
+  Sample<S> sample(const S& u, const S& v, const S& t) const;
+
+  const Vec3d& first() const { return first_; }
+  const Vec3d& second() const { return second_; }
+  /// The largest |dD/dt|.
+  double slope() const;
+  /// A bound of the distance from points within to the section at the nearer end moved along.
+  double bulge() const;
+
+ private:
+  Vec3d first_, second_;  // Unit vectors.
+  double a0_ = 1, a1_ = 0, b0_ = 1, b1_ = 0;
+  double turn_ = 0, cosine_ = 1, sine_ = 0;
+  bool round_ = false;
+  int steps_ = 0;
+};
+
+}  // namespace vug::passages
+
+#include <vug/passages/sweep/ellipse_loft_sample.h>
