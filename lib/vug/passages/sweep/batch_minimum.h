@@ -2,6 +2,7 @@
 // Internal to passages/: the minimum over the segments of an active set at a batch of points.
 #pragma once
 
+#include <vug/field/node.h>
 #include <vug/passages/sweep/active_set.h>
 
 #include <algorithm>
@@ -11,27 +12,30 @@ namespace vug::passages {
 inline const Pack& value_of(const Pack& x) { return x; }
 inline const Pack& value_of(const Dual<Pack>& x) { return x.v; }
 
-/// The segment whose axis is nearest to the first point of a pack; its values bound the others.
-inline size_t nearest_segment(const SweepParts& parts, const ActiveSet& set, const Point<Pack>& p) {
-  float x[Pack::kLanes], y[Pack::kLanes], z[Pack::kLanes];
-  p.x.store(x);
-  p.y.store(y);
-  p.z.store(z);
-  const Vec3d at(Vec3f(x[0], y[0], z[0]));
-  size_t nearest = 0;
-  double least = kInfinity;
-  for (size_t i = 0; i < set.segments.size(); ++i) {
-    const Segment& segment = parts.sweep.segments[set.segments[i]];
-    const double value = segment.least(segment.distance_to_axis(at));
-    if (value >= least) continue;
-    least = value;
-    nearest = i;
+/// A ball around all points of a batch.
+inline field::Ball ball_around(const Point<Pack>* points, size_t count) {
+  Pack low[3] = {points[0].x, points[0].y, points[0].z}, high[3] = {low[0], low[1], low[2]};
+  for (size_t i = 1; i < count; ++i) {
+    const Pack at[3] = {points[i].x, points[i].y, points[i].z};
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = min(low[axis], at[axis]);
+      high[axis] = max(high[axis], at[axis]);
+    }
   }
-  return nearest;
+  Vec3d least, most;
+  for (int axis = 0; axis < 3; ++axis) {
+    float lanes[Pack::kLanes];
+    low[axis].store(lanes);
+    least[axis] = static_cast<double>(*std::min_element(lanes, lanes + Pack::kLanes));
+    high[axis].store(lanes);
+    most[axis] = static_cast<double>(*std::max_element(lanes, lanes + Pack::kLanes));
+  }
+  return {0.5 * (least + most), 0.5 * (most - least).length()};
 }
 
-/// The minimum of a batch. Packs of points at which a segment cannot be the minimum, nor within the
-/// radius of a joint above it, are left out of its evaluation.
+/// The minimum of a batch. The segment that is nearest to its middle is the first; others are left
+/// out if their lower bound is above all values so far. Packs of points at which a segment cannot
+/// be the minimum, nor within the radius of a joint above it, are left out of its evaluation.
 template <class T>
 class BatchMinimum {
  public:
@@ -46,21 +50,23 @@ class BatchMinimum {
         near_(frame_.template take<Point<Pack>>(count_)),
         values_(frame_.template take<T>(count_)),
         arms_(frame_.template take<T>(count_ * set.arms)),
-        index_(frame_.template take<uint32_t>(count_)) {
+        index_(frame_.template take<uint32_t>(count_)),
+        lower_(frame_.template take<double>(set.segments.size())) {
     for (size_t k = 0; k < count_ * set.arms; ++k) arms_[k] = T(kFar);
     for (const Joint& joint : set.joints) reach_ = std::max(reach_, joint.radius);
   }
 
   void run(T* out) {
-    const size_t first = nearest_segment(parts_, set_, points_[count_ / 2]);
+    const size_t first = find_lower_bounds();
     segment(first).fill(points_, static_cast<int>(count_), out, scratch_);
     for (size_t k = 0; k < count_; ++k) {
       index_[k] = static_cast<uint32_t>(k);
       values_[k] = out[k];
     }
     combine(first, count_, out);
+    const double most = highest(out) + reach_;
     for (size_t i = 0; i < set_.segments.size(); ++i) {
-      if (i == first) continue;
+      if (i == first || lower_[i] > most) continue;
       const size_t kept = keep_near(segment(i), out);
       if (kept == 0) continue;
       segment(i).fill(near_, static_cast<int>(kept), values_, scratch_);
@@ -74,6 +80,27 @@ class BatchMinimum {
   }
 
  private:
+  /// Of every segment in the ball around the points; returns the segment nearest to its centre.
+  size_t find_lower_bounds() {
+    const field::Ball ball = ball_around(points_, count_);
+    size_t nearest = 0;
+    for (size_t i = 0; i < set_.segments.size(); ++i) {
+      lower_[i] = segment(i).least(segment(i).distance_to_axis(ball.centre));
+      if (lower_[i] < lower_[nearest]) nearest = i;
+    }
+    const double rounding = 1e-5 * (1 + ball.centre.length() * 0.1 + ball.radius);
+    for (size_t i = 0; i < set_.segments.size(); ++i) lower_[i] -= ball.radius + rounding;
+    return nearest;
+  }
+
+  double highest(const T* out) const {
+    Pack most = value_of(out[0]);
+    for (size_t k = 1; k < count_; ++k) most = max(most, value_of(out[k]));
+    float lanes[Pack::kLanes];
+    most.store(lanes);
+    return static_cast<double>(*std::max_element(lanes, lanes + Pack::kLanes));
+  }
+
   const Segment& segment(size_t i) const { return parts_.sweep.segments[set_.segments[i]]; }
 
   size_t keep_near(const Segment& segment, const T* out) {
@@ -107,6 +134,7 @@ class BatchMinimum {
   T* values_;
   T* arms_;
   uint32_t* index_;
+  double* lower_;  // A lower bound of each segment's values.
   double reach_ = 0;
 };
 

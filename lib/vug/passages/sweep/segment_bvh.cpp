@@ -62,20 +62,21 @@ double SegmentBvh::Node::least(const Vec3d& p) const {
   return away > 0 ? scale * away : away;
 }
 
-double SegmentBvh::least(const Vec3d& p) const {
-  double best = kInfinity;
+SegmentBvh::Nearest SegmentBvh::nearest(const Vec3d& p) const {
+  Nearest best;
   std::pair<double, uint32_t> stack[kStack];
   size_t open = 0;
   stack[open++] = {nodes_[0].least(p), 0};
   while (open > 0) {
     const auto [bound, index] = stack[--open];
-    if (bound >= best) continue;
+    if (bound >= best.value) continue;
     const Node& node = nodes_[index];
     if (node.left == 0) {
       for (uint32_t i = node.first; i < node.first + node.count; ++i) {
         const Segment& segment = segments_[order_[i]];
-        if (segment.least(segment.distance_to_axis(p)) < best)
-          best = std::min(best, segment.value(field::point(p)));
+        if (segment.least(segment.distance_to_axis(p)) >= best.value) continue;
+        const double value = segment.value(field::point(p));
+        if (value < best.value) best = {value, order_[i]};
       }
       continue;
     }

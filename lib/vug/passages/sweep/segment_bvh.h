@@ -15,8 +15,12 @@ class SegmentBvh {
   /// Refers to the segments, which must outlive it.
   explicit SegmentBvh(const std::vector<Segment>& segments);
 
-  /// The least value of any segment at a point.
-  double least(const Vec3d& p) const;
+  /// The least value of any segment at a point, and the segment that has it.
+  struct Nearest {
+    double value = kInfinity;
+    uint32_t segment = 0;
+  };
+  Nearest nearest(const Vec3d& p) const;
   /// Appends the indices of segments whose value at p can be at most `limit`, in ascending order,
   /// from their distances to the axis alone. Returns false, with an incomplete list, beyond `most`
   /// segments.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace vug::passages {
@@ -20,13 +21,26 @@ constexpr size_t kMostActive = 256;
 /// Upper bounds include the rounding of batches in single precision, as Node::centre_form does.
 double tolerance(const Vec3d& p, double radius) { return 1e-6 * (1 + p.length() + radius); }
 
+/// A segment of a set whose value at the point is known.
+struct Known {
+  uint32_t segment = 0;
+  double value = 0;
+};
+
 template <class T>
-T evaluate(const SweepParts& parts, const ActiveSet& set, const Point<T>& p) {
+T evaluate(const SweepParts& parts, const ActiveSet& set, const Point<T>& p,
+           [[maybe_unused]] const Known* known = nullptr) {
   thread_local std::vector<T> arms;
   if (arms.size() < set.arms) arms.resize(set.arms);
   Minimum<T> minimum(set, arms.data());
-  for (size_t i = 0; i < set.segments.size(); ++i)
+  for (size_t i = 0; i < set.segments.size(); ++i) {
+    if constexpr (std::is_same_v<T, double>)
+      if (known && known->segment == set.segments[i]) {
+        minimum.combine(i, known->value);
+        continue;
+      }
     minimum.combine(i, parts.sweep.segments[set.segments[i]].at(p));
+  }
   return minimum.finish();
 }
 
@@ -54,9 +68,17 @@ class SweepNode final : public field::EvaluationModes<SweepNode> {
     thread_local ActiveSet near;
     const Vec3d centre = centre_of(p);
     near.segments.clear();
-    collect({centre, 0}, parts_->bvh.least(centre), parts_->sweep.segments.size(), near.segments);
-    link(*parts_, near);
-    return evaluate(*parts_, near, p);
+    const SegmentBvh::Nearest nearest = parts_->bvh.nearest(centre);
+    if (parts_->widest_joint > 0) {
+      collect({centre, 0}, nearest.value, parts_->sweep.segments.size(), near.segments);
+      link(*parts_, near);
+      const Known known{nearest.segment, nearest.value};
+      if (!near.joints.empty()) return evaluate(*parts_, near, p, &known);
+    }
+    if constexpr (std::is_same_v<T, double>)
+      return nearest.value;
+    else
+      return parts_->sweep.segments[nearest.segment].at(p);
   }
   Interval at(const Point<Interval>& p) const {
     const Vec3d centre(p.x.middle(), p.y.middle(), p.z.middle());
@@ -94,35 +116,15 @@ class SweepNode final : public field::EvaluationModes<SweepNode> {
   ActiveSet active_;
 };
 
-Ball ball_around(const Point<Pack>* points, int count) {
-  float low[8], high[8];
-  Vec3d least, most;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto coordinate = [&](int i) {
-      return axis == 0 ? points[i].x : axis == 1 ? points[i].y : points[i].z;
-    };
-    Pack lower = coordinate(0), upper = lower;
-    for (int i = 1; i < count; ++i) {
-      lower = min(lower, coordinate(i));
-      upper = max(upper, coordinate(i));
-    }
-    lower.store(low);
-    upper.store(high);
-    least[axis] = static_cast<double>(*std::min_element(low, low + 8));
-    most[axis] = static_cast<double>(*std::max_element(high, high + 8));
-  }
-  return {0.5 * (least + most), 0.5 * (most - least).length()};
-}
-
 /// Batches of points that are far apart are divided, down to one pack.
 template <class T>
 void SweepNode::fill_near(const Point<Pack>* points, int count, T* out,
                           field::Scratch& scratch) const {
   constexpr size_t kFew = 24;
-  const Ball ball = ball_around(points, count);
+  const Ball ball = ball_around(points, static_cast<size_t>(count));
   ActiveSet near;
   const size_t most = count > 1 ? kFew : parts_->sweep.segments.size();
-  if (!collect(ball, parts_->bvh.least(ball.centre), most, near.segments)) {
+  if (!collect(ball, parts_->bvh.nearest(ball.centre).value, most, near.segments)) {
     fill_near(points, count / 2, out, scratch);
     return fill_near(points + count / 2, count - count / 2, out + count / 2, scratch);
   }
@@ -137,7 +139,7 @@ field::Restriction SweepNode::restrict_to(const Ball& ball) const {
   const auto& segments = parts_->sweep.segments;
   thread_local std::vector<uint32_t> listed;
   listed.clear();
-  if (whole_ && !collect(ball, parts_->bvh.least(ball.centre), kMostActive, listed))
+  if (whole_ && !collect(ball, parts_->bvh.nearest(ball.centre).value, kMostActive, listed))
     return {centre_form(at(centre), ball), nullptr};
   const std::vector<uint32_t>& candidates = whole_ ? listed : active_.segments;
   thread_local std::vector<double> lower;
@@ -147,7 +149,8 @@ field::Restriction SweepNode::restrict_to(const Ball& ball) const {
     lower.push_back(segments[i].least(segments[i].distance_to_axis(ball.centre)));
     if (lower.back() < lower[nearest]) nearest = lower.size() - 1;
   }
-  const double least = segments[candidates[nearest]].value(centre);
+  const Known known{candidates[nearest], segments[candidates[nearest]].value(centre)};
+  const double least = known.value;
   thread_local ActiveSet middle;
   middle.segments.clear();
   ActiveSet active;
@@ -156,7 +159,7 @@ field::Restriction SweepNode::restrict_to(const Ball& ball) const {
     if (lower[k] <= limit(ball, least)) active.segments.push_back(candidates[k]);
   }
   link(*parts_, middle);
-  const Interval range = centre_form(evaluate(*parts_, middle, centre), ball);
+  const Interval range = centre_form(evaluate(*parts_, middle, centre, &known), ball);
   if (!whole_ && active.segments.size() == active_.segments.size()) return {range, nullptr};
   link(*parts_, active);
   return {range, std::make_shared<SweepNode>(traits(), parts_, std::move(active))};
