@@ -20,12 +20,13 @@ inline int ellipse_steps(double ratio) {
 /// The point of the ellipse nearest to (x, y) is (a^2 x / (s + g), b^2 y / s) for a >= b, with
 /// g = a^2 - b^2 and s the largest root of |(a x / (s + g), b y / s)| = 1 (eberly2013ellipsoid).
 /// The reciprocal of that length is concave and nearly linear in s, so Halley's method converges
-/// cubically from the lower bound max(b y, a x - g); doubles stop where the next step has no
-/// effect. The value n . p - h(n), with h the support function of the ellipse, is a lower bound of
-/// the distance for any unit normal n, and its error is quadratic in that of n.
+/// cubically from the lower bound max(b y, a x - g), until the next step has no effect. The value n
+/// . p - h(n), with h the support function of the ellipse, is a lower bound of the distance for any
+/// unit normal n, and its error is quadratic in that of n.
 template <class S>
-PlaneDistance<S> ellipse_distance(const S& half_u, const S& half_v, const S& u, const S& v,
-                                  int steps) {
+inline __attribute__((always_inline)) PlaneDistance<S> ellipse_distance(const S& half_u,
+                                                                        const S& half_v, const S& u,
+                                                                        const S& v, int steps) {
   using field::abs, field::max, field::min, field::select, field::sign, field::sqrt, field::square;
   constexpr bool kDouble = std::is_same_v<S, double>;
   const auto upright = half_u < half_v;
@@ -45,8 +46,11 @@ PlaneDistance<S> ellipse_distance(const S& half_u, const S& half_v, const S& u, 
     const S below = max(d11 + S(1.5) * off * (d11 - d2 * q2), S(0.2) * d11);
     const S step = off * q2 * d1 / max(below, S(kDouble ? 1e-300 : 1e-37));
     s = max(s + step, least);
-    if constexpr (kDouble)
+    if constexpr (kDouble) {
       if (std::fabs(step) < 1e-7 * s) break;
+    } else if (!any(abs(step) > S(0.05) * s)) {
+      break;  // The error of s is of the third order in the step, that of the value of the sixth.
+    }
   }
   const S inverse = S(1.0) / (s * (s + g));
   const S nx = x * s * inverse, ny = by * (s + g) * inverse;

@@ -57,6 +57,10 @@ double EllipseLoft::slope() const {
   return std::max(std::fabs(a1_), std::fabs(b1_)) + oblong * speed;
 }
 
+double EllipseLoft::depth() const {
+  return std::min(std::max(a0_, a0_ + a1_), std::max(b0_, b0_ + b1_));
+}
+
 double EllipseLoft::bulge() const {
   const double oblong = std::max(std::fabs(a0_ - b0_), std::fabs(a0_ + a1_ - b0_ - b1_));
   return oblong * std::fabs(turn_);

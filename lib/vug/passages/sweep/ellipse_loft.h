@@ -31,6 +31,8 @@ class EllipseLoft {
   const Vec3d& second() const { return second_; }
   /// The largest |dD/dt|.
   double slope() const;
+  /// No distance is below -depth.
+  double depth() const;
   /// A bound of the distance from points within to the section at the nearer end moved along.
   double bulge() const;
 

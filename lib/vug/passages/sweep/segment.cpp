@@ -50,10 +50,12 @@ Segment::Segment(const SectionFrame& from, const SectionFrame& to)
   uniform_ = from_.section == to_.section &&
              (a.core == a.reach || (from_.right - to_.right).length() < 1e-9);
   reach_ = std::max(a.reach, b.reach);
+  depth_ = std::max(a.depth, b.depth);
   const auto one = from_.section->ellipse(), other = to_.section->ellipse();
   if (one && other)
     loft_ = EllipseLoft::between(from_.in_space(one->first), from_.in_space(one->second),
                                  to_.in_space(other->first), to_.in_space(other->second));
+  if (loft_) depth_ = std::max(depth_, loft_->depth());
   const double sigma = uniform_ ? 0 : slope();
   scale_ = 1 / std::sqrt(1 + sigma * sigma);
 }
@@ -119,7 +121,7 @@ T Segment::finish(const T& from, const T& to, const T& s) const {
 
 /// The value and gradient with a loft; the formula is that of `finish`.
 template <class S>
-Dual<S> Segment::lofted(const Point<S>& p) const {
+inline __attribute__((always_inline)) Dual<S> Segment::lofted(const Point<S>& p) const {
   using field::clamp, field::max, field::select, field::sqrt, field::square;
   const Point<S> offset = offset_from(p, start_);
   const S s = along_axis(offset, along_), zero(0.0);
@@ -210,13 +212,17 @@ double Segment::distance_to_axis(const Vec3d& p) const {
   return (offset - along_ * s).length();
 }
 
+/// With D >= d - reach and D >= -depth, d being the distance from the line of the axis, the formula
+/// of `finish` is at least |(max(d - reach + depth, 0), e)| - depth, which decreases with the
+/// depth.
 Pack Segment::least(const Point<Pack>& p) const {
+  using field::max, field::sqrt, field::square;
   const Point<Pack> offset = offset_from(p, start_);
-  const Pack along = along_axis(offset, along_);
-  const Pack s = field::clamp(along, Pack(0.0), Pack(length_));
-  const Point<Pack> rest = offset - field::constant<Pack>(along_) * s;
-  const Pack away = field::length(rest) - Pack(reach_);
-  return select(away > Pack(0.0), away * Pack(scale_), away);
+  const Pack s = along_axis(offset, along_), zero(0.0);
+  const Pack beyond = max(max(zero - s, s - Pack(length_)), zero);
+  const Pack aside = field::length(offset - field::constant<Pack>(along_) * s);
+  const Pack height = max(aside - Pack(reach_ - depth_), zero);
+  return (sqrt(square(height) + square(beyond)) - Pack(depth_)) * Pack(scale_);
 }
 
 Box3d Segment::bounds() const {

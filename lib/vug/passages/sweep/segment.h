@@ -49,7 +49,7 @@ class Segment {
     const double away = distance_to_axis - reach_;
     return away > 0 ? scale_ * away : away;
   }
-  /// The same for a batch of points.
+  /// A higher lower bound, for a batch of points.
   Pack least(const Point<Pack>& p) const;
 
   const Vec3d& start() const { return start_; }
@@ -85,7 +85,7 @@ class Segment {
   Plane from_, to_;
   bool uniform_ = false;
   std::optional<EllipseLoft> loft_;
-  double scale_ = 1, reach_ = 0;
+  double scale_ = 1, reach_ = 0, depth_ = 0;
 };
 
 }  // namespace vug::passages

@@ -154,6 +154,7 @@ field::Restriction SweepNode::restrict_to(const Ball& ball) const {
   thread_local ActiveSet middle;
   middle.segments.clear();
   ActiveSet active;
+  active.segments.reserve(candidates.size());
   for (size_t k = 0; k < candidates.size(); ++k) {
     if (lower[k] <= limit({ball.centre, 0}, least)) middle.segments.push_back(candidates[k]);
     if (lower[k] <= limit(ball, least)) active.segments.push_back(candidates[k]);
