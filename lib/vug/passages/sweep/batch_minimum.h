@@ -80,7 +80,7 @@ class BatchMinimum {
   }
 
  private:
-  /// Of every segment in the ball around the points; returns the segment nearest to its centre.
+  /// Fills `lower_` for a ball around the points; returns the segment nearest to its centre.
   size_t find_lower_bounds() {
     const field::Ball ball = ball_around(points_, count_);
     size_t nearest = 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/passages/sections/ellipse.h>
 #include <vug/passages/sweep/ellipse_loft.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to passages/: an ellipse whose half-axes change linearly along a segment, so that one
+// An ellipse whose half-axes change linearly along a segment, so that one
 // distance replaces two and their blend.
 #pragma once
 
@@ -45,5 +45,3 @@ class EllipseLoft {
 };
 
 }  // namespace vug::passages
-
-#include <vug/passages/sweep/ellipse_loft_sample.h>

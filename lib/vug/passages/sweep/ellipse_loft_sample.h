@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to passages/: the samples of EllipseLoft, included at the end of its header.
+// Internal to passages/: the samples of EllipseLoft.
 #pragma once
 
 #include <vug/passages/sections/ellipse.h>
+#include <vug/passages/sweep/ellipse_loft.h>
 
 namespace vug::passages {
 

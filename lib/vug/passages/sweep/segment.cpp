@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
+#include <vug/passages/sweep/ellipse_loft_sample.h>
 #include <vug/passages/sweep/segment.h>
 
 #include <algorithm>
