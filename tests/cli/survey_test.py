@@ -50,6 +50,15 @@ class Survey(VugTest):
         text = self.expect(0, "survey", "cave.svx").out
         self.assertIn("stations: 6\nlegs: 6\n", text)
 
+    def test_stations(self):
+        lines = self.expect(0, "survey", "cave.svx", "--stations").out.splitlines()
+        self.assertEqual(lines[0].split(), ["east", "north", "up", "name"])
+        self.assertEqual(lines[1].split(), ["100.00", "200.00", "300.00", "cave.1", "entrance", "fixed"])
+        self.assertEqual(len(lines), 6)  # the end of the splay has no name
+        listed = json.loads(self.expect(0, "survey", "cave.svx", "--stations", "--json").out)
+        self.assertEqual([each["name"] for each in listed], [f"cave.{i}" for i in (1, 2, 3, 4, 5)])
+        self.assertEqual(listed[0], {"name": "cave.1", "east": 100, "north": 200, "up": 300, "flags": ["entrance", "fixed"]})
+
     def test_drawings(self):
         self.expect(0, "survey", "cave.svx", "--plan", "out/plan.svg", "--elevation", "out/side.svg")
         for name, lines in (("plan", 6 + 2 + 1), ("side", 5 + 1)):

@@ -91,4 +91,23 @@ Json report(const Survey& survey) {
   return out;
 }
 
+Json station_list(const Survey& survey) {
+  Json out = Json::array();
+  for (const Station& station : survey.stations) {
+    if (station.anonymous()) continue;
+    Json flags = Json::array();
+    for (const auto& [flag, set] : {std::pair("entrance", station.entrance),
+                                    {"fixed", station.fixed},
+                                    {"exported", station.exported},
+                                    {"surface", station.surface}})
+      if (set) flags.push_back(flag);
+    out.push_back({{"name", station.name},
+                   {"east", rounded(station.position.x)},
+                   {"north", rounded(station.position.y)},
+                   {"up", rounded(station.position.z)},
+                   {"flags", std::move(flags)}});
+  }
+  return out;
+}
+
 }  // namespace vug::survey

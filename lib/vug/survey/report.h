@@ -12,4 +12,7 @@ namespace vug::survey {
 /// their errors in metres or degrees.
 nlohmann::ordered_json report(const Survey& survey);
 
+/// The named stations in the order of the survey: name, east, north and up in metres, and flags.
+nlohmann::ordered_json station_list(const Survey& survey);
+
 }  // namespace vug::survey

@@ -17,6 +17,7 @@ namespace {
 struct Options {
   std::string file;
   bool json = false;
+  bool stations = false;
   bool allow_outside = false;
   std::string plan, elevation, output;
   ShootOptions shoot;
@@ -30,6 +31,18 @@ survey::Survey read_or_shoot(const Options& options) {
   survey::Survey read = survey::read_survey(options.file, reading, warnings);
   fmt::print(stderr, "{}", scene::report(warnings, {}));
   return read;
+}
+
+void print_stations(const nlohmann::ordered_json& stations, bool json) {
+  if (json) return print_report(stations, true);
+  fmt::print("{:>12}{:>12}{:>10}  name\n", "east", "north", "up");
+  for (const auto& each : stations) {
+    fmt::print("{:12.2f}{:12.2f}{:10.2f}  {}", each["east"].get<double>(),
+               each["north"].get<double>(), each["up"].get<double>(),
+               each["name"].get<std::string>());
+    for (const auto& flag : each["flags"]) fmt::print("  {}", flag.get<std::string>());
+    fmt::print("\n");
+  }
 }
 
 int run(const Options& options) {
@@ -50,7 +63,10 @@ int run(const Options& options) {
   if (!options.plan.empty()) write_text(options.plan, survey::plan_svg(read));
   if (!options.elevation.empty()) write_text(options.elevation, survey::elevation_svg(read));
   if (!options.output.empty()) survey::write_survey(read, options.output);
-  print_report(survey::report(read), options.json);
+  if (options.stations)
+    print_stations(survey::station_list(read), options.json);
+  else
+    print_report(survey::report(read), options.json);
   return kDone;
 }
 
@@ -68,6 +84,8 @@ Verb survey_verb() {
                            "Survey in a format of Survex, Therion, Compass, Walls or PocketTopo");
         options->shoot.add_to(app, file);
         app.add_flag("--json", options->json, "Machine-readable output");
+        app.add_flag("--stations", options->stations,
+                     "List the stations with their coordinates instead of the report");
         app.add_option("--plan", options->plan, "SVG file for a drawing of the plan");
         app.add_option("--elevation", options->elevation,
                        "SVG file for a drawing of the extended elevation");
