@@ -16,8 +16,8 @@ namespace {
 using Leaf = openvdb::FloatTree::LeafNodeType;
 using MaskLeaf = openvdb::MaskTree::LeafNodeType;
 
-/// The farthest step that the leaves around a leaf contain.
-constexpr int kFarthest = 8;
+/// The most steps for which the leaves around a leaf suffice.
+constexpr int kMostSteps = 8;
 
 uint32_t shifted(uint32_t bits, int by) { return by >= 0 ? bits << by : bits >> -by; }
 
@@ -60,7 +60,7 @@ class Neighbourhood {
   }
 
  private:
-  static constexpr int kSize = 8 + 2 * kFarthest;
+  static constexpr int kSize = 8 + 2 * kMostSteps;
 
   void add(const MaskLeaf& leaf, int x, int y, int z) {
     any_ = true;
@@ -109,7 +109,7 @@ void keep(openvdb::FloatGrid& grid, const Near& near) {
 void trim_band(openvdb::GridBase& level_set, int voxels) {
   auto& grid = static_cast<openvdb::FloatGrid&>(level_set);
   openvdb::FloatTree& tree = grid.tree();
-  if (voxels > kFarthest) {
+  if (voxels > kMostSteps) {
     const openvdb::MaskTree mask = surface_mask(tree, voxels);
     return keep(grid, [&](const Leaf& leaf, uint64_t* words) {
       const MaskLeaf* near = mask.probeConstLeaf(leaf.origin());
