@@ -206,7 +206,7 @@ def main():
             else:
                 shutil.copy(path, target)
     for path in sorted((ROOT / "data").rglob("*")):
-        if path.suffix in (".vug", ".json"):
+        if path.suffix in (".vug", ".json", ".svx"):
             target = pages / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(path, target)
