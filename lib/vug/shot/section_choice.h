@@ -25,7 +25,7 @@ struct SectionChoice {
     s.choice("like", static_cast<int P::*>(&SectionChoice::like), std::move(names),
              "the surveyed caves whose widths and heights apply; usual: between them")
         .param("size", &SectionChoice::size,
-               {.doc = "factor of widths and heights", .min = 0, .above_min = true})
+               {.doc = "factor of widths and heights", .min = 0, .max = 1000, .above_min = true})
         .param("variation", &SectionChoice::variation,
                {.doc = "how much they vary along the passages; 1: as in the surveyed caves",
                 .min = 0,
