@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/base/atomic_file.h>
 #include <vug/network/dat.h>
 #include <vug/network/from_survey.h>
 #include <vug/network/read_network.h>
 #include <vug/survey/read_survey.h>
 
-#include <algorithm>
-
 namespace vug::network {
 
 bool is_network_file(const std::filesystem::path& file) {
-  const std::string extension = extension_of(file);
-  const auto& formats = survey::formats();
-  return std::any_of(formats.begin(), formats.end(), [&](const survey::Format* format) {
-    return extension == "." + format->info.name;
-  });
+  return survey::find_format(file) != nullptr;
 }
 
 Network read_network(const std::filesystem::path& file, Diagnostics& warnings) {

@@ -88,6 +88,10 @@ double percentile(const SectionCriterion& criterion, double value) {
   return interpolate(points, value);
 }
 
+std::string label(const char* name, const char* unit) {
+  return *unit ? fmt::format("{} ({})", name, unit) : name;
+}
+
 RealRange range_of(const Criterion& criterion) {
   const auto& q = criterion.quantiles;
   return {q[0], q[1], q[3], q[5], q[6]};

@@ -48,6 +48,9 @@ double percentile(const Criterion& criterion, double value);
 /// (i + 1/2) / n, the outer limits are 0 and 1.
 double percentile(const SectionCriterion& criterion, double value);
 
+/// The name of a criterion with its unit if it has one, e.g. "median width (m)".
+std::string label(const char* name, const char* unit);
+
 /// The values of a criterion among real caves. Advice is given for values outside low to high.
 struct RealRange {
   double lowest, low, median, high, highest;

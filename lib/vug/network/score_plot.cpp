@@ -40,9 +40,7 @@ struct Row {
 
 template <class AnyCriterion>
 Row row_of(const AnyCriterion& criterion, const CriterionScore& score) {
-  std::string label = criterion.name;
-  if (*criterion.unit) label += fmt::format(" ({})", criterion.unit);
-  return {std::move(label), range_of(criterion), {}, &score};
+  return {label(criterion.name, criterion.unit), range_of(criterion), {}, &score};
 }
 
 /// The horizontal axis of a row.

@@ -24,11 +24,6 @@ void for_each_size(const Metrics& m, const Row& row) {
   row("edges", m.edges, "");
 }
 
-template <class AnyCriterion>
-std::string label(const AnyCriterion& criterion) {
-  return *criterion.unit ? fmt::format("{} ({})", criterion.name, criterion.unit) : criterion.name;
-}
-
 /// One line for each criterion of a list and its scores, in the same order.
 template <class AnyCriterion>
 std::string lines(const std::vector<AnyCriterion>& criteria,
@@ -38,11 +33,11 @@ std::string lines(const std::vector<AnyCriterion>& criteria,
     const CriterionScore& s = scores[i];
     const RealRange real = range_of(criteria[i]);
     const bool defined = !std::isnan(s.value);
-    text += fmt::format("{:<34}  {:>8}  {:>8}  {:>8}  {}\n", label(criteria[i]),
-                        defined ? fmt::format("{:.3g}", s.value) : "-",
-                        defined ? fmt::format("{:.0f} %", 100 * s.percentile) : "-",
-                        fmt::format("{:.3g}", real.median),
-                        fmt::format("{:.3g} to {:.3g}", real.low, real.high));
+    text += fmt::format(
+        "{:<34}  {:>8}  {:>8}  {:>8}  {}\n", label(criteria[i].name, criteria[i].unit),
+        defined ? fmt::format("{:.3g}", s.value) : "-",
+        defined ? fmt::format("{:.0f} %", 100 * s.percentile) : "-",
+        fmt::format("{:.3g}", real.median), fmt::format("{:.3g} to {:.3g}", real.low, real.high));
   }
   return text;
 }

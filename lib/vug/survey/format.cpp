@@ -4,16 +4,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace vug::survey {
 
+const Format* find_format(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  const auto& all = formats();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Format* format) {
+    return extension == "." + format->info.name;
+  });
+  return found == all.end() ? nullptr : *found;
+}
+
 const Format& format_of(const std::filesystem::path& file) {
-  std::string extension = extension_of(file);
-  if (!extension.empty()) extension.erase(0, 1);
+  if (const Format* format = find_format(file)) return *format;
   std::vector<std::string> known;
-  for (const Format* format : formats()) {
-    if (format->info.name == extension) return *format;
-    known.push_back(format->info.name);
-  }
+  for (const Format* format : formats()) known.push_back(format->info.name);
   throw Error(ErrorCode::bad_input,
               fmt::format("'{}' does not have the extension of a survey format", file.string()), {},
               fmt::format("known: {}", fmt::join(known, ", ")));

@@ -38,7 +38,10 @@ struct Format {
 
 const std::vector<const Format*>& formats();
 
-/// Returns the format for a file's extension in any case; throws Error(bad_input) for an unknown
+/// The format for a file's extension in any case; null for an unknown extension.
+const Format* find_format(const std::filesystem::path& file);
+
+/// The same, but throws Error(bad_input) for an unknown
 /// extension.
 const Format& format_of(const std::filesystem::path& file);
 

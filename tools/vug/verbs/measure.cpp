@@ -120,8 +120,7 @@ Verb measure_verb() {
       "measure",
       "Measures a mesh of a scene, or a .vdb, .obj, .ply or .stl file; exit code 1 if it is not a "
       "closed solid, intersects itself or is folded. With --score, compares the plan of a cave "
-      "with "
-      "real caves.",
+      "with real caves.",
       [](CLI::App& app) {
         auto options = std::make_shared<Options>();
         options->scene.add_to(app, &options->work);
@@ -131,8 +130,7 @@ Verb measure_verb() {
             ->excludes("--mesh");
         app.add_option("--max-invalid", options->max_invalid,
                        "Share of triangles, e.g. 0.001, that may intersect others, be folded or "
-                       "have no area "
-                       "before the exit code is 1; default 0")
+                       "have no area before the exit code is 1; default 0")
             ->transform(number_in(Dimension::none, 0, 1));
         CLI::Option* score = app.add_flag(
             "--score", options->score,

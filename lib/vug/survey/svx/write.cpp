@@ -134,6 +134,14 @@ class Writer {
     within.resize(same);
   }
 
+  /// The survey whose block has the lines of a station that has a name.
+  Path block_of(int index) const {
+    Path path = names_.station(index);
+    path.pop_back();
+    path.resize(std::min(path.size(), kDeepestBlock));
+    return path;
+  }
+
   std::string name_in(const Path& block, int index) const {
     const Path& name = names_.station(index);
     return fmt::format(
@@ -184,9 +192,7 @@ class Writer {
     const Vec3d apart = station(equate.a).position - station(equate.b).position;
     if (!(apart.length() <= kSamePlace) || !equals_.join(equate.a, equate.b)) return;
     points_.join(equate.a, equate.b);
-    Path path = names_.station(equate.a);
-    path.pop_back();
-    path = common(path, {equate.b});
+    const Path path = common(block_of(equate.a), {equate.b});
     blocks_[path].rest +=
         fmt::format("*equate {} {}\n", name_in(path, equate.a), name_in(path, equate.b));
   }
@@ -215,11 +221,10 @@ class Writer {
 
   void add_station(int index, bool is_fix) {
     const Station& s = station(index);
-    Path path = names_.station(index);
-    const bool exported = s.exported && path.size() > 1;
-    if (path.empty() || !(is_fix || s.entrance || exported)) return;
-    path.pop_back();
-    path.resize(std::min(path.size(), kDeepestBlock));
+    const Path& full = names_.station(index);
+    const bool exported = s.exported && full.size() > 1;
+    if (full.empty() || !(is_fix || s.entrance || exported)) return;
+    const Path path = block_of(index);
     const std::string name = name_in(path, index);
     Block& block = blocks_[path];
     std::string& out = block.stations;
@@ -233,9 +238,7 @@ class Writer {
 
   void add_tube(const Tube& tube) {
     if (tube.empty()) return;
-    Path path = names_.station(tube.front().station);
-    path.pop_back();
-    path.resize(std::min(path.size(), kDeepestBlock));
+    Path path = block_of(tube.front().station);
     for (const CrossSection& section : tube) shorten(path, names_.station(section.station));
     std::string& out = blocks_[path].rest;
     out += "*begin\n*data passage station left right up down\n";
