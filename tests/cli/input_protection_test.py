@@ -41,6 +41,21 @@ class InputsKept(VugTest):
         self.assertFalse((self.folder / "other.exr").exists())
         self.expect(0, "render", "shot.vug", "-o", "other.exr", "--preview", "other.png")
 
+    def test_surveys(self):
+        self.write("all.svx", "*include part\n1 2 10 0 0\n")
+        self.write("part.svx", "2 3 10 90 0\n")
+        self.write("cave.vug", 'network plan = survey(file: "all.svx")\n'
+                   'volume air = level_set(passages(of: plan), voxel: 1m)\nmesh wall on air {}\n')
+        os.symlink("part.svx", self.folder / "plot.svg")
+        kept = ["all.svx", "part.svx", "cave.vug"]
+        for name in ("all.svx", "./part.svx"):
+            self.refused(kept, "survey", "all.svx", "-o", name)
+            self.refused(kept, "survey", "--shoot", "cave.vug", "-o", name)
+        for file in ("cave.vug", "all.svx"):
+            self.refused(kept, "measure", file, "--score", "--plot", "plot.svg")
+        os.symlink("part.svx", self.folder / "cave.ply")
+        self.refused(kept, "build", "cave.vug", "-o", ".")
+
     def test_pictures_that_are_compared(self):
         for name in ["a.hdr", "b.hdr"]:
             write_hdr(self.folder / name, [[(0.5, 0.5, 0.5)] * 8] * 8)

@@ -43,6 +43,11 @@ class Score(VugTest):
         self.assertEqual(self.measure("a_nodes.dat")["legs"], 2)
         self.assertEqual(self.measure("a_links.dat")["legs"], 2)
 
+    def test_equated_stations_are_one(self):
+        (self.folder / "equated.svx").write_text("1 2 10 0 0\n2 3 10 120 0\n4 1 10 240 0\n*equate 3 4\n")
+        report = self.measure("equated.svx")
+        self.assertEqual((report["stations"], report["edges"]), (3, 3))
+
     def test_table_and_advice(self):
         text = self.expect(0, "measure", "cave.svx", "--score").out
         self.assertIn("realism", text)
@@ -67,6 +72,8 @@ class Score(VugTest):
         self.assertIn("add --score", self.expect(2, "measure", "cave.svx").err)
         self.assertIn("--network requires a scene",
                       self.expect(2, "measure", "cave.svx", "--score", "--network", "plan").err)
+        self.assertIn("--variant requires a scene",
+                      self.expect(2, "measure", "cave.svx", "--score", "--variant", "wet").err)
         self.expect(2, "measure", "missing.svx", "--score")
         self.expect(2, "measure", "cave.vug", "--network", "plan")
         self.expect(2, "measure", "cave.vug", "--score", "--mesh", "wall")

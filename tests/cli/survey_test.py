@@ -75,7 +75,9 @@ class Survey(VugTest):
         self.assertEqual((report["title"], report["stations"], report["loops"]), ("Two loops", 6, 1))
         self.assertEqual((report["splays"], report["cross_sections"]), (1, 2))
         self.assertEqual(report["altitude"]["low_station"], "cave.5")
-        self.assertIn("formats that can be written", self.expect(2, "survey", "cave.svx", "-o", "x.th").err)
+        for name in ("x.th", "x.xyz"):
+            error = self.expect(2, "survey", "cave.svx", "-o", name).err
+            self.assertIn("files that can be written: .lox, .3d, .svx", error)
 
     def test_errors_name_the_line(self):
         (self.folder / "bad.svx").write_text("*begin a\n1 2 3 x 5\n*end a\n")
@@ -86,6 +88,16 @@ class Survey(VugTest):
         self.assertIn("SVG", self.expect(2, "survey", "cave.svx", "--plan", "plan.png").err)
         self.expect(2, "survey", "cave.svx", "-o", "cave.svx")
         self.expect(2, "survey", "missing.svx")
+        self.assertIn("is a folder, not the file of a survey", self.expect(2, "survey", ".").err)
+        self.assertIn("'cave.svx' is a survey, not a scene\n", self.expect(2, "check", "cave.svx").err)
+        self.assertIn("'cave.svx' is a survey, not a scene\n", self.expect(2, "render", "cave.svx", "-o", "a.exr").err)
+        (self.folder / "empty.svx").write_text("*begin a\n*end a\n")
+        self.assertIn("the survey has no stations", self.expect(0, "survey", "empty.svx").err)
+
+    def test_a_scene_names_the_line_of_its_survey(self):
+        (self.folder / "bad.svx").write_text("*begin a\n1 2 3 x 5\n*end a\n")
+        (self.folder / "bad.vug").write_text('network cave = survey(file: "bad.svx")\n')
+        self.assertIn("bad.svx:2:7: error: expected a number, found 'x'\n", self.expect(2, "check", "bad.vug").err)
 
     def test_files_outside_of_the_folder(self):
         (self.folder / "below").mkdir()

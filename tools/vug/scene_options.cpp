@@ -8,6 +8,7 @@
 #include <vug/base/pluralize.h>
 #include <vug/loading/data_folders.h>
 #include <vug/shot/queries.h>
+#include <vug/survey/format.h>
 
 #include <cstdio>
 
@@ -47,7 +48,18 @@ void SceneOptions::add_to(CLI::App& app, const WorkOptions* work) {
       ->transform(number_in(Dimension::none, -1e6, 1e6));
 }
 
+/// Error(bad_input) for a survey, in which the parser would find a fault in every line.
+void SceneOptions::refuse_survey() const {
+  if (!survey::find_format(scene)) return;
+  throw Error(
+      ErrorCode::bad_input, fmt::format("'{}' is a survey, not a scene", scene), {},
+      fmt::format("'vug survey' reports it; in a scene, network NAME = survey(file: \"{}\") "
+                  "uses it",
+                  std::filesystem::path(scene).filename().string()));
+}
+
 loading::LoadOptions SceneOptions::load_options() const {
+  refuse_survey();
   loading::LoadOptions options;
   options.variant = variant;
   options.seed = seed;

@@ -43,6 +43,7 @@ struct SceneOptions {
   void apply_strictness(Diagnostics& diagnostics) const;
 
  private:
+  void refuse_survey() const;
   ProgressBarMode bar_mode() const;
 
   const WorkOptions* work_ = nullptr;

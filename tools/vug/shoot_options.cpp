@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
+#include <vug/loading/dependencies.h>
 #include <vug/shot/queries.h>
 
 namespace vug::cli {
@@ -48,12 +49,13 @@ void ShootOptions::add_to(CLI::App& app, CLI::Option* file) {
       ->check(seed_number());
 }
 
-survey::Survey ShootOptions::survey() const {
+survey::Survey ShootOptions::survey(const std::vector<std::filesystem::path>& outputs) const {
   if (extension_of(scene.scene) != ".vug")
     throw Error(ErrorCode::bad_input,
                 fmt::format("--shoot requires a scene, but '{}' is not a .vug file", scene.scene),
                 {}, "vug survey --shoot cave.vug --along NETWORK -o cave.3d");
   const loading::Loaded loaded = scene.load();
+  require_outputs(outputs, loading::file_dependencies(loaded));
   const shot::NetworkPlan& plan = shot::find_network(loaded.shot, network);
   const shot::VolumePtr walls = surveyed_volume(loaded.shot, volume);
   passages::SimulationOptions options = simulation;

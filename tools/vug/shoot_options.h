@@ -18,8 +18,8 @@ struct ShootOptions {
   void add_to(CLI::App& app, CLI::Option* file);
   bool given() const { return !scene.scene.empty(); }
   /// Loads the scene and surveys the volume; prints diagnostics on stderr. Error(bad_input) for
-  /// other files, unknown names, and volumes without a field.
-  survey::Survey survey() const;
+  /// other files, unknown names, volumes without a field, and outputs that the scene reads.
+  survey::Survey survey(const std::vector<std::filesystem::path>& outputs) const;
 };
 
 }  // namespace vug::cli

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -12,6 +13,10 @@ namespace vug {
 void Diagnostics::add(Diagnostic diagnostic) {
   if (diagnostic.severity == Severity::error) ++errors_;
   all_.push_back(std::move(diagnostic));
+}
+
+void Diagnostics::add(const Error& error, const SourceLocation& otherwise) {
+  this->error(error.where().known() ? error.where() : otherwise, error.what(), error.hint());
 }
 
 void Diagnostics::error(SourceLocation where, std::string message, std::string hint) {
@@ -51,6 +56,7 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
   std::string best;
   size_t best_distance = std::max<size_t>(1, name.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
+    if (boost::algorithm::iequals(name, candidate)) return candidate;
     const size_t distance = edit_distance(name, candidate);
     const bool has_nothing_in_common = distance >= std::max(name.size(), candidate.size());
     if (distance < best_distance && !has_nothing_in_common) {

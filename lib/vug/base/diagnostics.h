@@ -26,6 +26,8 @@ class Diagnostics {
   void warning(SourceLocation where, std::string message, std::string hint = {});
 
   void add(Diagnostic diagnostic);
+  /// Adds an error at its own location, e.g. in a file that the text names, or at `otherwise`.
+  void add(const Error& error, const SourceLocation& otherwise);
   /// Appends another list, in order.
   void append(const Diagnostics& other);
 
@@ -37,8 +39,9 @@ class Diagnostics {
   int errors_ = 0;
 };
 
-/// The candidate nearest to `name` by edit distance (Damerau-Levenshtein), or an empty string if
-/// the distance of each exceeds a third of the name's length (at least 1).
+/// The candidate that differs from `name` in upper and lower case only, else the nearest by edit
+/// distance (Damerau-Levenshtein), or an empty string if the distance of each exceeds a third of
+/// the name's length (at least 1).
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
 
 /// "did you mean 'x'?" for the nearest candidate, or another hint if none is near.

@@ -37,7 +37,7 @@ Kind<Product> make_kind(Schema<P> schema, Build build) {
               return build(*params);
             } catch (const Error& error) {
               if (error.code() != ErrorCode::bad_input) throw;
-              diagnostics.error(where, error.what(), error.hint());
+              diagnostics.add(error, where);
               return std::nullopt;
             }
           }};

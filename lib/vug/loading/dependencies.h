@@ -9,10 +9,11 @@
 
 namespace vug::loading {
 
-/// The source files of the scene and every existing file named by a quoted string, relative to the
-/// file that contains the string: meshes, grids, pictures; each once. Overrides by -D are not
-/// files. The result comes from the tokens, so it is valid for scenes with faults and includes
-/// files that only another camera needs.
+/// The source files of the scene, every existing file named by a quoted string, relative to the
+/// file that contains the string (meshes, grids, pictures), and the files of its networks, e.g. the
+/// parts that a survey includes; each once. Overrides by -D are not files. The result comes from
+/// the tokens, so it is valid for scenes with faults and includes files that only another camera
+/// needs.
 std::vector<std::filesystem::path> file_dependencies(const Loaded& scene);
 
 }  // namespace vug::loading

@@ -93,8 +93,7 @@ Value bind_facade(const scene::Grammar& grammar, ReadContext& context) {
     context.resolver.record(wall, grammar.extent);
     return wall;
   } catch (const Error& error) {
-    context.diagnostics.error(error.where().known() ? error.where() : grammar.where, error.what(),
-                              error.hint());
+    context.diagnostics.add(error, grammar.where);
     return {};
   }
 }

@@ -94,7 +94,7 @@ std::optional<Value> Resolver::make(const KindRegistry& registry, const std::str
     if (auto value = kind->make(valid.arguments, where, found); value && valid.complete)
       made = *value;
   } catch (const Error& error) {
-    found.error(error.where().known() ? error.where() : where, error.what(), error.hint());
+    found.add(error, where);
   }
   valid.report(found, where, diagnostics);
   record(made, where);

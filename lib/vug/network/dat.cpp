@@ -99,7 +99,10 @@ Network read_dat(const std::filesystem::path& file, const DatReadOptions& option
   const DatFiles files = files_of(file);
   const std::string nodes = read_text(files.nodes);
   const std::string links = read_text(files.links);
-  return parse_dat({nodes, files.nodes.string()}, {links, files.links.string()}, options);
+  Network network =
+      parse_dat({nodes, files.nodes.string()}, {links, files.links.string()}, options);
+  network.files = {files.nodes, files.links};
+  return network;
 }
 
 std::string nodes_dat(const Network& network) {

@@ -17,23 +17,34 @@ bool ends_in_levels(std::string_view full, std::string_view name) {
          full[full.size() - name.size() - 1] == '.';
 }
 
-[[noreturn]] void refuse_unknown(const Network& network, const std::string& name) {
-  std::vector<std::string> known;
-  for (const Station& station : network.stations) {
-    if (station.name.empty()) continue;
-    known.push_back(station.name);
-    const size_t dot = station.name.rfind('.');
-    if (dot != std::string::npos) known.push_back(station.name.substr(dot + 1));
-  }
-  throw Error(ErrorCode::bad_input, fmt::format("the network has no station '{}'", name), {},
-              did_you_mean(name, known, "vug survey --stations lists the stations of a survey"));
+/// All names of a station; none if it has no name.
+std::vector<std::string> names_of(const Station& station) {
+  std::vector<std::string> names = station.equated;
+  if (!station.name.empty()) names.insert(names.begin(), station.name);
+  return names;
 }
 
-/// Whether the stations are at one place, as equated ones are.
-bool coincide(const Network& network, const std::vector<int>& stations) {
-  const auto position = [&](int i) { return network.stations[static_cast<size_t>(i)].position; };
-  return std::all_of(stations.begin(), stations.end(),
-                     [&](int i) { return position(i) == position(stations.front()); });
+/// For example "the names of its 321 stations begin with a, b, c, d, e".
+std::string first_stations(const Network& network) {
+  constexpr size_t kShown = 5;
+  std::vector<std::string> first;
+  for (const Station& station : network.stations)
+    if (!station.name.empty() && first.size() < kShown) first.push_back(station.name);
+  if (first.empty()) return "its stations have no names";
+  return fmt::format("the names of its {} stations begin with {}", network.stations.size(),
+                     fmt::join(first, ", "));
+}
+
+[[noreturn]] void refuse_unknown(const Network& network, const std::string& name) {
+  std::vector<std::string> known;
+  for (const Station& station : network.stations)
+    for (const std::string& full : names_of(station)) {
+      known.push_back(full);
+      const size_t dot = full.rfind('.');
+      if (dot != std::string::npos) known.push_back(full.substr(dot + 1));
+    }
+  throw Error(ErrorCode::bad_input, fmt::format("the network has no station '{}'", name), {},
+              did_you_mean(name, known, first_stations(network)));
 }
 
 }  // namespace
@@ -41,21 +52,23 @@ bool coincide(const Network& network, const std::vector<int>& stations) {
 int find_station(const Network& network, std::string_view name) {
   if (name.empty()) refuse_unknown(network, "");
   std::vector<int> found;
-  for (size_t i = 0; i < network.stations.size(); ++i) {
-    if (network.stations[i].name == name) return static_cast<int>(i);
-    if (ends_in_levels(network.stations[i].name, name)) found.push_back(static_cast<int>(i));
-  }
+  std::vector<std::string> candidates;
+  for (size_t i = 0; i < network.stations.size(); ++i)
+    for (const std::string& full : names_of(network.stations[i])) {
+      if (full == name) return static_cast<int>(i);
+      if (!ends_in_levels(full, name)) continue;
+      candidates.push_back(full);
+      if (found.empty() || found.back() != static_cast<int>(i))
+        found.push_back(static_cast<int>(i));
+    }
   if (found.empty()) refuse_unknown(network, std::string(name));
-  if (!coincide(network, found)) {
-    std::vector<std::string> candidates;
-    for (size_t i = 0; i < std::min<size_t>(found.size(), 5); ++i)
-      candidates.push_back(network.stations[static_cast<size_t>(found[i])].name);
-    throw Error(ErrorCode::bad_input, fmt::format("{} stations end in '{}'", found.size(), name),
-                {},
-                fmt::format("write more of its name: {}{}", fmt::join(candidates, ", "),
-                            found.size() > candidates.size() ? ", ..." : ""));
-  }
-  return found.front();
+  if (found.size() == 1) return found.front();
+  constexpr size_t kShown = 5;
+  const bool more = candidates.size() > kShown;
+  candidates.resize(std::min(candidates.size(), kShown));
+  throw Error(ErrorCode::bad_input, fmt::format("{} stations end in '{}'", found.size(), name), {},
+              fmt::format("write more of its name: {}{}", fmt::join(candidates, ", "),
+                          more ? ", ..." : ""));
 }
 
 }  // namespace vug::network

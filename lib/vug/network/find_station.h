@@ -9,9 +9,9 @@
 namespace vug::network {
 
 /// The index of the station with that full name, or with a full name that ends in "." and `name` if
-/// there is only one, so that "choke2.14" finds "dow.choke2.14"; of several stations at one place,
-/// which surveys equate, the first. Throws Error(bad_input) with the nearest names if there is
-/// none, and with the candidates if there are several places.
+/// there is only one, so that "choke2.14" finds "dow.choke2.14". A station also has the names that
+/// the survey equates. Throws Error(bad_input) with the nearest names if there is none, and with
+/// the candidates if there are several.
 int find_station(const Network& network, std::string_view name);
 
 }  // namespace vug::network

@@ -2,6 +2,7 @@
 #include <vug/network/from_survey.h>
 
 #include <fmt/format.h>
+#include <vug/base/disjoint_sets.h>
 #include <vug/base/error.h>
 #include <vug/network/survey_space.h>
 
@@ -13,7 +14,7 @@ namespace {
 /// A leg that is a splay, from a station of the network to a point on the wall.
 struct Splay {
   int from = 0;
-  int point = 0;
+  int end = 0;
 };
 
 class Conversion {
@@ -23,8 +24,10 @@ class Conversion {
 
   Network run() {
     require_valid_survey();
+    merge_equated_stations();
     sort_legs();
     network_.coordinate_system = survey_.coordinate_system;
+    network_.files = survey_.files;
     if (options_.recenter) network_.origin = rounded_middle(kept_positions());
     add_stations();
     add_legs();
@@ -47,6 +50,10 @@ class Conversion {
       require_station(leg.from, leg.where);
       require_station(leg.to, leg.where);
     }
+    for (const survey::Equate& equate : survey_.equates) {
+      require_station(equate.a, equate.where);
+      require_station(equate.b, equate.where);
+    }
     for (const survey::Tube& tube : survey_.tubes)
       for (const survey::CrossSection& section : tube) require_station(section.station, {});
   }
@@ -59,24 +66,38 @@ class Conversion {
                   where, "stations count from 0");
   }
 
-  const survey::Station& station(int index) const {
-    return survey_.stations[static_cast<size_t>(index)];
+  /// Finds for each station of the survey the first one that is equated to it, its point. From here
+  /// on, stations are points.
+  void merge_equated_stations() {
+    const size_t count = survey_.stations.size();
+    DisjointSets<int> sets(count);
+    for (const survey::Equate& equate : survey_.equates) sets.join(equate.a, equate.b);
+    names_.resize(count);
+    for (size_t i = 0; i < count; ++i) {
+      point_.push_back(sets.root(static_cast<int>(i)));
+      if (!survey_.stations[i].anonymous())
+        names_[static_cast<size_t>(point_[i])].push_back(survey_.stations[i].name);
+    }
   }
 
-  /// Separates splays from the legs of the network and marks the stations that remain.
+  int point(int station) const { return point_[static_cast<size_t>(station)]; }
+  bool anonymous(int point) const { return names_[static_cast<size_t>(point)].empty(); }
+
+  /// Separates splays from the legs of the network and marks the points that remain.
   void sort_legs() {
     kept_.resize(survey_.stations.size());
-    for (size_t i = 0; i < kept_.size(); ++i) kept_[i] = !survey_.stations[i].anonymous();
+    for (size_t i = 0; i < kept_.size(); ++i) kept_[i] = !anonymous(static_cast<int>(i));
     for (const survey::Leg& leg : survey_.legs) {
       if (leg.surface && !options_.surface) continue;
       if (leg.duplicate && !options_.duplicates && !leg.splay) continue;
-      const bool from_wall = station(leg.from).anonymous();
-      if (leg.splay || from_wall != station(leg.to).anonymous()) {
-        splays_.push_back(from_wall ? Splay{leg.to, leg.from} : Splay{leg.from, leg.to});
+      const int from = point(leg.from), to = point(leg.to);
+      if (leg.splay || anonymous(from) != anonymous(to)) {
+        splays_.push_back(anonymous(from) ? Splay{to, from} : Splay{from, to});
         continue;
       }
+      if (from == to && leg.from != leg.to) continue;  // A leg between equated stations.
       legs_.push_back(&leg);
-      kept_[static_cast<size_t>(leg.from)] = kept_[static_cast<size_t>(leg.to)] = true;
+      kept_[static_cast<size_t>(from)] = kept_[static_cast<size_t>(to)] = true;
     }
     drop_ends_of_splays();
     if (!options_.surface) drop_surface_stations();
@@ -86,11 +107,11 @@ class Conversion {
   void drop_ends_of_splays() {
     std::vector<bool> on_leg(kept_.size(), false);
     for (const survey::Leg* leg : legs_)
-      on_leg[static_cast<size_t>(leg->from)] = on_leg[static_cast<size_t>(leg->to)] = true;
+      on_leg[static_cast<size_t>(point(leg->from))] = on_leg[static_cast<size_t>(point(leg->to))] =
+          true;
     for (const Splay& splay : splays_) on_leg[static_cast<size_t>(splay.from)] = true;
     for (const Splay& splay : splays_)
-      if (!on_leg[static_cast<size_t>(splay.point)])
-        kept_[static_cast<size_t>(splay.point)] = false;
+      if (!on_leg[static_cast<size_t>(splay.end)]) kept_[static_cast<size_t>(splay.end)] = false;
     for (const Splay& splay : splays_) kept_[static_cast<size_t>(splay.from)] = true;
   }
 
@@ -98,11 +119,13 @@ class Conversion {
     std::vector<bool> used(kept_.size(), false);
     std::vector<bool> on_surface(kept_.size(), false);
     for (const survey::Leg* leg : legs_)
-      used[static_cast<size_t>(leg->from)] = used[static_cast<size_t>(leg->to)] = true;
+      used[static_cast<size_t>(point(leg->from))] = used[static_cast<size_t>(point(leg->to))] =
+          true;
     for (const Splay& splay : splays_) used[static_cast<size_t>(splay.from)] = true;
     for (const survey::Leg& leg : survey_.legs)
       if (leg.surface)
-        on_surface[static_cast<size_t>(leg.from)] = on_surface[static_cast<size_t>(leg.to)] = true;
+        on_surface[static_cast<size_t>(point(leg.from))] =
+            on_surface[static_cast<size_t>(point(leg.to))] = true;
     for (size_t i = 0; i < kept_.size(); ++i)
       if (on_surface[i] && !used[i]) kept_[i] = false;
   }
@@ -114,8 +137,8 @@ class Conversion {
     return positions;
   }
 
-  Vec3d scene_position(int index) const {
-    return to_scene(station(index).position - network_.origin);
+  Vec3d scene_position(int station) const {
+    return to_scene(survey_.stations[static_cast<size_t>(station)].position - network_.origin);
   }
 
   void add_stations() {
@@ -123,24 +146,30 @@ class Conversion {
     for (size_t i = 0; i < kept_.size(); ++i) {
       if (!kept_[i]) continue;
       index_[i] = static_cast<int>(network_.stations.size());
-      const survey::Station& source = survey_.stations[i];
-      network_.stations.push_back(
-          {.name = source.name,
-           .position = scene_position(static_cast<int>(i)),
-           .flags = {.entrance = source.entrance, .surface = source.surface}});
+      Station station{.position = scene_position(static_cast<int>(i)), .flags = {.surface = true}};
+      if (!names_[i].empty()) station.name = names_[i].front();
+      for (size_t k = 1; k < names_[i].size(); ++k) station.equated.push_back(names_[i][k]);
+      network_.stations.push_back(std::move(station));
+    }
+    for (size_t i = 0; i < point_.size(); ++i) {
+      if (index_[static_cast<size_t>(point_[i])] < 0) continue;
+      StationFlags& flags = kept_station(point_[i]).flags;
+      flags.entrance |= survey_.stations[i].entrance;
+      flags.surface &= survey_.stations[i].surface;
     }
     for (const Splay& splay : splays_)
-      kept_station(splay.from).splays.push_back(scene_position(splay.point));
+      kept_station(splay.from).splays.push_back(scene_position(splay.end));
   }
 
-  Station& kept_station(int index) {
-    return network_.stations[static_cast<size_t>(index_[static_cast<size_t>(index)])];
+  int kept_index(int point) const { return index_[static_cast<size_t>(point)]; }
+  Station& kept_station(int point) {
+    return network_.stations[static_cast<size_t>(kept_index(point))];
   }
 
   void add_legs() {
     for (const survey::Leg* leg : legs_)
-      network_.legs.push_back({.from = index_[static_cast<size_t>(leg->from)],
-                               .to = index_[static_cast<size_t>(leg->to)],
+      network_.legs.push_back({.from = kept_index(point(leg->from)),
+                               .to = kept_index(point(leg->to)),
                                .survey = leg->survey,
                                .surface = leg->surface,
                                .duplicate = leg->duplicate});
@@ -154,9 +183,10 @@ class Conversion {
   void add_sections() {
     for (const survey::Tube& tube : survey_.tubes)
       for (const survey::CrossSection& source : tube) {
-        if (index_[static_cast<size_t>(source.station)] < 0) continue;
+        const int at = point(source.station);
+        if (kept_index(at) < 0) continue;
         const CrossSection section{source.left, source.right, source.up, source.down};
-        std::optional<CrossSection>& best = kept_station(source.station).section;
+        std::optional<CrossSection>& best = kept_station(at).section;
         if (distances(section) > (best ? distances(*best) : 0)) best = section;
       }
   }
@@ -166,8 +196,10 @@ class Conversion {
   Network network_;
   std::vector<const survey::Leg*> legs_;
   std::vector<Splay> splays_;
-  std::vector<bool> kept_;
-  std::vector<int> index_;  ///< Index in the network, or -1, by station.
+  std::vector<int> point_;                       ///< By station of the survey.
+  std::vector<std::vector<std::string>> names_;  ///< By point.
+  std::vector<bool> kept_;                       ///< By point.
+  std::vector<int> index_;                       ///< Index in the network, or -1, by point.
 };
 
 }  // namespace

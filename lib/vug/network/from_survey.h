@@ -17,14 +17,15 @@ struct FromSurveyOptions {
 
 /// The network of a survey. A leg is a splay if it is flagged as one or leads to an anonymous
 /// station; the station at its end becomes a point of Station::splays. Stations without legs remain
-/// if they have a name. A station in several tubes gets the cross-section with the most distances,
-/// the first of several. Throws Error(bad_input) for indices of missing stations and positions that
-/// are not finite.
+/// if they have a name. Equated stations become one, and a leg between them disappears. A station
+/// in several tubes gets the cross-section with the most distances, the first of several. Throws
+/// Error(bad_input) for indices of missing stations and positions that are not finite.
 Network from_survey(const survey::Survey& survey, const FromSurveyOptions& options = {});
 
 /// The survey of a network, at Network::origin. Splays become splay legs to anonymous stations on
 /// the wall, and each branch with cross-sections becomes tubes. Stations without a name are
-/// numbered, with names that no other station has. Throws like require_valid.
+/// numbered, with names that no other station has; each name of Station::equated is a station that
+/// is equated. Throws like require_valid.
 survey::Survey to_survey(const Network& network);
 
 }  // namespace vug::network

@@ -5,6 +5,7 @@
 
 #include <vug/base/vec.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +30,8 @@ struct StationFlags {
 };
 
 struct Station {
-  std::string name{};  ///< E.g. "dow.choke2.14"; unique, or empty.
+  std::string name{};                  ///< E.g. "dow.choke2.14"; unique, or empty.
+  std::vector<std::string> equated{};  ///< Further names of the station, unique as well.
   Vec3d position{0.0};
   StationFlags flags{};
   std::optional<CrossSection> section{};
@@ -57,7 +59,8 @@ struct Network {
   std::vector<Leg> legs;
   /// The point of survey space (metres, x east, y north, z up) that is the origin of scene space.
   Vec3d origin{0.0};
-  std::string coordinate_system;  ///< E.g. "EPSG:27700"; empty: local metres.
+  std::string coordinate_system;             ///< E.g. "EPSG:27700"; empty: local metres.
+  std::vector<std::filesystem::path> files;  ///< The files that it was read from.
 };
 
 /// Legs at each station, in the order of Network::legs: the indices of the legs. A leg from a

@@ -34,7 +34,7 @@ std::string lines(const std::vector<AnyCriterion>& criteria,
     const RealRange real = range_of(criteria[i]);
     const bool defined = !std::isnan(s.value);
     text += fmt::format(
-        "{:<34}  {:>8}  {:>8}  {:>8}  {}\n", label(criteria[i].name, criteria[i].unit),
+        "{:<34}  {:>8}  {:>10}  {:>8}  {}\n", label(criteria[i].name, criteria[i].unit),
         defined ? fmt::format("{:.3g}", s.value) : "-",
         defined ? fmt::format("{:.0f} %", 100 * s.percentile) : "-",
         fmt::format("{:.3g}", real.median), fmt::format("{:.3g} to {:.3g}", real.low, real.high));
@@ -43,7 +43,7 @@ std::string lines(const std::vector<AnyCriterion>& criteria,
 }
 
 std::string column_titles(const char* title) {
-  return fmt::format("\n{:<34}  {:>8}  {:>8}  {:>8}  {}\n", title, "value", "rank", "median",
+  return fmt::format("\n{:<34}  {:>8}  {:>10}  {:>8}  {}\n", title, "value", "percentile", "median",
                      "real caves");
 }
 

@@ -13,7 +13,10 @@ namespace {
 /// The names of the stations; those without one get the next free number.
 std::vector<std::string> unique_names(const Network& network) {
   std::set<std::string> taken;
-  for (const Station& station : network.stations) taken.insert(station.name);
+  for (const Station& station : network.stations) {
+    taken.insert(station.name);
+    taken.insert(station.equated.begin(), station.equated.end());
+  }
   std::vector<std::string> names;
   int number = 0;
   for (const Station& station : network.stations) {
@@ -25,6 +28,15 @@ std::vector<std::string> unique_names(const Network& network) {
     names.push_back(std::move(name));
   }
   return names;
+}
+
+void add_equates(const Network& network, survey::Survey& survey) {
+  for (size_t i = 0; i < network.stations.size(); ++i)
+    for (const std::string& name : network.stations[i].equated) {
+      survey.equates.push_back({static_cast<int>(i), static_cast<int>(survey.stations.size()), {}});
+      survey.stations.push_back(survey.stations[i]);
+      survey.stations.back().name = name;
+    }
 }
 
 void add_splays(const Network& network, survey::Survey& survey) {
@@ -92,6 +104,7 @@ survey::Survey to_survey(const Network& network) {
     leg.duplicate = source.duplicate;
     survey.legs.push_back(std::move(leg));
   }
+  add_equates(network, survey);
   add_splays(network, survey);
   add_tubes(network, survey);
   return survey;

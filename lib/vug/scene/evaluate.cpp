@@ -111,7 +111,7 @@ bool Evaluator::is_known(const Value& value, const Expr& expr) {
   return false;
 }
 
-/// "did you mean 'x'?" for the nearest name with a value, or an empty hint.
+/// "did you mean 'x'?" for the nearest name with a value or else of a kind, or an empty hint.
 std::string Evaluator::name_hint(const std::string& name) const {
   std::vector<std::string> names = resolver_.known_names();
   for (const auto& [known, value] : globals_) names.push_back(known);
@@ -121,7 +121,8 @@ std::string Evaluator::name_hint(const std::string& name) const {
       dot != std::string::npos && !document_.find_module(name.substr(0, name.rfind('.'))))
     return fmt::format("'{0}' is not a module; write {0}[0] for the first component of a vector",
                        name.substr(0, dot));
-  if (nearest_name(name, names) != name) return did_you_mean(name, names);
+  if (nearest_name(name, names) != name)
+    return did_you_mean(name, names, did_you_mean(name, resolver_.known_calls()));
   for (const Declaration& made : document_.declarations)  // it exists, but has another kind
     if (made.name == name && made.target && made.target->kind == ExprKind::name)
       return fmt::format("'{}' is declared by '{}' on '{}'", name, made.kind, made.target->text);
@@ -318,7 +319,7 @@ std::optional<Value> Evaluator::resolved(const Expr& call, const Arguments& give
     result = resolver_.call(call.text, given, call.where, {key, expected}, found);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input) throw;
-    found.error(error.where().known() ? error.where() : call.where, error.what(), error.hint());
+    found.add(error, call.where);
     result = Value();
   }
   report(found, given);

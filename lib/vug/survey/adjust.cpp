@@ -106,6 +106,7 @@ Survey survey_of(Observations&& observations, const LegGraph& graph) {
   }
   survey.equates = std::move(observations.equates);
   survey.tubes = std::move(observations.tubes);
+  survey.files = std::move(observations.files);
   flag_stations(survey);
   return survey;
 }

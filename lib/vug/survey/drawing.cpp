@@ -28,10 +28,17 @@ struct Canvas {
         "<line class=\"{}\" x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"/>\n", style,
         a.x, -a.y, b.x, -b.y);
   }
-  void dot(const Vec2d& p, double radius, const char* style) {
+  /// A dot that shows its name under the mouse pointer.
+  void dot(const Vec2d& p, double radius, const char* style, const std::string& name) {
     extend(p);
-    content += fmt::format("<circle class=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>\n",
-                           style, p.x, -p.y, radius);
+    content += fmt::format(
+        "<circle class=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" "
+        "r=\"{:.2f}\"><title>{}</title></circle>\n",
+        style, p.x, -p.y, radius, xml_text(name));
+  }
+  void label(const Vec2d& p, const std::string& text) {
+    content +=
+        fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", p.x, -p.y, xml_text(text));
   }
 };
 
@@ -66,7 +73,8 @@ std::string document(Canvas& canvas, const Survey& survey, const char* view) {
       "<title>{}: {}</title>\n<style>line{{stroke:#222;stroke-width:{:.3f};stroke-linecap:round}}"
       ".splay,.width{{stroke:#9ab}}.surface{{stroke:#5a5;stroke-dasharray:{:.3f}}}"
       ".duplicate{{stroke:#999}}.nosurvey,.cut{{stroke-dasharray:{:.3f}}}"
-      ".entrance{{fill:#c33}}.fixed{{fill:#36c}}text{{font:{:.3f}px sans-serif}}</style>\n",
+      ".station{{fill:#222}}.entrance{{fill:#c33}}.fixed{{fill:#36c}}text{{font:{:.3f}px "
+      "sans-serif}}</style>\n",
       left, top, width, height, xml_text(survey.title.empty() ? "Cave survey" : survey.title), view,
       0.002 * extent, 0.01 * extent, 0.005 * extent, text);
   out += canvas.content;
@@ -112,9 +120,19 @@ std::string plan_svg(const Survey& survey) {
   const Vec2d size = canvas.high - canvas.low;
   const double radius = 0.005 * std::max({size.x, size.y, 1.0});
   for (size_t i = 0; i < survey.stations.size(); ++i) {
-    if (survey.stations[i].fixed) canvas.dot(place(static_cast<int>(i)), radius, "fixed");
-    if (survey.stations[i].entrance)
-      canvas.dot(place(static_cast<int>(i)), 1.5 * radius, "entrance");
+    const Station& station = survey.stations[i];
+    if (station.anonymous()) continue;
+    const Vec2d p = place(static_cast<int>(i));
+    canvas.dot(p,
+               (station.entrance ? 1.5
+                : station.fixed  ? 1.0
+                                 : 0.4) *
+                   radius,
+               station.entrance ? "entrance"
+               : station.fixed  ? "fixed"
+                                : "station",
+               station.name);
+    if (station.entrance) canvas.label(p + Vec2d(2 * radius, 2 * radius), station.name);
   }
   return document(canvas, survey, "plan");
 }

@@ -8,7 +8,8 @@
 
 namespace vug::survey {
 
-/// The legs seen from above, north at the top, with the widths of cross-sections.
+/// The legs seen from above, north at the top, with the widths of cross-sections. Entrances have
+/// labels; other stations show their names under the mouse pointer.
 std::string plan_svg(const Survey& survey);
 
 /// The extended elevation: each leg continues to the right by its horizontal length, at its true

@@ -38,7 +38,7 @@ void require_size(size_t bytes, const ReadOptions& options, const SourceLocation
 }
 
 InputFiles::InputFiles(const std::filesystem::path& first, size_t bytes, const ReadOptions& options)
-    : files_{first}, bytes_(bytes), options_(options) {
+    : files_{first}, all_{first}, bytes_(bytes), options_(options) {
   require_size(bytes, options, {first.string(), 1, 1});
   if (!options.allow_outside)
     root_ = resolved(options.root.empty() ? first.parent_path() : options.root);
@@ -57,7 +57,7 @@ std::filesystem::path InputFiles::find(const std::string& name, const std::strin
     // The check comes first, so that the existence of files outside does not show.
     if (!root_.empty() && !is_within(resolved(path), root_))
       refuse(fmt::format("the file {} is outside of the survey's folder", quote_text(name)), where,
-             "move it into the folder of the survey, or allow files outside");
+             "move it into the folder of the survey, or allow files outside with --allow-outside");
     if (unreadable_reason(path).empty()) return path;
   }
   refuse(fmt::format("cannot read the file {}: {}", quote_text(name),
@@ -82,6 +82,7 @@ std::string InputFiles::enter(const std::string& name, const std::string& extens
   const auto size = std::filesystem::file_size(path, unknown);
   require_size(bytes_ + (unknown ? 0 : static_cast<size_t>(size)), options_, where);
   files_.push_back(path);
+  all_.push_back(path);
   std::string text;
   try {
     text = read_text(path);

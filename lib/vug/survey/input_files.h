@@ -28,6 +28,9 @@ class InputFiles {
                     const SourceLocation& where);
   void leave() { files_.pop_back(); }
 
+  /// All files so far, the first one first; a file that is named twice is there twice.
+  const std::vector<std::filesystem::path>& all() const { return all_; }
+
   /// The file in progress.
   const std::filesystem::path& current() const { return files_.back(); }
 
@@ -36,8 +39,9 @@ class InputFiles {
                              const SourceLocation& where) const;
 
   std::vector<std::filesystem::path> files_;  ///< The files in progress, the first one first.
-  std::filesystem::path root_;                ///< Empty: files may lie anywhere.
-  size_t bytes_;                              ///< The total of all files.
+  std::vector<std::filesystem::path> all_;
+  std::filesystem::path root_;  ///< Empty: files may lie anywhere.
+  size_t bytes_;                ///< The total of all files.
   ReadOptions options_;
   int count_ = 0;
 };

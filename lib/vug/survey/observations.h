@@ -35,6 +35,7 @@ struct Observations {
   std::vector<Equate> equates;
   std::vector<Fix> fixes;
   std::vector<Tube> tubes;
+  std::vector<std::filesystem::path> files;  ///< As Survey::files, if there are several.
 };
 
 }  // namespace vug::survey

@@ -18,19 +18,26 @@ Survey read_survey(const std::filesystem::path& file, const ReadOptions& options
   const std::string bytes = read_text(file);
   require_size(bytes.size(), options, {file.string(), 1, 1});
   Contents contents = format.read(bytes, file, options, warnings);
-  if (Survey* survey = std::get_if<Survey>(&contents)) return std::move(*survey);
-  return adjust(std::get<Observations>(std::move(contents)), warnings);
+  Survey* read = std::get_if<Survey>(&contents);
+  Survey survey =
+      read ? std::move(*read) : adjust(std::get<Observations>(std::move(contents)), warnings);
+  if (survey.files.empty()) survey.files = {file};
+  if (survey.stations.empty())
+    warnings.warning(
+        {file.string(), 1, 1}, "the survey has no stations",
+        "a leg, for example a line of '*data normal from to tape compass clino', makes "
+        "its two stations");
+  return survey;
 }
 
 const Format& writable_format_of(const std::filesystem::path& file) {
-  const Format& format = format_of(file);
-  if (format.write) return format;
+  const Format* format = find_format(file);
+  if (format && format->write) return *format;
   std::vector<std::string> written;
   for (const Format* each : formats())
-    if (each->write) written.push_back(each->info.name);
-  throw Error(ErrorCode::bad_input,
-              fmt::format("surveys cannot be written as '{}'", format.info.name), {},
-              fmt::format("formats that can be written: {}", fmt::join(written, ", ")));
+    if (each->write) written.push_back("." + each->info.name);
+  throw Error(ErrorCode::bad_input, fmt::format("surveys cannot be written to '{}'", file.string()),
+              {}, fmt::format("files that can be written: {}", fmt::join(written, ", ")));
 }
 
 void write_survey(const Survey& survey, const std::filesystem::path& file) {

@@ -9,6 +9,7 @@
 #include <vug/base/vec.h>
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -113,6 +114,8 @@ struct Survey {
   std::vector<Scrap> scraps;
   std::vector<Misclosure> misclosures;
   std::vector<Blunder> blunders;  ///< By traverse, the most likely first.
+  /// The files that the survey was read from, the file that the user named first.
+  std::vector<std::filesystem::path> files;
 };
 
 }  // namespace vug::survey

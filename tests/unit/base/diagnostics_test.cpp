@@ -10,6 +10,7 @@ TEST(NearestName, FindsTyposOnly) {
   const std::vector<std::string> known = {"radius", "height", "tube"};
   EXPECT_EQ(nearest_name("raduis", known), "radius");
   EXPECT_EQ(nearest_name("tub", known), "tube");
+  EXPECT_EQ(nearest_name("N", {"m", "n"}), "n");
   EXPECT_EQ(nearest_name("colour", known), "");
   EXPECT_EQ(suggestion("colour", known), "known: radius, height, tube");
 }

@@ -46,6 +46,20 @@ TEST(Placement, ACameraInRock) {
       "");
 }
 
+TEST(Placement, VoxelsMayCloseTheAirAroundACamera) {
+  const auto corridor = [](const std::string& voxel) {
+    return mistakes(
+        "volume rock = level_set(box(size: (8, 8, 8)) - box(size: (60cm, 60cm, 7m)), voxel: " +
+        voxel +
+        ")\nmesh wall on rock {}\nobject walls on wall {}\n"
+        "camera main { eye (0.2, 0.2, 2.2)  target (0, 0, -5) }\n");
+  };
+  EXPECT_EQ(corridor("20cm"), "");
+  EXPECT_EQ(corridor("90cm"),
+            "t.vug:4:8: the voxels of 'walls' (0.9 m) close the air around the camera 'main'\n"
+            "choose smaller voxels, or move the camera away from the wall\n");
+}
+
 TEST(Placement, OnlyTheChosenCameraIsChecked) {
   const std::string two = kRoom +
                           "camera good { eye (0, 1, 0)  target (1, 1, -5) }\ncamera bad { eye (3, "

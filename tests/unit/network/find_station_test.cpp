@@ -32,11 +32,14 @@ TEST(FindStation, FindsFullNamesAndTheirLastLevels) {
   EXPECT_EQ(find_station(network, "14"), 3);
 }
 
-TEST(FindStation, EquatedStationsAreOne) {
-  Network network = named({"creek.mouth", "creek.stream.hall", "creek.upper.hall"});
+TEST(FindStation, EquatedNamesAreOneStation) {
+  Network network = named({"creek.mouth", "creek.stream.hall", "creek.hall"});
   EXPECT_NE(problem(network, "hall"), "");
-  network.stations[2].position = network.stations[1].position;
+  network.stations.pop_back();
+  network.stations[1].equated = {"creek.upper.hall", "creek.9"};
   EXPECT_EQ(find_station(network, "hall"), 1);
+  EXPECT_EQ(find_station(network, "upper.hall"), 1);
+  EXPECT_EQ(find_station(network, "creek.9"), 1);
 }
 
 TEST(FindStation, ReportsUnknownAndAmbiguousNames) {
@@ -46,7 +49,10 @@ TEST(FindStation, ReportsUnknownAndAmbiguousNames) {
   EXPECT_EQ(problem(network, "entrance"),
             "2 stations end in 'entrance' (write more of its name: dow.entrance, ppot.entrance)");
   EXPECT_NE(problem(network, "").find("no station ''"), std::string::npos);
-  EXPECT_NE(problem({}, "a").find("no station 'a'"), std::string::npos);
+  EXPECT_EQ(problem(network, "sump"),
+            "the network has no station 'sump' (the names of its 4 stations begin with "
+            "dow.entrance, ppot.entrance, dow.1)");
+  EXPECT_EQ(problem({}, "a"), "the network has no station 'a' (its stations have no names)");
 }
 
 }  // namespace

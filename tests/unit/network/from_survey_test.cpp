@@ -81,6 +81,50 @@ TEST(FromSurvey, ANamedEndOfASplayIsOnTheWall) {
   EXPECT_EQ(network.stations[1].splays.size(), 2u);
 }
 
+/// small_cave with a second survey that begins at the equated station "upper.1" and returns to
+/// cave.1 through "upper.3": one loop.
+survey::Survey equated_cave() {
+  survey::Survey survey = small_cave();
+  const int first = add_station(survey, "upper.1", survey.stations[3].position);
+  const int middle = add_station(survey, "upper.2", Vec3d(990, 2010, 401));
+  const int last = add_station(survey, "upper.3", survey.stations[1].position);
+  add_leg(survey, first, middle);
+  add_leg(survey, middle, last);
+  survey.equates = {{3, first, {}}, {last, 1, {}}};
+  survey.tubes.push_back({{first, 1.0, 1.0, 1.0, 1.0}});
+  return survey;
+}
+
+TEST(FromSurvey, EquatedStationsAreOne) {
+  const Network network = from_survey(equated_cave());
+  ASSERT_EQ(network.stations.size(), 4u);
+  EXPECT_EQ(network.stations[0].name, "cave.1");
+  EXPECT_EQ(network.stations[0].equated, std::vector<std::string>{"upper.3"});
+  EXPECT_TRUE(network.stations[0].flags.entrance);
+  EXPECT_FALSE(network.stations[0].flags.surface);
+  EXPECT_EQ(network.stations[2].equated, std::vector<std::string>{"upper.1"});
+  ASSERT_TRUE(network.stations[2].section);
+  EXPECT_EQ(network.stations[2].section->up, 1.0);
+  ASSERT_EQ(network.legs.size(), 4u);
+  EXPECT_EQ(network.legs[2].from, 2);
+  EXPECT_EQ(network.legs[3].to, 0);
+}
+
+TEST(FromSurvey, ALegBetweenEquatedStationsDisappears) {
+  survey::Survey survey = equated_cave();
+  add_leg(survey, 3, 5);
+  EXPECT_EQ(from_survey(survey).legs.size(), 4u);
+}
+
+TEST(FromSurvey, EquatesReturnFromToSurvey) {
+  const Network network = from_survey(equated_cave());
+  const survey::Survey survey = to_survey(network);
+  EXPECT_EQ(survey.equates.size(), 2u);
+  const Network again = from_survey(survey);
+  EXPECT_EQ(links_dat(again), links_dat(network));
+  EXPECT_EQ(again.stations[2].equated, network.stations[2].equated);
+}
+
 TEST(FromSurvey, ReturnsWhatToSurveyWrote) {
   Network network = from_survey(small_cave());
   network.stations[2].name.clear();

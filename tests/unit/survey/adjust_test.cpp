@@ -83,6 +83,18 @@ TEST(Adjust, WrongReadingsAreBlunders) {
   EXPECT_NEAR(compass[0].error, 5 * kPi / 180, 0.01);
 }
 
+TEST(Adjust, BlundersAreErrorsThatAReadingCanHave) {
+  const std::vector<Blunder> blunders = read_svx_text(ring(11, 5, 200, 0)).survey.blunders;
+  ASSERT_FALSE(blunders.empty());
+  EXPECT_EQ(blunders[0].reading, "tape");
+  EXPECT_NEAR(blunders[0].error, 200, 1);
+  for (const Blunder& each : blunders) {
+    EXPECT_TRUE(each.reading == "tape" || std::fabs(each.error) <= kPi) << each.reading;
+    // Another leg of 10 m was not measured 200 m too long.
+    EXPECT_TRUE(each.leg == 5 || each.reading != "tape" || each.error <= 10) << each.error;
+  }
+}
+
 TEST(Adjust, ComponentsWithoutAFixAreAtTheOrigin) {
   const SvxResult out = read_svx_text("*fix a 1 2 3\na b 10 90 0\nc d 5 0 0\nd e 5 0 0\n");
   expect_near(position_of(out.survey, "c"), {0, 0, 0}, 0);

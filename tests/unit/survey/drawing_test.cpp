@@ -57,5 +57,12 @@ TEST(Drawings, ThePlanHasNorthAtTheTop) {
       << text;
 }
 
+TEST(Drawings, ThePlanNamesStations) {
+  const std::string text = plan_svg(read_svx_text("*entrance 2\n1 2 10 0 0\n").survey);
+  EXPECT_NE(text.find("<title>1</title></circle>"), std::string::npos) << text;
+  EXPECT_EQ(text.find(">1</text>"), std::string::npos) << text;
+  EXPECT_NE(text.find(">2</text>"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace vug::survey

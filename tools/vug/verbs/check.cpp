@@ -115,8 +115,7 @@ loading::Loaded load_and_check(const Options& options) {
   for (const shot::LSystemPtr& plan : loaded.shot.lsystems) try {
       plan->drawing();  // for systems that nothing in the scene draws
     } catch (const Error& error) {
-      const SourceLocation& where = error.where().known() ? error.where() : plan->system->where;
-      loaded.diagnostics.error(where, error.what(), error.hint());
+      loaded.diagnostics.add(error, plan->system->where);
     }
   for (const shot::RenderPlan& plan : loaded.shot.renders) try {
       if (loading::is_empty_scene(loaded.shot))

@@ -9,6 +9,7 @@
 #include <vug/base/parallel.h>
 #include <vug/delivery/describe_cells.h>
 #include <vug/delivery/measure.h>
+#include <vug/loading/dependencies.h>
 #include <vug/network/read_network.h>
 #include <vug/network/score_plot.h>
 #include <vug/scene/report.h>
@@ -34,14 +35,15 @@ bool is_scene(const Options& options) { return extension_of(options.scene.scene)
 
 /// Error(bad_input) for scene options, which do not apply to a file of geometry or to a survey.
 void refuse_scene_options(const Options& options) {
-  const char* option = !options.scene.defines.empty() ? "-D"
-                       : options.scene.seed           ? "--seed"
-                       : options.scene.frame          ? "--frame"
-                       : !options.mesh.empty()        ? "--mesh"
-                       : !options.cells.empty()       ? "--cells"
-                       : !options.network.empty()     ? "--network"
-                       : options.scene.strict         ? "--strict"
-                                                      : nullptr;
+  const char* option = !options.scene.defines.empty()   ? "-D"
+                       : options.scene.seed             ? "--seed"
+                       : options.scene.frame            ? "--frame"
+                       : !options.mesh.empty()          ? "--mesh"
+                       : !options.cells.empty()         ? "--cells"
+                       : !options.network.empty()       ? "--network"
+                       : !options.scene.variant.empty() ? "--variant"
+                       : options.scene.strict           ? "--strict"
+                                                        : nullptr;
   if (option)
     throw Error(ErrorCode::bad_input,
                 fmt::format("{} requires a scene, but '{}' is not a .vug file", option,
@@ -73,25 +75,27 @@ int run_cells(const Options& options) {
   return kDone;
 }
 
+/// Compares the network with real caves, and refuses a plot that would overwrite its files.
 network::ScoredNetwork scored(const Options& options) {
+  std::vector<std::filesystem::path> outputs;
+  if (!options.plot.empty()) outputs.emplace_back(options.plot);
   const std::filesystem::path file = options.scene.scene;
   if (!is_scene(options)) {
     refuse_scene_options(options);
     Diagnostics warnings;
     const network::Network read = network::read_network(file, warnings);
     fmt::print(stderr, "{}", scene::report(warnings, {}));
+    require_outputs(outputs, read.files);
     return network::scored(read, file.filename().string());
   }
   const loading::Loaded loaded = options.scene.load();
+  require_outputs(outputs, loading::file_dependencies(loaded));
   const shot::NetworkPlan& plan = shot::find_network(loaded.shot, options.network);
   return network::scored(*plan.network, plan.name);
 }
 
 int run_score(const Options& options) {
-  if (!options.plot.empty()) {
-    require_extension(options.plot, ".svg", "plots are SVG files");
-    require_outputs({options.plot}, {options.scene.scene});
-  }
+  if (!options.plot.empty()) require_extension(options.plot, ".svg", "plots are SVG files");
   const network::ScoredNetwork cave = scored(options);
   if (!options.plot.empty()) write_text(options.plot, network::score_svg(cave));
   if (options.json)

@@ -23,13 +23,17 @@ struct Options {
   ShootOptions shoot;
 };
 
-survey::Survey read_or_shoot(const Options& options) {
-  if (options.shoot.given()) return options.shoot.survey();
+/// Reads or shoots the survey, and refuses outputs that would overwrite its files.
+survey::Survey read_or_shoot(const Options& options,
+                             const std::vector<std::filesystem::path>& outputs) {
+  if (options.shoot.given()) return options.shoot.survey(outputs);
+  require_no_scene(options.file);
   Diagnostics warnings;
   survey::ReadOptions reading;
   reading.allow_outside = options.allow_outside;
   survey::Survey read = survey::read_survey(options.file, reading, warnings);
   fmt::print(stderr, "{}", scene::report(warnings, {}));
+  require_outputs(outputs, read.files);
   return read;
 }
 
@@ -46,20 +50,17 @@ void print_stations(const nlohmann::ordered_json& stations, bool json) {
 }
 
 int run(const Options& options) {
-  const std::string& input = options.shoot.given() ? options.shoot.scene.scene : options.file;
-  if (input.empty())
+  if (options.file.empty() && !options.shoot.given())
     throw Error(ErrorCode::bad_input, "the survey is missing", {},
                 "write vug survey FILE, or vug survey --shoot SCENE --along NETWORK");
-  if (!options.shoot.given()) require_no_scene(options.file);
   std::vector<std::filesystem::path> outputs;
   for (const std::string* each : {&options.plan, &options.elevation, &options.output})
     if (!each->empty()) outputs.emplace_back(*each);
   for (const std::string* each : {&options.plan, &options.elevation})
     if (!each->empty()) require_extension(*each, ".svg", "drawings are SVG files");
   if (!options.output.empty()) survey::writable_format_of(options.output);
-  require_outputs(outputs, {input});
 
-  const survey::Survey read = read_or_shoot(options);
+  const survey::Survey read = read_or_shoot(options, outputs);
   if (!options.plan.empty()) write_text(options.plan, survey::plan_svg(read));
   if (!options.elevation.empty()) write_text(options.elevation, survey::elevation_svg(read));
   if (!options.output.empty()) survey::write_survey(read, options.output);

@@ -34,6 +34,23 @@ void report_in_rock(const Placed& one, const Set& set, Accuracy accuracy,
                         : "");
 }
 
+/// Adds a warning if the voxels of a solid close the air around a camera, as large ones do in a
+/// narrow passage.
+void report_closed_air(const shot::CameraPlan& plan, const Set& set, Accuracy accuracy,
+                       Diagnostics& diagnostics) {
+  const Vec3d eye(plan.camera->position());
+  for (const SetPiece& piece : set.pieces)
+    for (const Solid& solid : piece.solids) {
+      if (!solid.voxels_contain(eye, accuracy) || solid.is_clear(eye)) continue;
+      diagnostics.warning(
+          plan.where,
+          fmt::format("the voxels of '{}' ({:.3g} m) close the air around the camera '{}'",
+                      solid.name, solid.voxel, plan.name),
+          "choose smaller voxels, or move the camera away from the wall");
+      return;
+    }
+}
+
 }  // namespace
 
 std::string position_text(const Vec3d& p) {
@@ -52,6 +69,8 @@ void check_cameras(const Loaded& scene, const Set& set, const PlacementOptions& 
       report_in_rock(
           {fmt::format("the camera '{}'", plan.name), "eye", plan.where, eye, &Solid::is_clear},
           set, options.accuracy, diagnostics);
+    else
+      report_closed_air(plan, set, options.accuracy, diagnostics);
   }
 }
 

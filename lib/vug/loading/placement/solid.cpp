@@ -8,14 +8,18 @@
 #include <vug/shot/cells_plan.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vug::loading {
 namespace {
 
-Interval value_at(const Solid& solid, const Vec3d& p, Accuracy accuracy) {
-  const Vec3d own = solid.to_own.point(p);
+Interval own_value(const Solid& solid, const Vec3d& own, Accuracy accuracy) {
   return accuracy == Accuracy::exact ? Interval(solid.field.value(own))
                                      : field::bounds_at(solid.field, own);
+}
+
+Interval value_at(const Solid& solid, const Vec3d& p, Accuracy accuracy) {
+  return own_value(solid, solid.to_own.point(p), accuracy);
 }
 
 exchange::Look look_at(const render::Material& material, const Vec3d& p) {
@@ -39,6 +43,7 @@ void add_solids(const shot::MeshPlan& plan, const Solid& like, std::vector<Solid
     const shot::VolumePlan& volume = *plan.volume;
     solid.field =
         volume.from ? field::enclosed(volume.field, Box3d(*volume.from, *volume.to)) : volume.field;
+    solid.voxel = volume.voxel;
     solid.slack = 0.5 * volume.voxel;
   } else {
     return;
@@ -62,6 +67,21 @@ bool Solid::contains(const Vec3d& p, Accuracy accuracy) const {
   if (!box.intersects(p)) return false;
   if (mesh) return mesh::winding_number(*mesh, to_own.point(p)) > 0.5;
   return value_at(*this, p, accuracy).hi < -slack;
+}
+
+bool Solid::voxels_contain(const Vec3d& p, Accuracy accuracy) const {
+  if (voxel == 0 || value_at(*this, p, accuracy).hi <= 0) return false;
+  const Vec3d at = to_own.point(p) / voxel;
+  const Vec3d low(std::floor(at.x), std::floor(at.y), std::floor(at.z));
+  const Vec3d weight = at - low;
+  double interpolated = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3d step(corner & 1, corner >> 1 & 1, corner >> 2);
+    double share = 1;
+    for (int axis = 0; axis < 3; ++axis) share *= step[axis] > 0 ? weight[axis] : 1 - weight[axis];
+    interpolated += share * own_value(*this, (low + step) * voxel, accuracy).hi;
+  }
+  return interpolated < 0;
 }
 
 double Solid::depth(const Vec3d& p, Accuracy accuracy) const {

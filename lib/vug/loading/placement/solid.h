@@ -23,6 +23,7 @@ struct Solid {
   field::Field field;  ///< In its own space, cut as for its level set; used without a mesh.
   mesh::MeshPtr mesh;  ///< The mesh of a file or of stems; may be null.
   Box3d box;           ///< Contains it in the scene; may be infinite.
+  double voxel = 0;    ///< The voxel size of its level set, in its own space; 0 for a mesh.
   double slack = 0;    ///< The surface may deviate from the field by this length in metres.
   render::MaterialPtr material;  ///< Null: an opaque grey.
   bool shines = false;           ///< Its surface emits light.
@@ -37,6 +38,8 @@ struct Solid {
   bool is_translucent(const Vec3d& p) const;
   /// Whether the point is certainly inside.
   bool contains(const Vec3d& p, Accuracy accuracy) const;
+  /// Whether the level set contains a point that the field does not: its samples are too far apart.
+  bool voxels_contain(const Vec3d& p, Accuracy accuracy) const;
   /// A length by which the point is at least inside, without a margin; 0 if that is not certain.
   double depth(const Vec3d& p, Accuracy accuracy) const;
   /// Whether the surface is farther from a point outside than `distance`, as far as is known.

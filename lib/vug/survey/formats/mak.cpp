@@ -10,7 +10,9 @@ namespace {
 Contents read_mak(std::string_view bytes, const std::filesystem::path& file,
                   const ReadOptions& options, Diagnostics& warnings) {
   InputFiles files(file, bytes.size(), options);
-  return compass::read_mak(as_utf8(bytes), files, warnings);
+  Observations observations = compass::read_mak(as_utf8(bytes), files, warnings);
+  observations.files = files.all();
+  return observations;
 }
 
 }  // namespace

@@ -13,7 +13,9 @@ Contents read_svx(std::string_view bytes, const std::filesystem::path& file,
   InputFiles files(file, bytes.size(), options);
   svx::Reader reader(files, warnings);
   reader.read(as_utf8(bytes));
-  return reader.finish();
+  Observations observations = reader.finish();
+  observations.files = files.all();
+  return observations;
 }
 
 }  // namespace

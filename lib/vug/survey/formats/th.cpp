@@ -9,7 +9,9 @@ namespace {
 Contents read_th(std::string_view bytes, const std::filesystem::path& file,
                  const ReadOptions& options, Diagnostics& warnings) {
   InputFiles files(file, bytes.size(), options);
-  return therion::read(bytes, files, warnings);
+  Observations observations = therion::read(bytes, files, warnings);
+  observations.files = files.all();
+  return observations;
 }
 
 }  // namespace
