@@ -17,6 +17,14 @@ ParamInfo choice_param(const std::string& name, std::vector<std::string> choices
   return info;
 }
 
+ParamInfo option(const std::string& name, const std::string& type, const std::string& doc) {
+  ParamInfo info;
+  info.name = name;
+  info.type = type;
+  info.doc = doc;
+  return info;
+}
+
 ParamInfo whole(const std::string& name, double min, double max, const std::string& fallback,
                 const std::string& doc) {
   ParamInfo info;
@@ -38,10 +46,6 @@ const KindInfo& grammar_info() {
                   "A solid that rules generate: grammar NAME { axiom ...  SYMBOL -> + SHAPE ... }.",
                   "zawadzki2012",
                   {}};
-    ParamInfo blend;
-    blend.name = "blend";
-    blend.type = "blend";
-    blend.doc = "blend between a shape and the existing solid";
     ParamInfo overlap;
     overlap.name = "overlap";
     overlap.type = "number";
@@ -51,13 +55,23 @@ const KindInfo& grammar_info() {
     overlap.doc = "penetration of a shape as a fraction of its extent; default: by its operation";
     info.params = {
         choice_param("label", sgm::label_names(), "random", "side to which a shape is attached"),
-        blend,
+        option("blend", "blend", "blend between a shape and the existing solid"),
         overlap,
         choice_param("reach", {"local", "whole"}, "local", "range of the effect of a shape"),
         whole("pieces", 0, 1000, "1",
               "number of shapes joined before they are attached; 0 counts as 1"),
         choice_param("piece_label", sgm::label_names(), "random",
                      "side to which each piece is attached"),
+        option("slope", "angle",
+               "inclination of the direction in which a shape continues the solid"),
+        option("azimuth", "angle or list",
+               "compass directions of joints, of which a shape follows the nearest"),
+        option("within", "field", "solid that must contain the middle of each shape"),
+        option("apart", "length", "least distance to shapes that are not neighbours"),
+        option("name", "text", "name of the place of a shape, for locator(...)"),
+        option("dress", "network",
+               "network that is dressed: the rules of Leg, Junction, End and Sump apply to each of "
+               "its elements"),
         whole("steps", 1, 1e9, std::to_string(kMaxProductions), "maximum number of productions"),
         whole("limit", 1, 1e9, std::to_string(kMaxSymbols), "maximum number of symbols")};
     return info;

@@ -140,7 +140,9 @@ class NameChecker {
   }
 
   void grammar(const Grammar& grammar) {
-    if (!grammar.axiom_where.known() && !grammar.broken)
+    const bool dresses = std::any_of(grammar.options.begin(), grammar.options.end(),
+                                     [](const Entry& option) { return option.key == "dress"; });
+    if (!grammar.axiom_where.known() && !grammar.broken && !dresses)
       diagnostics_.error(grammar.where, fmt::format("grammar '{}' has no axiom", grammar.name),
                          "write 'axiom' followed by the initial symbols");
     if (grammar.lsystem) return lsystem(*grammar.lsystem);

@@ -14,6 +14,9 @@ DerivationResult interpret(grammar::Tree tree, const Options& options, Progress&
     progress.check();
     const grammar::Node& node = tree.nodes[static_cast<size_t>(leaf)];
     const ProductionStep* step = std::any_cast<ProductionStep>(&node.symbol.content.payload);
+    const bool undressed =
+        node.stuck && std::any_cast<Transform>(&node.symbol.content.payload) != nullptr;
+    if (undressed) continue;  // an element of a network to which no rule applies
     if (!step) {
       out.diagnostics.warning({}, fmt::format("'{}' at {} was never expanded to a production",
                                               grammar::to_string(node.symbol), tree.path(leaf)));
@@ -31,6 +34,8 @@ DerivationResult interpret(grammar::Tree tree, const Options& options, Progress&
   out.field = growth.field();
   out.bonds = growth.free_bonds();
   out.operations = growth.placements();
+  for (const Placement& each : out.operations)
+    if (each.effective && !each.name.empty()) out.places.push_back({each.name, each.middle()});
   for (const Diagnostic& d : growth.diagnostics().all())
     out.diagnostics.warning(d.where, d.message);
   out.tree = std::move(tree);

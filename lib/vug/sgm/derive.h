@@ -5,6 +5,7 @@
 
 #include <vug/grammar/derive.h>
 #include <vug/sgm/growth.h>
+#include <vug/sgm/named_places.h>
 
 namespace vug::sgm {
 
@@ -19,13 +20,14 @@ struct DerivationResult {
   field::Field field;
   std::vector<Bond> bonds;  ///< The cave's free bonds.
   std::vector<Placement> operations;
+  std::vector<NamedPlace> places;  ///< Places of effective steps that have a name.
   Counts counts;
   grammar::Tree tree;
   Diagnostics diagnostics;  ///< Warnings about productions without effect.
 };
 
 /// Performs the steps that the tree's leaves carry as payload (ProductionStep) in order. Other
-/// leaves are unexpanded symbols and cause a warning.
+/// leaves are unexpanded symbols and cause a warning, unless they carry a place (Transform).
 DerivationResult interpret(grammar::Tree tree, const Options& options = {},
                            Progress& progress = Progress::none());
 

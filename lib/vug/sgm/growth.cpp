@@ -3,11 +3,13 @@
 #include <vug/sgm/growth.h>
 #include <vug/sgm/probe.h>
 #include <vug/sgm/region.h>
+#include <vug/sgm/spacing.h>
 
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace vug::sgm {
 
@@ -37,10 +39,18 @@ bool acts_everywhere(const ProductionStep& step, const Options& options, const F
   return step.reach.value_or(options.reach) == Reach::whole || !is_finite(shape.bounds());
 }
 
-/// The direction in which the base grows at this placement.
-Vec3d heading(const Placement& placement) {
-  return placement.glued && !placement.base_bond.free_direction() ? placement.base_bond.direction
-                                                                  : direction(placement.side);
+/// The map followed by a rotation about a point that maps a direction to another one.
+Transform turned(const Transform& map, const Vec3d& point, const Vec3d& from, const Vec3d& to) {
+  if (from == to) return map;
+  return Transform::translation(point) * rotation_between(from, to) *
+         Transform::translation(-point) * map;
+}
+
+/// The compound of a step's pieces.
+Shape joined(const ProductionStep& step, const Options& options, RandomKey key) {
+  std::vector<Shape> pieces;
+  for (const Piece& piece : step.pieces) pieces.push_back(make_shape(piece.name, piece.field));
+  return compound(pieces, step.piece_label, options.overlap.unite, key);
 }
 
 }  // namespace
@@ -59,30 +69,37 @@ double Options::Overlap::of(Operation operation) const {
   return morph;
 }
 
+Vec3d Placement::middle() const {
+  return is_finite(field.bounds()) ? field.bounds().center() : map.origin();
+}
+
 Growth::Growth(Options options) : options_(std::move(options)) { options_.geology.require_valid(); }
 
 const Placement& Growth::apply(const ProductionStep& step, RandomKey key, int node) {
   if (step.pieces.empty())
     throw Error(ErrorCode::bad_input, "a production needs a shape", step.where);
-  std::vector<Shape> pieces;
-  for (const Piece& piece : step.pieces) pieces.push_back(make_shape(piece.name, piece.field));
-  Shape shape = compound(pieces, step.piece_label, options_.overlap.unite, key.at("pieces"));
+  const bool single_placed = step.frame && step.pieces.size() == 1;  // it needs no bonds
+  Shape shape = single_placed ? Shape{step.pieces[0].name, step.pieces[0].field, {}}
+                              : joined(step, options_, key.at("pieces"));
 
   Placement placement;
   placement.operation = step.operation;
   placement.shape = shape.name;
+  placement.name = step.name;
   placement.node = node;
   placement.side = sample_side(step.label, key.at("side"));
   placement.amount = step.operation == Operation::morph ? step.amount : 0;
   if (shape.field.bounds().isEmpty()) {
     placement.effective = false;
     placement.note = "the shape is empty";
+  } else if (step.frame) {
+    place(step, transformed(shape, *step.frame), placement);
   } else if (!started_) {
     start(std::move(shape), placement);
   } else {
     glue(step, std::move(shape), key, placement);
   }
-  if (!placement.effective)
+  if (!placement.effective && !placement.refused)
     diagnostics_.warning(step.where, to_string(step.operation) + " with '" + placement.shape +
                                          "' has no effect: " + placement.note);
   placements_.push_back(std::move(placement));
@@ -98,7 +115,65 @@ void Growth::start(Shape shape, Placement& placement) {
   started_ = true;
 }
 
+void Growth::place(const ProductionStep& step, const Shape& shape, Placement& placement) {
+  placement.map = *step.frame;
+  placement.field = shape.field;
+  if (!started_) {
+    start(shape, placement);
+    return;
+  }
+  const bool waits = step.operation == Operation::unite || step.operation == Operation::subtract;
+  if (!waits || waiting_.operation != step.operation || !equal(waiting_.blend, step.blend)) flush();
+  if (waits) {
+    waiting_.operation = step.operation;
+    waiting_.blend = step.blend;
+    waiting_.shapes.push_back(shape.field);
+    return;
+  }
+  placement.heading = direction(placement.side);
+  if (step.operation == Operation::morph)
+    placement.amount = options_.geology.amount_at(placement.map.origin(), step.amount);
+  const std::optional<Field> base = combined(step, placement, shape);
+  placement.effective = base.has_value();
+  if (base)
+    terms_ = {field_ = *base};
+  else
+    placement.note = "nothing would remain";
+}
+
+void Growth::flush() {
+  std::vector<Field> shapes = std::exchange(waiting_.shapes, {});
+  if (shapes.empty()) return;
+  if (waiting_.operation == Operation::subtract) {
+    terms_ = {field_ = field::subtract(field_, std::move(shapes), waiting_.blend)};
+    return;
+  }
+  if (terms_.size() > 1 && !equal(terms_blend_, waiting_.blend)) terms_ = {field_};
+  terms_.insert(terms_.end(), shapes.begin(), shapes.end());
+  terms_blend_ = waiting_.blend;
+  field_ = field::unite(terms_, terms_blend_);
+}
+
+const Field& Growth::field() {
+  flush();
+  return field_;
+}
+
+bool Growth::is_refused(const ProductionStep& step, Placement& placement) const {
+  const Limits& limits = step.limits;
+  if (limits.within && limits.within->value(placement.middle()) > 0)
+    placement.note = "its middle would be outside of 'within'";
+  else if (is_too_near(placement.field, placements_, placement.owner, limits.apart))
+    placement.note = "it would be too near to another shape";
+  else
+    return false;
+  placement.refused = true;
+  return true;
+}
+
 void Growth::glue(const ProductionStep& step, Shape shape, RandomKey key, Placement& placement) {
+  flush();
+  placement.heading = direction(placement.side);
   std::optional<PooledBond> own;
   if (const auto moving = opposite_bond(shape, placement.side, key.at("turn"))) {
     own = bonds_.take(placement.side, field_, key.at("bond"));
@@ -109,14 +184,19 @@ void Growth::glue(const ProductionStep& step, Shape shape, RandomKey key, Placem
     }
     const Bond bond = shape.bonds[*moving];
     shape.bonds.erase(shape.bonds.begin() + static_cast<std::ptrdiff_t>(*moving));
-    const Transform glued = glue_transform(own->bond, bond);
+    if (!own->bond.free_direction()) placement.heading = own->bond.direction;
+    const Vec3d heading = step.heading.turned(placement.heading);
+    const Transform glued =
+        turned(glue_transform(own->bond, bond), own->bond.point, placement.heading, heading);
+    placement.heading = heading;
+    placement.owner = owner_at(placements_, own->bond.point, 1e-3 * size_of(field_));
     placement.glued = true;
     placement.base_bond = own->bond;
     placement.base_bond_id = own->id;
     placement.shape_bond = {glued.point(bond.point), glued.vector(bond.direction)};
     placement.press =
         step.overlap.value_or(options_.overlap.of(step.operation)) * extent_along(shape, bond);
-    placement.map = Transform::translation(-heading(placement) * placement.press) * glued;
+    placement.map = Transform::translation(-placement.heading * placement.press) * glued;
     shape = transformed(shape, placement.map);
   } else {
     placement.note = "the shape has no bond and keeps its position";
@@ -126,12 +206,13 @@ void Growth::glue(const ProductionStep& step, Shape shape, RandomKey key, Placem
     const Vec3d where = own ? own->bond.point : Vec3d(0);
     placement.amount = options_.geology.amount_at(where, step.amount);
   }
-  const std::optional<Field> base = combined(step, placement, shape);
+  const bool refused = is_refused(step, placement);
+  const std::optional<Field> base = refused ? std::nullopt : combined(step, placement, shape);
   if (!base) {
     placement.effective = false;
     placement.glued = false;
     placement.base_bond_id = -1;
-    placement.note = "nothing would remain";
+    if (!refused) placement.note = "nothing would remain";
     if (own) bonds_.release(*own);
     return;
   }
@@ -156,7 +237,7 @@ std::optional<Field> Growth::combined(const ProductionStep& step, const Placemen
     case Operation::intersect: {
       const EndHalfBall end = whole ? EndHalfBall{} : end_half_ball(shape.field);
       out = whole ? field::intersect({field_, shape.field}, step.blend)
-                  : local_intersection(field_, shape.field, end.centre, heading(placement),
+                  : local_intersection(field_, shape.field, end.centre, placement.heading,
                                        end.radius, step.blend);
       break;
     }

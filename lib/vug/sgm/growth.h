@@ -28,17 +28,24 @@ struct Options {
 struct Placement {
   Operation operation = Operation::unite;
   std::string shape;           ///< Name of the (compound) shape.
+  std::string name;            ///< The name of the place; may be empty.
   int node = -1;               ///< Leaf of the derivation tree; -1 without a tree.
   Label side = Label::plus_x;  ///< The side of the base it was glued to.
   Transform map;               ///< From the shape's own space to its final position.
   field::Field field;          ///< The shape at its final position.
   double amount = 0;           ///< Amount of a morph, after the adjustment by the geology.
   double press = 0;    ///< Distance by which it was pressed in after the label was made, metres.
+  Vec3d heading{0.0};  ///< The direction in which it continues the base, a unit vector; 0: none.
+  int owner = -1;      ///< Index of the placement to which it was glued; -1: none.
   bool glued = false;  ///< base_bond and shape_bond made a label (before pressing).
   Bond base_bond, shape_bond;  ///< Both are consumed. Undefined unless glued.
   int base_bond_id = -1;       ///< Unique number of the base's bond.
   bool effective = true;       ///< False: the base is unchanged; `note` gives the reason.
+  bool refused = false;        ///< Not effective because of the step's limits.
   std::string note;            ///< E.g. "starts the base"; may be empty.
+
+  /// The middle of the shape's bounds, or the origin of its map if these are infinite.
+  Vec3d middle() const;
 };
 
 /// A fold over productions: base = base op shape. The base has its own free bonds: after a union or
@@ -51,7 +58,10 @@ struct Placement {
 /// The first shape starts the base whatever its operation is, because a difference, intersection or
 /// morph with the empty shape would be empty. A difference, intersection or morph that would leave
 /// nothing is not effective either: it is recorded with a note and a warning, and the base remains
-/// unchanged.
+/// unchanged. A production that breaks its step's limits is recorded with a note only.
+///
+/// Steps with a frame are not glued: their shapes are placed, and get and consume no bonds. They
+/// take effect together, before the next glued production.
 class Growth {
  public:
   explicit Growth(Options options = {});
@@ -59,7 +69,8 @@ class Growth {
   /// Performs one production. Random choices (sides, bonds, rotations) derive from `key`.
   const Placement& apply(const ProductionStep& step, RandomKey key, int node = -1);
 
-  const field::Field& field() const { return field_; }
+  /// The base after all productions.
+  const field::Field& field();
   std::vector<Bond> free_bonds() const { return bonds_.free(); }
   const std::vector<Placement>& placements() const { return placements_; }
   const Diagnostics& diagnostics() const { return diagnostics_; }
@@ -67,6 +78,11 @@ class Growth {
  private:
   void start(Shape shape, Placement& placement);
   void glue(const ProductionStep& step, Shape shape, RandomKey key, Placement& placement);
+  void place(const ProductionStep& step, const Shape& shape, Placement& placement);
+  /// Performs the productions that wait for others of the same operation and blend.
+  void flush();
+  /// Whether the step's limits exclude the placement.
+  bool is_refused(const ProductionStep& step, Placement& placement) const;
   /// The result of the production; nothing if no solid would remain.
   std::optional<field::Field> combined(const ProductionStep& step, const Placement& placement,
                                        const Shape& shape) const;
@@ -78,6 +94,12 @@ class Growth {
   bool started_ = false;
   std::vector<field::Field> terms_;  ///< The operands of the base as long as it is a single union.
   field::Blend terms_blend_;
+  /// Placed shapes that are not yet part of the base.
+  struct Waiting {
+    Operation operation = Operation::unite;
+    field::Blend blend;
+    std::vector<field::Field> shapes;
+  } waiting_;
   BondPool bonds_;
   std::vector<Placement> placements_;
   Diagnostics diagnostics_;

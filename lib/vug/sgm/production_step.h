@@ -4,6 +4,7 @@
 
 #include <vug/base/error.h>
 #include <vug/field/blend.h>
+#include <vug/sgm/heading.h>
 #include <vug/sgm/shape.h>
 
 namespace vug::sgm {
@@ -21,6 +22,14 @@ enum class Reach {
   whole,  ///< Everywhere, as in the paper's equations (2) to (5).
 };
 
+/// A production whose shape would break a limit has no effect, without a warning.
+struct Limits {
+  std::optional<field::Field> within;  ///< The middle of the shape must lie inside.
+  /// Least distance in metres to earlier shapes, except those in a chain of at most two bonds; it
+  /// is tested at the middle of the shape and at 26 points of its surface.
+  double apart = 0;
+};
+
 /// A primitive (or any field) added by a step.
 struct Piece {
   std::string name;
@@ -36,7 +45,13 @@ struct ProductionStep {
   field::Blend blend;                 ///< Blend between the new shape and the base.
   std::optional<double> overlap;      ///< See Options::overlap; empty: the operation's default.
   std::optional<Reach> reach;         ///< Empty: Options::reach.
-  SourceLocation where;               ///< Source location for messages.
+  /// The place of the shape, from its own space to the base's, e.g. a leg of a network; empty: it
+  /// is glued to the base.
+  std::optional<Transform> frame;
+  std::string name;      ///< The name of the place where the shape is; empty: none.
+  Heading heading;       ///< Turns a glued shape.
+  Limits limits;         ///< Where a glued shape may be.
+  SourceLocation where;  ///< Source location for messages.
 };
 
 }  // namespace vug::sgm

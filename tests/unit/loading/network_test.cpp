@@ -50,5 +50,58 @@ TEST(NetworkDeclaration, ReportsUnknownStationsAtTheCall) {
   EXPECT_NE(scene.report().find("did you mean 'hall'?"), std::string::npos);
 }
 
+std::string leaves_of(const Loaded& scene) {
+  std::string text;
+  for (const int leaf : scene.shot.derivations.at(0).tree.leaves())
+    text +=
+        grammar::to_string(scene.shot.derivations[0].tree.nodes[static_cast<size_t>(leaf)].symbol) +
+        "; ";
+  return text;
+}
+
+TEST(Dressing, EveryElementIsASymbol) {
+  const Loaded scene = scene_of(
+      "grammar dressed {\n  dress plan\n  axiom + passages(of: plan)\n"
+      "  Leg(length, slope) if length > 9m -> Block(length) * 2\n"
+      "  Block(l) -> - box((l / 2, 1m, 1m)).translate((0, 1m, 0))\n"
+      "  Junction(legs, position) if legs == 3 and position[0] == 8m -> + sphere(2m) name "
+      "\"hall\"\n"
+      "  End(width) -> + cylinder(radius: width, height: 1m)\n"
+      "  Sump -> nothing\n}\n"
+      "camera main { eye locator(of: dressed, name: \"hall\", up: 1m)  target (0, 0, 0) }\n"
+      "volume v = level_set(dressed, voxel: 50cm)\n");
+  ASSERT_EQ(scene.report(), "");
+  // Legs of 8.3 and 7.3 m are not dressed.
+  EXPECT_EQ(leaves_of(scene),
+            "+ passages; Leg 1; Leg 2; - box; - box; + sphere; + cylinder; + cylinder; ");
+  EXPECT_EQ(Vec3d(scene.shot.cameras.at(0).camera->position()), Vec3d(8, 0, 2));
+}
+
+TEST(Dressing, ReportsFaults) {
+  const auto problem = [](const std::string& lines) {
+    return scene_of("grammar dressed {\n" + lines + "}\nvolume v = level_set(dressed, voxel: 1m)\n")
+        .report();
+  };
+  const auto has = [](const std::string& report, const std::string& part) {
+    EXPECT_NE(report.find(part), std::string::npos) << report;
+  };
+  has(problem("dress plan\nLeg(wide) -> + sphere(1m)\n"),
+      "t.vug:6:5: error: 'Leg' has no attribute 'wide'");
+  has(problem("dress plan\nLeg -> + sphere(1m) label +X\n"),
+      "'label' has no effect on a shape that is placed on a network");
+  has(problem("dress plan\naxiom Room\nRoom -> + sphere(1m)\n"),
+      "grammar 'dressed' has no rule for an element of its network");
+  has(problem("dress 3m\nLeg -> + sphere(1m)\n"), "'dress' expects a network, not a length");
+  has(problem("Leg -> + sphere(1m)\n"), "grammar 'dressed' has no axiom");
+  has(problem("axiom + sphere(1m) slope 100deg\n"), "'slope' expects an angle between");
+  has(problem("axiom + sphere(1m) azimuth [1m]\n"), "'azimuth' expects an angle such as 35deg");
+  has(problem("axiom + sphere(1m) apart -1m\n"), "'apart' expects a length of at least 0");
+  has(problem("axiom + sphere(1m) name 3\n"), "'name' expects a text such as");
+  has(problem("axiom + sphere(1m) within 3m\n"), "'within' expects a solid");
+  has(scene_of("camera main { eye locator(of: sphere(1m), name: \"a\")  target (0, 0, 0) }\n")
+          .report(),
+      "the solid has no shape with the name 'a'");
+}
+
 }  // namespace
 }  // namespace vug::loading

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The clauses of an item of a shape grammar, e.g. `label +X`; options of the grammar are defaults.
+#pragma once
+
+#include <vug/loading/rule_values.h>
+#include <vug/sgm/production_step.h>
+
+namespace vug::loading {
+
+/// The values of all clauses; `step` has no pieces yet.
+struct ItemClauses {
+  sgm::ProductionStep step;
+  int pieces = 1;
+};
+
+/// The names of all clauses. Every one is an option of the grammar, too.
+const std::vector<std::string>& clause_names();
+
+/// Whether a clause describes how a shape is glued to another one, which has no meaning for a shape
+/// that is placed on a network.
+bool is_about_gluing(const std::string& clause);
+
+/// Reads one clause. Reports unknown names and unsuitable values.
+void read_clause(const scene::Entry& clause, RandomKey key, const scene::Scope& scope,
+                 const RuleValues& values, ItemClauses& out);
+
+}  // namespace vug::loading

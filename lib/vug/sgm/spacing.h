@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Internal to Growth: the distance of a new shape from earlier ones.
+#pragma once
+
+#include <vug/sgm/growth.h>
+
+namespace vug::sgm {
+
+/// The index of the placement on whose surface the point lies, the last one of several; -1: none.
+/// `tolerance` in metres.
+int owner_at(const std::vector<Placement>& placements, const Vec3d& point, double tolerance);
+
+/// Whether the middle of the shape, or one of 26 points of its surface, is nearer than `apart`
+/// metres to an earlier shape other than the owner of its bond, the owner's own owner and the
+/// shapes that are glued to the owner.
+bool is_too_near(const field::Field& shape, const std::vector<Placement>& placements, int owner,
+                 double apart);
+
+}  // namespace vug::sgm
