@@ -46,6 +46,7 @@ const std::map<std::string, std::string>& statements() {
       {"network", "network cave_plan = @"},
       {"passage", field},
       {"section", "field air = passages(of: plan, section: @)"},
+      {"section rule", "field air = passages(of: plan, sections: [@])"},
       {"geology", "network cave_plan = karst(geology: [@])"},
       {"point", "camera main { eye @ }"},
       {"points", "light lamp[p in @] = sphere(center: p, radius: 2cm)"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/passages/curves/axis.h>
+#include <vug/passages/curves/frames.h>
 #include <vug/passages/curves/star_outline.h>
 #include <vug/passages/passages.h>
 #include <vug/passages/sweep/sweep.h>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vug/field/kind.h>
+#include <vug/field/noise.h>
 #include <vug/network/network.h>
 
 #include <memory>
@@ -37,6 +38,14 @@ using NetworkFieldKind = field::FieldKind;
 /// Begins the definition of the function that the source of such a kind exports.
 #define VUG_NETWORK_FIELD_KIND(name) \
   VUG_EXPORT_KIND(vug::shot, NetworkFieldKind, name##_network_field)
+
+/// The kinds of noises that follow networks, as listed in CMakeLists.txt; they belong to the
+/// registry of noises.
+const Kinds<field::Noise>& network_noise_kinds();
+using NetworkNoiseKind = field::NoiseKind;
+/// Begins the definition of the function that the source of such a kind exports.
+#define VUG_NETWORK_NOISE_KIND(name) \
+  VUG_EXPORT_KIND(vug::shot, NetworkNoiseKind, name##_network_noise)
 
 }  // namespace vug::shot
 

@@ -103,5 +103,44 @@ TEST(Dressing, ReportsFaults) {
       "the solid has no shape with the name 'a'");
 }
 
+TEST(NetworkDeclaration, FieldsMasksAndNoisesFollowPassages) {
+  const Loaded scene = scene_of(
+      "let air  = passages(of: plan, sections: [when(slot, max_width: 2m), when(lens, min_ratio: "
+      "2)])\n"
+      "let worn = displace(box(size: (60, 30, 60)) - air,\n"
+      "  noise: along_flow(noise: scallops(size: 30cm), of: plan, stretch: 1.5), amount: 6cm)\n"
+      "let mud  = near(field: height_above_floor(of: plan), from: 40cm, to: 20cm)\n"
+      "let path = near(field: centreline(of: part(of: plan, stage: unknown)), from: 1m, to: 50cm)\n"
+      "volume rock = level_set(worn, voxel: 1m)\n"
+      "mesh cave on rock { paint layer(under: (0.5, 0.4, 0.3), over: (0.2, 0.1, 0.1),\n"
+      "  mask: multiply([mud, path])) }\n");
+  ASSERT_EQ(scene.report(), "");
+  const field::Field& rock = scene.shot.volumes.at(0)->field;
+  EXPECT_LT(rock.value({4, 8, 1}), 0);
+  EXPECT_GT(rock.value({4, -0.5, 1}), 0);
+}
+
+TEST(NetworkDeclaration, CamerasFlyAlongTheNetwork) {
+  const std::string camera =
+      "camera main {\n"
+      "  eye route(of: plan, from: \"mouth\", to: \"sump\", at: (frame - 1) / 10)\n"
+      "  target route(of: plan, from: \"mouth\", to: \"sump\", at: (frame - 1) / 10, ahead: 2m)\n"
+      "}\n";
+  ASSERT_EQ(scene_of(camera).report(), "");
+  const Loaded apart = load_text(
+      "network two = graph(names: [\"a\", \"b\", \"c\", \"d\"],\n"
+      "  at: [(0, 0, 0), (9, 0, 0), (0, 9, 0), (9, 9, 0)], paths: [\"a b\", \"c d\"])\n"
+      "camera main { eye route(of: two, from: \"a\", to: \"d\")  target (0, 0, 0) }\n",
+      "t.vug", {});
+  EXPECT_NE(apart.report().find("no passage leads from 'a' to 'd'"), std::string::npos);
+}
+
+TEST(NetworkDeclaration, ReportsContradictoryRules) {
+  const Loaded scene = scene_of(
+      "field air = passages(of: plan, sections: [when(slot, min_width: 3m, max_width: 2m)])\n");
+  EXPECT_NE(scene.report().find("no width is at least 'min_width' and at most 'max_width'"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace vug::loading

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Internal to passages/: a bounding volume hierarchy over the axes of passages.
+#pragma once
+
+#include <vug/passages/lines/axis_lines.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace vug::passages {
+
+class LineBvh {
+ public:
+  struct Node {
+    Box3d box;
+    double low = kInfinity, high = -kInfinity;  // Heights of the floors below the node.
+    uint32_t left = 0;              // Index of the left child, whose sibling follows; 0 for a leaf.
+    uint32_t first = 0, count = 0;  // Of the lines of a leaf.
+    double distance(const Vec3d& p) const;
+  };
+
+  /// The lines are reordered, so that those of a leaf follow one another. At least one.
+  explicit LineBvh(std::vector<AxisLine> lines);
+
+  const std::vector<AxisLine>& lines() const { return lines_; }
+  Box3d bounds() const { return nodes_[0].box; }
+
+  /// Calls visit(index, line) for all lines below nodes with bound(node) <= limit, nearer nodes
+  /// first; `visit` may lower the limit.
+  template <class Bound, class Visit>
+  void search(double& limit, const Bound& bound, const Visit& visit) const {
+    std::pair<double, uint32_t> stack[kStack];
+    size_t open = 0;
+    stack[open++] = {bound(nodes_[0]), 0};
+    while (open > 0) {
+      const auto [least, index] = stack[--open];
+      if (least > limit) continue;
+      const Node& node = nodes_[index];
+      if (node.left == 0) {
+        for (uint32_t i = node.first; i < node.first + node.count; ++i) visit(i, lines_[i]);
+        continue;
+      }
+      std::pair<double, uint32_t> near{bound(nodes_[node.left]), node.left};
+      std::pair<double, uint32_t> far{bound(nodes_[node.left + 1]), node.left + 1};
+      if (far.first < near.first) std::swap(near, far);
+      stack[open++] = far;
+      stack[open++] = near;
+    }
+  }
+
+  struct Nearest {
+    double distance = kInfinity;
+    Vec3d point{0.0};  ///< On a line.
+  };
+  Nearest nearest(const Vec3d& p) const;
+
+ private:
+  static constexpr size_t kStack = 128;
+  void build(uint32_t node, uint32_t first, uint32_t count);
+
+  std::vector<AxisLine> lines_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace vug::passages
