@@ -2,6 +2,7 @@
 #include <vug/base/memory.h>
 #include <vug/building/make_mesh.h>
 #include <vug/building/memory_estimate.h>
+#include <vug/building/surface_labels.h>
 #include <vug/facade/semantics.h>
 #include <vug/mesh/refine.h>
 #include <vug/meshing/polygonize.h>
@@ -49,6 +50,7 @@ SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surfac
   mesh::LargeComponents pieces = mesh::large_components(std::move(polygons), plan.smallest_piece);
   if (plan.paint) add_colors(pieces.mesh, plan.paint, volume::sampled_grid(surface).get());
   if (!plan.elements.empty()) facade::add_semantics(pieces.mesh, plan.elements);
+  add_labels(pieces.mesh, plan.labels);
   progress.end();
   return {std::move(pieces), std::move(small)};
 }
@@ -56,6 +58,7 @@ SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surfac
 mesh::LargeComponents make_mesh(const shot::MeshPlan& plan) {
   mesh::LargeComponents pieces = mesh::large_components(*plan.file_mesh, plan.smallest_piece);
   if (plan.paint) add_colors(pieces.mesh, plan.paint, nullptr);
+  add_labels(pieces.mesh, plan.labels);
   return pieces;
 }
 

@@ -22,6 +22,8 @@ std::set<std::string> available_attributes(const shot::Shot& shot) {
   for (const shot::MeshPtr& mesh : shot.meshes) {
     if (mesh->file_mesh)
       for (const mesh::Attribute& each : mesh->file_mesh->attributes) names.insert(each.name);
+    const std::vector<std::string> labels = shot::label_names(mesh->labels);
+    names.insert(labels.begin(), labels.end());
     if (mesh->elements.empty()) continue;
     const std::vector<std::string> semantic = facade::semantic_names(mesh->elements);
     names.insert(semantic.begin(), semantic.end());

@@ -47,6 +47,7 @@ const std::map<std::string, std::string>& statements() {
       {"passage", field},
       {"section", "field air = passages(of: plan, section: @)"},
       {"section rule", "field air = passages(of: plan, sections: [@])"},
+      {"label", "mesh walls on cave { labels [@] }"},
       {"geology", "network cave_plan = karst(geology: [@])"},
       {"point", "camera main { eye @ }"},
       {"points", "light lamp[p in @] = sphere(center: p, radius: 2cm)"},

@@ -98,6 +98,8 @@ std::vector<std::string> light_groups(const Shot& shot) {
 
 std::vector<std::string> element_names(const MeshPlan& plan) {
   std::vector<std::string> names = facade::element_names(plan.elements);
+  const std::vector<std::string> labels = label_names(plan.labels);
+  names.insert(names.end(), labels.begin(), labels.end());
   const auto add = [&](const MeshPtr& other) {
     const std::vector<std::string> more = element_names(*other);
     names.insert(names.end(), more.begin(), more.end());

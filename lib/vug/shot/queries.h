@@ -28,8 +28,8 @@ ObjectPlan plain_object(const MeshPtr& mesh);
 /// The light groups of all lights and emissive objects, including those of placed scenes.
 std::vector<std::string> light_groups(const Shot& shot);
 
-/// The attributes that identify the facade elements of the mesh, including those of the mesh below
-/// its cells.
+/// The attributes that identify the facade elements and labels of the mesh, including those of the
+/// mesh below its cells.
 std::vector<std::string> element_names(const MeshPlan& plan);
 
 /// The mesh of that name among shown_meshes and the meshes below cells; the first one for an empty

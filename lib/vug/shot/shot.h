@@ -12,6 +12,7 @@
 #include <vug/paint/paint.h>
 #include <vug/render/scene.h>
 #include <vug/shot/caps.h>
+#include <vug/shot/labels.h>
 #include <vug/shot/networks.h>
 #include <vug/shot/render_settings.h>
 
@@ -85,8 +86,9 @@ struct MeshPlan {
   paint::Paint paint;          ///< Vertex colours (attribute Cd); null: none.
   /// Facades whose node and element kind are stored per vertex; see facade::add_semantics.
   std::vector<std::shared_ptr<const facade::FacadeInstance>> elements;
-  CellsPtr cells;      ///< Cells applied to the mesh; null: none.
-  size_t support = 0;  ///< Index in `cells->on` of the mesh below the cells.
+  std::vector<SurfaceLabel> labels;  ///< Stored per vertex; see building::add_labels.
+  CellsPtr cells;                    ///< Cells applied to the mesh; null: none.
+  size_t support = 0;                ///< Index in `cells->on` of the mesh below the cells.
   std::vector<std::shared_ptr<const MeshPlan>>
       parts;  ///< The meshes combined into this one; empty: a single mesh.
 

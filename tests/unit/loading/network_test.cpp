@@ -2,6 +2,7 @@
 // Networks of scenes and the points on them.
 #include <gtest/gtest.h>
 #include <vug/loading/load.h>
+#include <vug/shot/queries.h>
 
 namespace vug::loading {
 namespace {
@@ -133,6 +134,48 @@ TEST(NetworkDeclaration, CamerasFlyAlongTheNetwork) {
       "camera main { eye route(of: two, from: \"a\", to: \"d\")  target (0, 0, 0) }\n",
       "t.vug", {});
   EXPECT_NE(apart.report().find("no passage leads from 'a' to 'd'"), std::string::npos);
+}
+
+TEST(NetworkDeclaration, ACameraThatFliesThroughTheRiverCaveStaysInTheAir) {
+  const std::filesystem::path data = VUG_DATA;
+  for (int step = 0; step <= 9; ++step) {
+    LoadOptions options;
+    options.include_folders = {data};
+    options.expression =
+        "route(of: river, from: \"hall\", to: \"out\", at: " + std::to_string(step) + " / 9)";
+    const Loaded scene = load(data / "scenes/karst/river_cave.vug", options);
+    ASSERT_EQ(scene.report(), "");
+    const Value::Vector* eye = scene.value.get<Value::Vector>();
+    ASSERT_NE(eye, nullptr);
+    EXPECT_GT(scene.shot.volumes.at(0)->field.value(eye->value), 0.3) << step << " " << eye->value;
+  }
+}
+
+TEST(NetworkDeclaration, LabelsAreAttributesOfTheMesh) {
+  const auto mesh_with = [](const std::string& labels) {
+    return scene_of(
+        "volume rock = level_set(box(size: (60, 30, 60)) - passages(of: plan), voxel: 1m)\n"
+        "mesh cave on rock {\n  labels " +
+        labels +
+        "\n"
+        "  paint layer(under: (0.5, 0.4, 0.3), over: (0.1, 0.1, 0.1), mask: value(name: "
+        "\"inlet\"))\n"
+        "}\n");
+  };
+  const std::string inlet = "label(name: \"inlet\", field: sphere(2m))";
+  const Loaded scene =
+      mesh_with("[" + inlet + ", label(name: \"rest\", field: centreline(of: plan))]");
+  ASSERT_EQ(scene.report(), "");
+  EXPECT_EQ(shot::element_names(*scene.shot.meshes.at(0)),
+            (std::vector<std::string>{"inlet", "rest"}));
+  EXPECT_NE(mesh_with("[" + inlet + ", label(name: \"Cd\", field: sphere(1m))]")
+                .report()
+                .find("the mesh has an attribute 'Cd' already"),
+            std::string::npos);
+  EXPECT_NE(mesh_with("[for i in 0..256: label(name: \"l\" + i, field: sphere(1m))]")
+                .report()
+                .find("257 labels are too many"),
+            std::string::npos);
 }
 
 TEST(NetworkDeclaration, ReportsContradictoryRules) {

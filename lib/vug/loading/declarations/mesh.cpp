@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/facade/carve.h>
+#include <vug/facade/semantics.h>
 #include <vug/loading/reader.h>
 #include <vug/mesh/format.h>
 #include <vug/mesh/normals.h>
@@ -8,6 +8,8 @@
 #include <vug/shot/mesh_source.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace vug::loading {
 namespace {
@@ -50,6 +52,9 @@ Schema<MeshBlock> mesh_schema() {
           "elements", &MeshBlock::elements_of,
           {.doc = "facades, or solids that they are carved into: the vertices store their node and "
                   "their kind of element"})
+      .param("labels", &shot::MeshPlan::labels,
+             {.doc = "label(...) for each named part of the surface, e.g. passages of a cave: the "
+                     "vertices store which of them is the nearest"})
       .choice("topology", static_cast<shot::SmallTopology MeshBlock::*>(&shot::MeshPlan::topology),
               {{"clean", shot::SmallTopology::clean}, {"keep", shot::SmallTopology::keep}},
               "bubbles and handles smaller than two voxels: clean removes them")
@@ -159,6 +164,29 @@ bool read_elements(const MeshBlock& block, const scene::Declaration& declaration
   return true;
 }
 
+/// Reports labels whose attributes would have the names of others, or that are too many.
+bool check_labels(const shot::MeshPlan& plan, const scene::Declaration& declaration,
+                  ReadContext& context) {
+  constexpr size_t kMostLabels = 256;
+  const std::vector<std::string> names = shot::label_names(plan.labels);
+  const auto refuse = [&](const std::string& problem, const std::string& hint) {
+    context.diagnostics.error(declaration.find_entry("labels")->where, problem, hint);
+    return false;
+  };
+  if (names.size() > kMostLabels)
+    return refuse(fmt::format("{} labels are too many for one mesh; at most {} are possible",
+                              names.size(), kMostLabels),
+                  "use one label for several parts: labels of the same name count as one");
+  std::vector<std::string> taken = facade::semantic_names(plan.elements);
+  if (plan.elements.empty()) taken.clear();
+  taken.emplace_back(mesh::kColour);
+  for (const std::string& name : names)
+    if (std::find(taken.begin(), taken.end(), name) != taken.end())
+      return refuse(fmt::format("the mesh has an attribute '{}' already", name),
+                    "choose another name for the label");
+  return true;
+}
+
 }  // namespace
 
 const DeclarationKind& mesh_declaration() {
@@ -180,6 +208,7 @@ const DeclarationKind& mesh_declaration() {
         plan.name = declaration.name;
         plan.volume = volume;
         if (!read_elements(*block, declaration, context, plan)) return Value();
+        if (!check_labels(plan, declaration, context)) return Value();
         if (is_given) plan.file_mesh = read_source(*block, declaration, context);
         if (!plan.volume && !plan.file_mesh) return Value();
         const shot::MeshPtr made = std::make_shared<const shot::MeshPlan>(std::move(plan));

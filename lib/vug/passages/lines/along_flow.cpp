@@ -69,18 +69,17 @@ class AlongFlow final : public field::EvaluationModes<AlongFlow> {
   template <class T>
   T at(const Point<T>& p) const {
     using field::exp;
-    thread_local std::vector<uint32_t> near;
-    const std::vector<uint32_t> mine = near_lines(centre_of(p), 0, near);
+    const std::vector<uint32_t> near = near_lines(centre_of(p), 0);
     std::vector<Point<T>> local;
     T least(kFar);
-    for (const uint32_t i : mine) {
+    for (const uint32_t i : near) {
       local.push_back(frames_[i].coordinates(p));
       least = field::min(least, frames_[i].distance(local.back()));
     }
     least = constant_part(least);
     T sum(0.0), weights(0.0);
-    for (size_t k = 0; k < mine.size(); ++k) {
-      const T weight = exp((least - frames_[mine[k]].distance(local[k])) * T(inverse_blend_));
+    for (size_t k = 0; k < near.size(); ++k) {
+      const T weight = exp((least - frames_[near[k]].distance(local[k])) * T(inverse_blend_));
       sum = sum + weight * child().eval(stretched(local[k]));
       weights = weights + weight;
     }
@@ -94,8 +93,7 @@ class AlongFlow final : public field::EvaluationModes<AlongFlow> {
   template <class T>
   void fill(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const {
     const Ball ball = ball_around(points, static_cast<size_t>(count));
-    std::vector<uint32_t> near;
-    near_lines(ball.centre, ball.radius, near);
+    const std::vector<uint32_t> near = near_lines(ball.centre, ball.radius);
     if (near.size() > kFewLines && count > 1) {
       fill(points, count / 2, out, scratch);
       return fill(points + count / 2, count - count / 2, out + count / 2, scratch);
@@ -127,10 +125,9 @@ class AlongFlow final : public field::EvaluationModes<AlongFlow> {
   }
 
   /// The lines with a weight anywhere in a ball, in ascending order.
-  const std::vector<uint32_t>& near_lines(const Vec3d& centre, double radius,
-                                          std::vector<uint32_t>& out) const {
+  std::vector<uint32_t> near_lines(const Vec3d& centre, double radius) const {
     double limit = bvh_.nearest(centre).distance + 2 * radius + reach_;
-    out.clear();
+    std::vector<uint32_t> out;
     bvh_.search(
         limit, [&](const LineBvh::Node& node) { return node.distance(centre); },
         [&](uint32_t i, const AxisLine&) {

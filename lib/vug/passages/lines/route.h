@@ -19,9 +19,9 @@ class Route {
 
   /// Metres along the axes; above 0 unless both stations are at one place.
   double length() const { return along_.back(); }
-  /// The point after `s` metres: the mean of the axes within half of the passage's smaller half
-  /// size on both sides, so that corners are rounded and the point stays in the passage. The first
-  /// and the last point are those of the axes; beyond them, the way continues straight.
+  /// The point after `s` metres: the mean of the axes within half of the passage's smaller size
+  /// on both sides, so that corners are rounded and the point stays in the passage. The first and
+  /// the last point are those of the axes; beyond them, the way continues straight.
   Vec3d point(double s) const;
 
  private:

@@ -82,9 +82,10 @@ std::vector<AovInfo> table() {
                   "attributes"});
   rows.push_back(crypto_aov(kCryptoObject, "Cryptomatte of objects."));
   rows.push_back(crypto_aov(kCryptoMaterial, "Cryptomatte of materials."));
-  rows.push_back(crypto_aov(kCryptoElement,
-                            "Cryptomatte of facade elements (window, door, wall, ...), for meshes "
-                            "that distinguish them."));
+  rows.push_back(
+      crypto_aov(kCryptoElement,
+                 "Cryptomatte of labels and facade elements (window, door, wall, ...), for meshes "
+                 "that distinguish them."));
   return rows;
 }
 

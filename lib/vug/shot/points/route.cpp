@@ -20,9 +20,12 @@ struct RoutePoint : PassageLine {
     describe_network(s);
     s.param("from", &RoutePoint::from, {.doc = "the first station", .required = true})
         .param("to", &RoutePoint::to, {.doc = "the last station", .required = true})
-        .param("at", &RoutePoint::at, {.doc = "fraction of the length, 0 to 1"})
+        .param("at", &RoutePoint::at, {.doc = "fraction of the length; below 0 as 0, above 1 as 1"})
         .param("ahead", &RoutePoint::ahead,
-               any_length("how much farther along the way; straight on beyond its ends"))
+               {.doc = "how much farther along the way; straight on beyond its ends",
+                .dimension = Dimension::length,
+                .min = -1e5,
+                .max = 1e5})
         .param("up", &RoutePoint::up, any_length("how far above the axis of the passage"));
     describe_axes(s);
   }
