@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/passages/curves/axis.h>
-#include <vug/passages/curves/frames.h>
-#include <vug/passages/curves/star_outline.h>
 #include <vug/passages/passages.h>
+#include <vug/passages/section_frames.h>
 #include <vug/passages/sweep/sweep.h>
 
 #include <fmt/format.h>
@@ -27,109 +26,6 @@ struct SweptPassage {
   double start_size = 1, end_size = 1;                // Smaller sizes at the ends.
   std::map<int, std::pair<double, double>> stations;  // Arc length and smaller size.
 };
-
-void check_options(const PassageOptions& o) {
-  const auto refuse_option = [](const std::string& message, const std::string& hint) {
-    throw Error(ErrorCode::bad_input, message, {}, hint);
-  };
-  for (const double size : {o.size.width, o.size.height, o.size.least})
-    if (!(size > 0 && std::isfinite(size)))
-      refuse_option(fmt::format("invalid size of passages {} m: must be above 0", size),
-                    "give default widths and heights in metres");
-  if (!(o.chamber >= 1 && o.chamber <= 10))
-    refuse_option(fmt::format("invalid factor of chambers {}: must be 1 to 10", o.chamber),
-                  "use 1 for junctions without chambers");
-  if (!(o.fillet >= 0 && o.fillet <= 1))
-    refuse_option(fmt::format("invalid fillet {}: must be 0 to 1", o.fillet),
-                  "give the radius as a fraction of half the smaller size");
-  if (!(o.bends.max_turn > 0.01 && o.bends.max_turn <= kPi) ||
-      !(o.bends.max_bend > 0 && std::isfinite(o.bends.max_bend)))
-    refuse_option(fmt::format("invalid bends with turns of {} radians and a curvature of {}",
-                              o.bends.max_turn, o.bends.max_bend),
-                  "use turns above 0.01 radians and a curvature above 0");
-  if (!o.section) refuse_option("passages need a section", "name a section, e.g. tube");
-}
-
-bool applies(const SectionRule& rule, const CurvePoint& point, const Vec3d& tangent) {
-  const double ratio = point.width / point.height;
-  if (!rule.family || (rule.stage && *rule.stage != point.stage)) return false;
-  if (!(point.width >= rule.min_width && point.width <= rule.max_width)) return false;
-  if (!(ratio >= rule.min_ratio && ratio <= rule.max_ratio)) return false;
-  if (std::fabs(tangent.y) > maths::sin(rule.max_dip)) return false;
-  if (!rule.bed) return true;
-  const Vec3d offset = point.position - rule.bed->point;
-  return std::fabs(offset.dot(rule.bed->normal.normalized())) <= 0.5 * rule.bed->thickness;
-}
-
-const SectionFamily& family_at(const PassageOptions& options, const CurvePoint& point,
-                               const Vec3d& tangent) {
-  for (const SectionRule& rule : options.rules)
-    if (applies(rule, point, tangent)) return *rule.family;
-  return *options.section;
-}
-
-/// Positive where the curve turns left, seen from above.
-double signed_curvature(const Curve& curve, size_t i, double curvature) {
-  if (i == 0 || i + 1 == curve.size()) return 0;
-  const Vec3d before = curve[i].position - curve[i - 1].position;
-  const Vec3d after = curve[i + 1].position - curve[i].position;
-  return before.cross(after).y > 0 ? curvature : -curvature;
-}
-
-/// Sections between two stations, of which splays measured at least one, change from one to the
-/// other.
-void blend_measured(const Curve& curve, std::vector<SectionFrame>& frames) {
-  const std::vector<double> along = arc_lengths(curve);
-  size_t from = curve.size();
-  StarOutline start;
-  for (size_t i = 0; i < curve.size(); ++i) {
-    if (curve[i].station < 0) continue;
-    const bool blends =
-        from + 1 < i && (curve[from].measured != nullptr || curve[i].measured != nullptr);
-    if (blends && start.empty()) start = star_outline(*frames[from].section);
-    StarOutline end;
-    if (blends) end = star_outline(*frames[i].section);
-    for (size_t k = from + 1; blends && k < i; ++k) {
-      const double t = (along[k] - along[from]) / (along[i] - along[from]);
-      frames[k].section = blended_section(start, end, t * t * (3 - 2 * t));
-    }
-    start = std::move(end);
-    from = i;
-  }
-}
-
-/// Sections of consecutive points are one object if they are equal, so that segments between them
-/// are uniform.
-std::vector<SectionFrame> section_frames(const Curve& curve, const PassageOptions& options) {
-  const std::vector<Vec3d> directions = tangents(curve);
-  std::vector<Vec3d> points;
-  for (const CurvePoint& p : curve) points.push_back(p.position);
-  const std::vector<Frame> across = frames(points, directions);
-  const std::vector<double> bends = curvatures(curve);
-  std::vector<SectionFrame> out;
-  const SectionFamily* family = nullptr;
-  SectionPlace place;
-  SectionPtr section;
-  for (size_t i = 0; i < curve.size(); ++i) {
-    const CurvePoint& p = curve[i];
-    if (p.measured) {
-      section = p.measured;
-      family = nullptr;
-    } else {
-      const SectionFamily& next = family_at(options, p, directions[i]);
-      const double bend = next.migrates() ? signed_curvature(curve, i, bends[i]) : 0;
-      const SectionPlace here{p.width, p.height, bend};
-      const bool same = family == &next && here.width == place.width &&
-                        here.height == place.height && here.curvature == place.curvature;
-      if (!same) section = next.fit(here);
-      family = &next;
-      place = here;
-    }
-    out.push_back({p.position, across[i].right, across[i].up, section});
-  }
-  blend_measured(curve, out);
-  return out;
-}
 
 /// Shortens a passage at an end that lies inside another one.
 void trim_start(Curve& curve) {
@@ -216,8 +112,30 @@ std::vector<SectionRule> default_rules() {
           {.family = make_family("lens"), .min_ratio = 2, .max_dip = level}};
 }
 
+void require_valid(const PassageOptions& o) {
+  const auto refuse_option = [](const std::string& message, const std::string& hint) {
+    throw Error(ErrorCode::bad_input, message, {}, hint);
+  };
+  for (const double size : {o.size.width, o.size.height, o.size.least})
+    if (!(size > 0 && std::isfinite(size)))
+      refuse_option(fmt::format("invalid size of passages {} m: must be above 0", size),
+                    "give default widths and heights in metres");
+  if (!(o.chamber >= 1 && o.chamber <= 10))
+    refuse_option(fmt::format("invalid factor of chambers {}: must be 1 to 10", o.chamber),
+                  "use 1 for junctions without chambers");
+  if (!(o.fillet >= 0 && o.fillet <= 1))
+    refuse_option(fmt::format("invalid fillet {}: must be 0 to 1", o.fillet),
+                  "give the radius as a fraction of half the smaller size");
+  if (!(o.bends.max_turn > 0.01 && o.bends.max_turn <= kPi) ||
+      !(o.bends.max_bend > 0 && std::isfinite(o.bends.max_bend)))
+    refuse_option(fmt::format("invalid bends with turns of {} radians and a curvature of {}",
+                              o.bends.max_turn, o.bends.max_bend),
+                  "use turns above 0.01 radians and a curvature above 0");
+  if (!o.section) refuse_option("passages need a section", "name a section, e.g. tube");
+}
+
 field::Field passages(const network::Network& network, const PassageOptions& options) {
-  check_options(options);
+  require_valid(options);
   network::require_valid(network);
   const std::vector<Chain> all = chains(network);
   const std::vector<Curve> curves = axes(network, all, options);

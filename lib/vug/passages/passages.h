@@ -56,6 +56,9 @@ struct PassageOptions {
   double fillet = kDefaultFillet;
 };
 
+/// Throws Error(bad_input) for options out of range.
+void require_valid(const PassageOptions& options);
+
 /// The union of all passages, negative inside, in metres; see docs/explanation/passages.md. Its
 /// values are at most the distance in magnitude and have the Lipschitz constant 1. Throws
 /// Error(bad_input) for a network without legs or with invalid data, and for options out of range.

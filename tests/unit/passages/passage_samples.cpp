@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "passage_samples.h"
 
+#include <vug/passages/water/water_body.h>
+
 #include <cmath>
 
 namespace vug::passages {
@@ -74,6 +76,9 @@ const std::vector<PassageCase>& passage_cases() {
     meandering.chamber = 2;
     meandering.fillet = 1;
     all.push_back({"meanders", passages(random_cave(3, 60), meandering)});
+    all.push_back({"stream", stream_body(random_cave(5, 40), {}, {})});
+    all.push_back({"sediment", sediment_body(random_cave(6, 40), {}, {.depth = 0.4}, 0.3)});
+    all.push_back({"ponds", pond_body(random_cave(7, 40), {}, {}, {}, 1, 0.3)});
     for (const SectionKind* kind : sections()) {
       PassageOptions options;
       options.rules = {};
