@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "passage_samples.h"
 
+#include <vug/passages/breakdown/pile.h>
 #include <vug/passages/water/water_body.h>
 
 #include <cmath>
@@ -79,6 +80,9 @@ const std::vector<PassageCase>& passage_cases() {
     all.push_back({"stream", stream_body(random_cave(5, 40), {}, {})});
     all.push_back({"sediment", sediment_body(random_cave(6, 40), {}, {.depth = 0.4}, 0.3)});
     all.push_back({"ponds", pond_body(random_cave(7, 40), {}, {}, {}, 1, 0.3)});
+    const Vault roof = vault({.at = {0, 7, 0}, .span = 8, .length = 11, .strength = 0.6});
+    all.push_back({"vault", vault_body(roof)});
+    all.push_back({"breakdown", breakdown_body(roof, {}, 0.8)});
     for (const SectionKind* kind : sections()) {
       PassageOptions options;
       options.rules = {};

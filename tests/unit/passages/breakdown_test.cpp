@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vaults and piles of blocks: beam theory, contact, overlap, slope and bulk.
+#include <vug/base/error.h>
+#include <vug/base/rng.h>
+#include <vug/passages/breakdown/pile.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::passages {
+namespace {
+
+OrientedBox random_box(RandomStream& random) {
+  OrientedBox box;
+  box.half = {random.uniform(0.2, 1), random.uniform(0.2, 1), random.uniform(0.2, 1)};
+  const Vec3d axis(random.normal(), random.normal(), random.normal());
+  return box.turned(axis.normalized(), random.uniform(0, 3));
+}
+
+TEST(OrientedBox, LandsWhereItFirstTouches) {
+  RandomStream random(RandomKey(1));
+  int landed = 0;
+  for (int i = 0; i < 500; ++i) {
+    const OrientedBox below = random_box(random);
+    OrientedBox block = random_box(random);
+    block.centre = {random.uniform(-1.5, 1.5), 9, random.uniform(-1.5, 1.5)};
+    const double height = landing_height(block, below);
+    if (height == -kInfinity) {
+      for (double y = -3; y < 3; y += 0.1) {
+        block.centre.y = y;
+        EXPECT_LE(overlap_depth(block, below), 1e-9);
+      }
+      continue;
+    }
+    ++landed;
+    block.centre.y = height;
+    EXPECT_NEAR(overlap_depth(block, below), 0, 1e-9);
+    for (double up = 0.01; up < 3; up += 0.1) {
+      block.centre.y = height + up;
+      EXPECT_LT(overlap_depth(block, below), 0);
+    }
+    block.centre.y = height - 0.01;
+    EXPECT_GT(overlap_depth(block, below), 0);
+  }
+  EXPECT_GT(landed, 200);
+}
+
+// A beam of 0.5 m of limestone (2650 kg/m^3, 5 MPa) bridges 13.9 m, and a ledge has 5.7 m.
+TEST(Vault, BedsBridgeTheSpansOfBeams) {
+  EXPECT_NEAR(bridged_span(0.5, 5, 2650), 13.9, 0.05);
+  EXPECT_NEAR(ledge_length(0.5, 5, 2650), 5.66, 0.05);
+  const VaultOptions options{.span = 24, .length = 30, .seed = 3};
+  const Vault made = vault(options);
+  ASSERT_GT(made.spans.size(), 1u);
+  for (size_t i = 0; i < made.spans.size(); ++i) {
+    EXPECT_GT(made.spans[i], bridged_span(made.beds[i], options.strength, options.density));
+    if (i > 0) {
+      EXPECT_LT(made.spans[i], made.spans[i - 1]);
+    }
+  }
+  const field::Field air = vault_body(made);
+  for (const OrientedBox& block : made.blocks) {
+    EXPECT_LT(air.value(block.centre), 0);
+    EXPECT_LT(air.value(block.corner(1, 1, 1)), 0);
+  }
+  EXPECT_TRUE(vault({.span = 5, .bed = 1, .strength = 10}).blocks.empty());
+}
+
+/// The slope of the mean height of the tops over the distance from the ridge, fitted where the cone
+/// is between 15 and 85 % of its height.
+double measured_angle(const Pile& pile, double floor) {
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  const field::Field body = pile_body(pile, floor, 0);
+  const double radius = pile.height / pile.slope;
+  RandomStream random(RandomKey(9));
+  for (int i = 0; i < 1500; ++i) {
+    const Vec3d p = pile.foot + Vec3d(random.uniform(-1, 1), 0, random.uniform(-1, 1)) * radius;
+    const double cone = pile.cone(p) / pile.height;
+    if (cone < 0.15 || cone > 0.85) continue;
+    double y = floor + 2 * pile.height;
+    while (y > floor && body.value({p.x, y, p.z}) > 0.02)
+      y -= std::max(0.02, body.value({p.x, y, p.z}));
+    const double x = (1 - cone) * radius, top = std::max(y, floor) - floor;
+    n += 1;
+    sx += x;
+    sy += top;
+    sxx += x * x;
+    sxy += x * top;
+  }
+  return -std::atan((n * sxy - sx * sy) / (n * sxx - sx * sx)) * 180 / kPi;
+}
+
+TEST(Pile, RestsAtReposeWithItsBulk) {
+  for (const uint64_t seed : {1, 2, 4}) {
+    const Vault above = vault({.at = {3, 14, -2},
+                               .span = 16,
+                               .length = seed % 2 ? 16.0 : 24.0,
+                               .bed = 0.6,
+                               .spacing = 1.5,
+                               .strength = 1.5,
+                               .seed = seed});
+    ASSERT_GT(above.blocks.size(), 100u);
+    const double floor = -1;
+    const Pile made = pile(above, {.floor = floor, .seed = seed});
+    const double bulk = made.volume() / above.volume();
+    EXPECT_NEAR(bulk, 1.4, 0.07) << seed;
+    const double angle = measured_angle(made, floor);
+    EXPECT_GT(angle, 30) << seed;
+    EXPECT_LT(angle, 40) << seed;
+    double solid = 0;
+    for (size_t i = 0; i < made.blocks.size(); ++i) {
+      const OrientedBox& block = made.blocks[i];
+      solid += block.volume();
+      double gap = std::fabs(block.centre.y - block.extent({0, 1, 0}) - floor);
+      EXPECT_GE(block.centre.y - block.extent({0, 1, 0}), floor - 1e-9);
+      for (size_t k = 0; k < made.blocks.size(); ++k) {
+        if (k == i) continue;
+        const double depth = overlap_depth(block, made.blocks[k]);
+        EXPECT_LT(depth, 1e-6) << seed;
+        gap = std::min(gap, std::fabs(depth));
+      }
+      EXPECT_LT(gap, 1e-6) << seed << ": block " << i << " floats";
+    }
+    EXPECT_GT(solid, 0.6 * above.volume()) << seed;
+    EXPECT_LE(solid, above.volume()) << seed;
+  }
+}
+
+TEST(Pile, IsTheSameForTheSameSeed) {
+  const Vault above = vault({.at = {0, 12, 0}, .span = 14, .length = 14, .strength = 1.5});
+  const Pile one = pile(above, {}), two = pile(above, {}), other = pile(above, {.seed = 1});
+  ASSERT_EQ(one.blocks.size(), two.blocks.size());
+  for (size_t i = 0; i < one.blocks.size(); ++i)
+    EXPECT_EQ(one.blocks[i].centre, two.blocks[i].centre);
+  EXPECT_NE(one.blocks.front().centre, other.blocks.front().centre);
+}
+
+TEST(Breakdown, RefusesBadOptions) {
+  const double nan = std::nan("");
+  EXPECT_THROW(vault({.span = nan}), Error);
+  EXPECT_THROW(vault({.bed = 0}), Error);
+  EXPECT_THROW(vault({.bedding = {1, 0, 0}}), Error);
+  EXPECT_THROW(vault({.span = 900, .length = 900, .spacing = 0.1, .strength = 0.01}), Error);
+  const Vault above = vault({.at = {0, 12, 0}, .strength = 1.5});
+  EXPECT_THROW(pile(above, {.floor = 11.5}), Error);
+  EXPECT_THROW(pile(above, {.repose = nan}), Error);
+  EXPECT_THROW(pile(above, {.bulk = 0}), Error);
+  EXPECT_THROW(pile_body({}, 0, 2), Error);
+}
+
+}  // namespace
+}  // namespace vug::passages
