@@ -10,7 +10,7 @@ BodyBuilder::BodyBuilder(const FloorPlan& plan, const std::vector<double>& top, 
 
 SurfacePoint BodyBuilder::point(const FloorPoint& place, double height) const {
   const FloorNode& node = plan_.nodes[static_cast<size_t>(place.node)];
-  return {place, node.axis, height, std::min(node.floor, height)};
+  return {place, node.position, height, std::min(node.floor, height)};
 }
 
 void BodyBuilder::append(const FloorLine& line, const std::vector<char>& separate) {

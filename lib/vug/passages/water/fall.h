@@ -8,7 +8,7 @@
 
 namespace vug::passages {
 
-/// A point on the way of falling water: on the axis, at the height of water that slides.
+/// A point on the way of falling water, at the height of water that slides on the bed.
 struct FallPoint {
   Vec3d position{0.0};
   Vec3d right{1, 0, 0};  ///< Horizontal, across the passage; a unit vector.

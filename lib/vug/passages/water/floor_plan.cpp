@@ -29,7 +29,7 @@ struct Profile {
 Profile mixed(const Profile& a, const Profile& b, double t) {
   const auto mix = [t](auto x, auto y) { return x + (y - x) * t; };
   Profile out;
-  out.node = {.axis = mix(a.node.axis, b.node.axis),
+  out.node = {.position = mix(a.node.position, b.node.position),
               .floor = mix(a.node.floor, b.node.floor),
               .roof = mix(a.node.roof, b.node.roof),
               .width = mix(a.node.width, b.node.width)};
@@ -54,17 +54,22 @@ Vec3d across(const Vec3d& tangent, const SectionFrame& frame, const Vec3d& befor
 Profile profile(const SectionFrame& frame, const Vec3d& right, int station) {
   const Vec3d forward = Vec3d(0, 1, 0).cross(right);
   Profile out;
-  double low = kInfinity, high = -kInfinity;
-  for (const Vec2d& corner : frame.section->outline(48)) {
+  double low = kInfinity, high = -kInfinity, bottom = 0;
+  const std::vector<Vec2d> outline = frame.section->outline(48);
+  for (const Vec2d& corner : outline) {
     const Vec3d offset = frame.right * corner.x + frame.up * corner.y;
+    if (offset.y < low) bottom = offset.dot(forward);
     low = std::min(low, offset.y);
     high = std::max(high, offset.y);
     out.point.left_wall = std::min(out.point.left_wall, offset.dot(right));
     out.point.right_wall = std::max(out.point.right_wall, offset.dot(right));
-    out.point.reach = std::max(out.point.reach, std::fabs(offset.dot(forward)));
+  }
+  for (const Vec2d& corner : outline) {
+    const Vec3d offset = frame.right * corner.x + frame.up * corner.y;
+    out.point.reach = std::max(out.point.reach, std::fabs(offset.dot(forward) - bottom));
   }
   out.point.right = right;
-  out.node = {.axis = frame.position,
+  out.node = {.position = frame.position + forward * bottom,
               .floor = frame.position.y + low,
               .roof = frame.position.y + high,
               .width = out.point.right_wall - out.point.left_wall,
@@ -101,6 +106,7 @@ std::vector<std::pair<Profile, Profile>> profiles(const Curve& curve,
 /// The profile at a bend: the larger of those on both sides.
 Profile joined(const Profile& a, const Profile& b) {
   Profile out = a;
+  out.node.position = (a.node.position + b.node.position) * 0.5;
   out.node.floor = std::min(a.node.floor, b.node.floor);
   out.node.roof = std::max(a.node.roof, b.node.roof);
   out.point.left_wall = std::min(a.point.left_wall, b.point.left_wall);
@@ -159,7 +165,7 @@ FloorPlan floor_plan(const network::Network& network, const PassageOptions& opti
     append(here.front().first, !all[k].start_meets);
     for (size_t i = 0; i < here.size(); ++i) {
       const auto& [start, end] = here[i];
-      const double piece = (end.node.axis - start.node.axis).length();
+      const double piece = (end.node.position - start.node.position).length();
       const int parts = std::max(1, static_cast<int>(std::ceil(piece / spacing)));
       for (int j = 1; j < parts; ++j)
         append(mixed(start, end, static_cast<double>(j) / parts), false);
@@ -182,8 +188,8 @@ std::vector<std::vector<int>> neighbours(const FloorPlan& plan) {
 }
 
 double plan_distance(const FloorPlan& plan, int a, int b) {
-  return horizontal(plan.nodes[static_cast<size_t>(b)].axis -
-                    plan.nodes[static_cast<size_t>(a)].axis)
+  return horizontal(plan.nodes[static_cast<size_t>(b)].position -
+                    plan.nodes[static_cast<size_t>(a)].position)
       .length();
 }
 

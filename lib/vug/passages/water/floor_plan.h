@@ -12,7 +12,9 @@ namespace vug::passages {
 
 /// A cross-section as water sees it. Heights are coordinates y in metres.
 struct FloorNode {
-  Vec3d axis{0.0};   ///< On the axis of the passage.
+  /// Between the walls, and along the passage in plan where the floor is lowest: steep passages
+  /// have their floor next to the axis, not below it. The height is that of the axis.
+  Vec3d position{0.0};
   double floor = 0;  ///< The lowest point of the section.
   double roof = 0;   ///< The highest point.
   double width = 0;  ///< Metres across the passage in plan.

@@ -150,7 +150,7 @@ std::vector<double> sediment_heights(const FloorPlan& plan, const SedimentOption
   for (const FloorLine& line : plan.lines)
     for (size_t i = 0; i + 1 < line.size(); ++i) {
       const auto a = static_cast<size_t>(line[i].node), b = static_cast<size_t>(line[i + 1].node);
-      const double rise = std::fabs(plan.nodes[a].axis.y - plan.nodes[b].axis.y);
+      const double rise = std::fabs(plan.nodes[a].floor - plan.nodes[b].floor);
       const double dip = maths::atan2(rise, plan_distance(plan, line[i].node, line[i + 1].node));
       steepest[a] = std::max(steepest[a], dip);
       steepest[b] = std::max(steepest[b], dip);

@@ -41,7 +41,7 @@ struct Edge {
 
 Edge edge_at(const SurfacePoint& point, double overlap, const Vec3d& moved = Vec3d(0.0)) {
   const auto corner = [&](double across) {
-    const Vec3d p = point.axis + point.place.right * across + moved;
+    const Vec3d p = point.position + point.place.right * across + moved;
     return Corner(p.x, point.top, p.z);
   };
   return {corner(point.place.left_wall - overlap), corner(point.place.right_wall + overlap)};
@@ -63,7 +63,7 @@ void append_cap(const SurfacePoint& point, const Vec3d& outwards, double overlap
 
 /// The horizontal direction from a point to another, or one across the first.
 Vec3d direction(const SurfacePoint& from, const SurfacePoint& to) {
-  const Vec3d along = in_plan(to.axis - from.axis);
+  const Vec3d along = in_plan(to.position - from.position);
   if (along.length() > 1e-6) return along.normalized();
   return Vec3d(0, 1, 0).cross(from.place.right);
 }

@@ -15,7 +15,7 @@ inline constexpr double kSeam = 0.05;
 /// A point of a passage with the height of the surface there.
 struct SurfacePoint {
   FloorPoint place;
-  Vec3d axis{0.0};
+  Vec3d position{0.0};  ///< See FloorNode.
   double top = 0;
   double bottom = 0;
 };

@@ -15,6 +15,7 @@
 namespace vug::passages {
 namespace {
 
+constexpr double kShortPool = 1.5;    // Metres.
 constexpr double kLeastFall = 0.5;    // Metres; lower steps are parts of riffles.
 constexpr double kGroundSpacing = 1;  // Metres between points of sediment and ponds.
 
@@ -50,15 +51,30 @@ void require_overlap(double overlap) {
                 "use more than the depth of the relief on the walls");
 }
 
-/// Whether water between two wet points leaves the bed, and the points of the whole fall.
+/// For each edge of a line, whether water leaves the bed between its points. Level pieces that are
+/// shorter than kShortPool and lie between two falls belong to one fall.
 std::vector<char> falling_edges(const Stream& stream, const FloorLine& line, double steepness) {
   std::vector<char> out(line.size(), 0);
   const auto level = [&](size_t i) { return stream.level[static_cast<size_t>(line[i].node)]; };
+  double short_length = 0;
+  size_t after_fall = line.size();  // The first edge after the last fall.
   for (size_t i = 0; i + 1 < line.size(); ++i) {
-    if (!stream.wet(line[i].node) || !stream.wet(line[i + 1].node)) continue;
-    const double drop = std::fabs(level(i) - level(i + 1));
     const double length = plan_distance(stream.plan, line[i].node, line[i + 1].node);
-    out[i] = drop > 0 && drop * maths::cos(steepness) >= length * maths::sin(steepness);
+    if (!stream.wet(line[i].node) || !stream.wet(line[i + 1].node)) {
+      after_fall = line.size();
+      continue;
+    }
+    const double drop = level(i) - level(i + 1);
+    out[i] = drop != 0 && std::fabs(drop) * maths::cos(steepness) >= length * maths::sin(steepness);
+    if (!out[i]) {
+      short_length += length;
+      continue;
+    }
+    if (after_fall < i && short_length < kShortPool &&
+        (level(after_fall - 1) > level(after_fall)) == (drop > 0))
+      std::fill(out.begin() + static_cast<long>(after_fall), out.begin() + static_cast<long>(i), 1);
+    after_fall = i + 1;
+    short_length = 0;
   }
   return out;
 }
@@ -72,14 +88,35 @@ void append_fall(const Stream& stream, const FloorLine& line, size_t first, size
   Fall fall;
   fall.foot = level(foot);
   fall.thickness = thickness;
+  double farthest = 0;
   const auto append = [&](size_t i) {
     const FloorNode& node = stream.plan.nodes[static_cast<size_t>(line[i].node)];
     const Vec3d right = forwards ? line[i].right : -line[i].right;
-    fall.way.push_back({{node.axis.x, level(i), node.axis.z}, right});
+    FallPoint point{{node.position.x, level(i), node.position.z}, right};
+    if (!fall.way.empty()) {
+      // Rock that retreats below an overhang does not lead the water back.
+      const FallPoint& start = fall.way.front();
+      const Vec3d forward = Vec3d(0, 1, 0).cross(start.right);
+      const double advance = forward.dot(point.position - start.position);
+      if (advance <= farthest) {
+        point.position.x = fall.way.back().position.x;
+        point.position.z = fall.way.back().position.z;
+      }
+      farthest = std::max(farthest, advance);
+    }
+    fall.way.push_back(point);
   };
   for (size_t i = lip;; i = forwards ? i + 1 : i - 1) {
     append(i);
     if (i == foot) break;
+  }
+  // Water that slides lies on the bed with its whole thickness.
+  const std::vector<FallPoint> bed = fall.way;
+  for (size_t i = 1; i + 1 < bed.size(); ++i) {
+    const Vec3d step = bed[i + 1].position - bed[i - 1].position;
+    const double level_step = std::max(std::hypot(step.x, step.z), 1e-6);
+    const double raise = std::min(std::hypot(1.0, step.y / level_step), 10.0) * thickness;
+    fall.way[i].position.y = std::min(bed[i].position.y + raise, bed[0].position.y);
   }
   const auto node = static_cast<size_t>(line[lip].node);
   fall.discharge = std::max(stream.discharge[node], 1e-3);
@@ -96,7 +133,9 @@ std::vector<char> append_falls(const Stream& stream, const FloorLine& line, doub
     if (!edges[first]) continue;
     size_t last = first;
     const bool down = level(first + 1) < level(first);
-    while (last < edges.size() && edges[last] && (level(last + 1) < level(last)) == down) ++last;
+    while (last < edges.size() && edges[last] &&
+           (down ? level(last + 1) <= level(last) : level(last + 1) >= level(last)))
+      ++last;
     if (std::fabs(level(first) - level(last)) >= kLeastFall)
       append_fall(stream, line, first, last, thickness, out);
     else
