@@ -19,9 +19,11 @@ constexpr int kDescentSteps = 80;       // Attempts to descend from each.
 constexpr double kLeastDescent = 1e-4;  // Metres; smaller descents end.
 
 void require_pile_options(const PileOptions& o) {
-  if (!std::isfinite(o.floor))
-    throw Error(ErrorCode::bad_input, "the floor of a pile is not finite", {},
-                "give its height in metres");
+  if (!(std::fabs(o.floor) <= 1e6))
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("invalid height {:g} m of the floor of a pile: must be -1e6 to 1e6", o.floor),
+        {}, "give its height in metres");
   if (!(o.repose >= 0.1 && o.repose <= 1.2))
     throw Error(
         ErrorCode::bad_input,
@@ -187,8 +189,8 @@ Pile pile_cone(const Vault& vault, const PileOptions& options) {
   for (const OrientedBox& block : vault.blocks) roof = std::max(roof, block.bounds().max.y);
   if (!(options.floor + out.height < roof))
     throw Error(ErrorCode::bad_input,
-                fmt::format("the pile below a vault would be {:.1f} m high and reach the roof, "
-                            "which is {:.1f} m above the floor",
+                fmt::format("the pile below a vault would be {:.4g} m high and reach the roof, "
+                            "which is {:.4g} m above the floor",
                             out.height, roof - options.floor),
                 {}, "lower the floor, or use stronger rock or a smaller span");
   return out;
