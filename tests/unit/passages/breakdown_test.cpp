@@ -93,7 +93,7 @@ double measured_angle(const Pile& pile, double floor) {
 }
 
 TEST(Pile, RestsAtReposeWithItsBulk) {
-  for (const uint64_t seed : {1, 2, 4}) {
+  for (const uint64_t seed : {1u, 2u, 4u}) {
     const Vault above = vault({.at = {3, 14, -2},
                                .span = 16,
                                .length = seed % 2 ? 16.0 : 24.0,

@@ -17,8 +17,9 @@ Pile without_blocks(const Pile& pile) {
 double top_above(const OrientedBox& box, const Vec3d& column) {
   double low = -kInfinity, high = kInfinity;
   const Vec3d offset = column - box.centre;
-  for (unsigned i = 0; i < 3; ++i) {
-    const double at = box.axes[i].dot(offset), rate = box.axes[i].y;
+  for (int i = 0; i < 3; ++i) {
+    const double at = box.axes[static_cast<size_t>(i)].dot(offset),
+                 rate = box.axes[static_cast<size_t>(i)].y;
     if (std::fabs(rate) < 1e-9) {
       if (std::fabs(at) > box.half[i]) return -kInfinity;
       continue;

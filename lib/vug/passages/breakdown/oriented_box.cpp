@@ -41,9 +41,10 @@ Box3d OrientedBox::bounds() const {
 
 Polytope OrientedBox::polytope() const {
   Polytope out{{}, bounds()};
-  for (unsigned i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i)
     for (const double side : {-1.0, 1.0})
-      out.faces.push_back({axes[i] * side, side * axes[i].dot(centre) + half[i]});
+      out.faces.push_back({axes[static_cast<size_t>(i)] * side,
+                           side * axes[static_cast<size_t>(i)].dot(centre) + half[i]});
   return out;
 }
 

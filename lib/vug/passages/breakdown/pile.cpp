@@ -174,8 +174,8 @@ Pile pile_cone(const Vault& vault, const PileOptions& options) {
   middle *= 1 / vault.volume();
   const std::array<Vec3d, 3>& axes = vault.blocks.front().axes;
   for (const OrientedBox& block : vault.blocks)
-    for (unsigned i = 0; i < 3; ++i) {
-      const double at = axes[i].dot(block.centre - middle);
+    for (int i = 0; i < 3; ++i) {
+      const double at = axes[static_cast<size_t>(i)].dot(block.centre - middle);
       extent.min[i] = std::min(extent.min[i], at - block.half[i]);
       extent.max[i] = std::max(extent.max[i], at + block.half[i]);
     }

@@ -17,7 +17,7 @@ using field::Gradient;
 /// it.
 Gradient beyond(const Box3d& box, const Vec3d& p) {
   Gradient out{-kInfinity, {0, 0, 0}};
-  for (unsigned axis = 0; axis < 3; ++axis)
+  for (int axis = 0; axis < 3; ++axis)
     for (const bool high : {false, true}) {
       const double value = high ? p[axis] - box.max[axis] : box.min[axis] - p[axis];
       if (value <= out.value) continue;
@@ -69,7 +69,7 @@ class PolytopeUnion {
       return;
     }
     const Vec3d size = nodes_[node].box.size();
-    const unsigned axis = size.x >= size.y && size.x >= size.z ? 0u : (size.z >= size.y ? 2u : 1u);
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.z >= size.y ? 2 : 1);
     const auto begin = order_.begin() + first;
     std::sort(begin, begin + count, [&](uint32_t a, uint32_t b) {
       const double x = parts_[a].box.center()[axis], y = parts_[b].box.center()[axis];
