@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 #include <vug/base/error.h>
-#include <vug/base/parallel.h>
 #include <vug/karst/assemble.h>
-#include <vug/karst/shape.h>
+#include <vug/karst/separation.h>
+#include <vug/karst/shape_legs.h>
 #include <vug/network/reduction.h>
 
 #include <set>
@@ -30,18 +30,7 @@ void shorten_tips(network::Network& network, const Plan& plan, const Samples& sa
 }
 
 /// Replaces each leg by the legs of its shape.
-void shape_legs(network::Network& network, const Rock& rock, const KarstOptions& options) {
-  const RandomKey key = RandomKey(options.seed).at("shape");
-  std::vector<std::vector<Vec3d>> shapes(network.legs.size());
-  parallel_for(
-      shapes.size(),
-      [&](size_t i) {
-        const network::Leg& leg = network.legs[i];
-        shapes[i] = shape_passage(network.stations[static_cast<size_t>(leg.from)].position,
-                                  network.stations[static_cast<size_t>(leg.to)].position, leg.stage,
-                                  rock, options.shape, key.at(i));
-      },
-      32);
+void replace_legs(network::Network& network, const std::vector<std::vector<Vec3d>>& shapes) {
   const std::vector<network::Leg> coarse = std::move(network.legs);
   network.legs.clear();
   for (size_t i = 0; i < coarse.size(); ++i) {
@@ -109,7 +98,12 @@ network::Network assemble(const Plan& plan, const KeyPoints& keys, const Samples
   network::Network network = plan.network();
   flag_key_points(network, plan, keys, samples);
   shorten_tips(network, plan, samples, RandomKey(options.seed).at("tips"));
-  shape_legs(network, rock, options);
+  const std::vector<int> places = stations_of_points(plan.graph().points, samples.random,
+                                                     kMeeting * options.samples.separation);
+  std::vector<int> place_of_station;
+  for (const int point : plan.points())
+    place_of_station.push_back(places[static_cast<size_t>(point)]);
+  replace_legs(network, shape_legs(network, place_of_station, rock, options));
   name_passages(network);
   return network;
 }

@@ -17,8 +17,8 @@ class Darts {
   /// `distance` in metres, positive.
   explicit Darts(double distance) : distance_(distance) {}
 
-  /// Adds the point if no accepted one is nearer than the distance.
-  bool add(const Vec3d& point) {
+  /// Whether no point that was added is nearer than the distance.
+  bool is_free(const Vec3d& point) const {
     const Cell cell = cell_of(point);
     for (int64_t x = cell[0] - 1; x <= cell[0] + 1; ++x)
       for (int64_t y = cell[1] - 1; y <= cell[1] + 1; ++y)
@@ -28,9 +28,9 @@ class Darts {
           for (const Vec3d& other : found->second)
             if ((other - point).length2() < distance_ * distance_) return false;
         }
-    cells_[cell].push_back(point);
     return true;
   }
+  void add(const Vec3d& point) { cells_[cell_of(point)].push_back(point); }
 
  private:
   using Cell = std::array<int64_t, 3>;

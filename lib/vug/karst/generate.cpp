@@ -2,6 +2,7 @@
 #include <vug/karst/assemble.h>
 #include <vug/karst/generate.h>
 #include <vug/karst/growth.h>
+#include <vug/karst/separation.h>
 #include <vug/karst/skeleton.h>
 
 #include <numeric>
@@ -25,6 +26,7 @@ network::Network generate(const Geology& geology, const KarstOptions& options) {
   const Samples samples = draw_samples(rock, keys, options);
   SampleGraph graph = build_graph(samples.points, options.samples.neighbours);
   graph.cost = edge_costs(graph, rock, options);
+  graph = separated(std::move(graph), samples.random, options.samples.separation);
   const FlowCost cost(graph, rock, options.cost);
   Plan plan(graph);
   add_flow(cost, keys, samples, options, plan);

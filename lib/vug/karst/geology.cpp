@@ -22,6 +22,10 @@ void require_point(const Vec3d& p, const std::string& what) {
           "coordinates must be finite and at most 1e6 metres");
 }
 
+std::string name_of(const std::string& name, const char* kind, size_t index) {
+  return name.empty() ? fmt::format("{} {}", kind, index + 1) : fmt::format("{} '{}'", kind, name);
+}
+
 void require_angle(double angle, const std::string& what) {
   require(std::abs(angle) <= 100, fmt::format("{} has an angle of {}", what, angle),
           "angles are in radians and must be finite");
@@ -44,8 +48,7 @@ double Layer::height_at(double x, double z) const {
   // North is -z, so the horizontal direction of an azimuth a is (sin a, -cos a) in x and z.
   const double along =
       (x - point.x) * maths::sin(dip_azimuth) - (z - point.z) * maths::cos(dip_azimuth);
-  const double plane = point.y - (dip == 0 ? 0.0 : along * maths::tan(dip));
-  return relief ? plane + relief(x, z) : plane;
+  return point.y - (dip == 0 ? 0.0 : along * maths::tan(dip));
 }
 
 void require_valid(const Geology& g) {
@@ -55,11 +58,11 @@ void require_valid(const Geology& g) {
   require(size.x > 0 && size.y > 0 && size.z > 0,
           fmt::format("the bounds have the size {} x {} x {}", size.x, size.y, size.z),
           "each side must be longer than 0");
-  for (size_t i = 0; i < g.beds.size(); ++i) require_layer(g.beds[i], fmt::format("bed {}", i));
+  for (size_t i = 0; i < g.beds.size(); ++i) require_layer(g.beds[i], fmt::format("bed {}", i + 1));
   for (size_t i = 0; i < g.water_tables.size(); ++i)
-    require_layer(g.water_tables[i], fmt::format("water table {}", i));
+    require_layer(g.water_tables[i], fmt::format("water table {}", i + 1));
   for (size_t i = 0; i < g.fractures.size(); ++i) {
-    const std::string what = fmt::format("fracture family {}", i);
+    const std::string what = fmt::format("fracture family {}", i + 1);
     require_angle(g.fractures[i].azimuth, what);
     require_dip(g.fractures[i].dip, kPi / 2 + 1e-9, what);
     require(g.fractures[i].spacing > 0.01 && g.fractures[i].spacing <= kLargest,
@@ -70,7 +73,7 @@ void require_valid(const Geology& g) {
             "the spread must be positive, in radians");
   }
   for (size_t i = 0; i < g.faults.size(); ++i) {
-    const std::string what = fmt::format("fault {}", i);
+    const std::string what = fmt::format("fault {}", i + 1);
     require_point(g.faults[i].point, what);
     require_angle(g.faults[i].azimuth, what);
     require_dip(g.faults[i].dip, kPi / 2 + 1e-9, what);
@@ -79,7 +82,7 @@ void require_valid(const Geology& g) {
             "the width must be positive");
   }
   for (size_t i = 0; i < g.permeable.size(); ++i) {
-    const std::string what = fmt::format("permeable ball {}", i);
+    const std::string what = fmt::format("permeable ball {}", i + 1);
     require_point(g.permeable[i].center, what);
     require(g.permeable[i].radius > 0 && g.permeable[i].radius <= kLargest,
             fmt::format("{} has a radius of {}", what, g.permeable[i].radius),
@@ -90,15 +93,17 @@ void require_valid(const Geology& g) {
   }
   const auto tiers = static_cast<int>(std::max<size_t>(1, g.water_tables.size()));
   for (size_t i = 0; i < g.springs.size(); ++i) {
-    require_point(g.springs[i].position, fmt::format("spring {}", i));
+    require_point(g.springs[i].position, name_of(g.springs[i].name, "spring", i));
     require(g.springs[i].tier >= 0 && g.springs[i].tier < tiers,
-            fmt::format("spring {} belongs to tier {} of {}", i, g.springs[i].tier, tiers),
-            "a tier is the index of a water table");
+            fmt::format("{} belongs to tier {} of {}", name_of(g.springs[i].name, "spring", i),
+                        g.springs[i].tier, tiers),
+            "tiers count from 0, the present water table");
   }
   for (size_t i = 0; i < g.sinks.size(); ++i) {
-    require_point(g.sinks[i].position, fmt::format("sink {}", i));
+    require_point(g.sinks[i].position, name_of(g.sinks[i].name, "sink", i));
     require(g.sinks[i].discharge > 0 && std::isfinite(g.sinks[i].discharge),
-            fmt::format("sink {} has a discharge of {}", i, g.sinks[i].discharge),
+            fmt::format("{} has a discharge of {}", name_of(g.sinks[i].name, "sink", i),
+                        g.sinks[i].discharge),
             "the discharge must be positive");
   }
   require(g.sinks.empty() || !g.springs.empty(), "the geology has sinks, but no spring",

@@ -5,20 +5,17 @@
 
 #include <vug/field/field.h>
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace vug::karst {
 
-/// A plane with an optional relief: the inception horizon of a bed, or a water table.
+/// A plane: the inception horizon of a bed, or a water table.
 struct Layer {
   Vec3d point{0.0};        ///< A point of the plane.
   double dip = 0;          ///< In 0 to less than pi/2.
   double dip_azimuth = 0;  ///< The direction of steepest descent.
-  /// Height in metres above the plane at x and z, for folds; none: a plane.
-  std::function<double(double x, double z)> relief{};
 
   double height_at(double x, double z) const;
 };
@@ -67,8 +64,7 @@ struct Geology {
   std::vector<FractureFamily> fractures{};
   std::vector<Fault> faults{};
   std::vector<PermeableBall> permeable{};
-  std::optional<field::Field> permeability{};  ///< Negative where water flows easily.
-  std::vector<field::Field> ghost_rock{};      ///< Weathered rock, negative inside.
+  std::vector<field::Field> ghost_rock{};  ///< Weathered rock, negative inside.
   /// The present water table, then former ones from young to old, each above the one before.
   std::vector<Layer> water_tables{};
   std::vector<Sink> sinks{};

@@ -12,8 +12,10 @@ struct SampleOptions {
   int count = 5000;           ///< Number of samples.
   double on_beds = 0.5;       ///< Fraction on inception horizons.
   double on_fractures = 0.1;  ///< Fraction on joints and their crossings.
-  double in_permeable = 0.1;  ///< Fraction in permeable balls, permeability and ghost rock.
+  double in_permeable = 0.1;  ///< Fraction in permeable balls and ghost rock.
   int neighbours = 24;        ///< Number of nearest samples to which a sample is joined.
+  /// Metres between passages that do not meet. Samples keep 2.5 times this distance.
+  double separation = 2;
 };
 
 struct CostOptions {

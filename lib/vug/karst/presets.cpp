@@ -51,10 +51,10 @@ Preset maze_rectilinear() {
   p.options.growth.sinks = 2;
   p.options.growth.waypoints = 30;
   p.options.growth.gamma = 1.5;
-  p.options.growth.dead_end_length = 10;
-  p.options.growth.dead_end_spread = 1.7;
+  p.options.growth.dead_end_length = 12.5;
+  p.options.growth.dead_end_spread = 1.2;
   p.options.shape.leg_length = 7;
-  p.options.shape.wander = 0.3;
+  p.options.shape.wander = 0.37;
   p.options.shape.zigzag = 0.3;
   p.options.shape.looping = 0;
   return p;
@@ -69,8 +69,9 @@ Preset maze_anastomotic() {
   p.options.samples = {.on_beds = 0.8, .on_fractures = 0, .in_permeable = 0};
   p.options.cost.heterogeneity = 0.4;
   p.options.growth.sinks = 4;
-  p.options.growth.waypoints = 26;
+  p.options.growth.waypoints = 34;
   p.options.growth.gamma = 1.6;
+  p.options.growth.dead_ends = 80;
   p.options.growth.dead_end_length = 10;
   p.options.growth.dead_end_spread = 1.5;
   p.options.growth.loops = 0.07;
@@ -93,7 +94,7 @@ Preset spongework() {
   p.options.growth.waypoints = 12;
   p.options.growth.gamma = 1.6;
   p.options.growth.dead_end_length = 10;
-  p.options.growth.dead_end_spread = 1.9;
+  p.options.growth.dead_end_spread = 2.1;
   p.options.growth.cluster_radius = 15;
   p.options.growth.at_junctions = 0.03;
   p.options.growth.loops = 0.04;

@@ -9,6 +9,8 @@
 namespace vug::karst {
 namespace {
 
+constexpr int64_t kMostSamples = 1'000'000;  ///< The sum over all attempts; some minutes.
+
 bool all_in_bands(const network::Realism& realism) {
   return std::all_of(realism.network.begin(), realism.network.end(),
                      [](const network::CriterionScore& s) { return s.realism >= 1; });
@@ -17,9 +19,16 @@ bool all_in_bands(const network::Realism& realism) {
 }  // namespace
 
 RealisticNetwork generate_realistic(const Geology& geology, KarstOptions options, int attempts) {
-  if (attempts < 1 || attempts > 1000)
+  if (attempts < 1 || attempts > kMostAttempts)
     throw Error(ErrorCode::bad_input, fmt::format("{} attempts were requested", attempts), {},
-                "the number of attempts must be between 1 and 1000");
+                fmt::format("the number of attempts must be between 1 and {}", kMostAttempts));
+  const int64_t samples = int64_t{attempts} * options.samples.count;
+  if (samples > kMostSamples)
+    throw Error(ErrorCode::too_large,
+                fmt::format("{} attempts with {} samples each are {} samples; at most {} are "
+                            "possible",
+                            attempts, options.samples.count, samples, kMostSamples),
+                {}, "use fewer attempts or fewer samples");
   const RandomKey key = RandomKey(options.seed).at("attempts");
   RealisticNetwork best;
   for (int i = 0; i < attempts; ++i) {

@@ -7,6 +7,8 @@
 
 namespace vug::karst {
 
+inline constexpr int kMostAttempts = 100;
+
 struct RealisticNetwork {
   network::Network network;
   network::Realism realism;
@@ -16,7 +18,8 @@ struct RealisticNetwork {
 /// Generates up to `attempts` networks, the first with the seed of the options and the others with
 /// seeds derived from it. Returns the first one whose measures all lie between the 10 % and the 90
 /// % quantile of real caves, else the one with the highest overall score (the first of several).
-/// Throws like generate, and Error(bad_input) unless 1 <= attempts <= 1000.
+/// Throws like generate, and Error(bad_input) unless 1 <= attempts <= kMostAttempts,
+/// and Error(too_large) for more than a million samples in all attempts.
 RealisticNetwork generate_realistic(const Geology& geology, KarstOptions options, int attempts);
 
 }  // namespace vug::karst

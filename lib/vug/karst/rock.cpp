@@ -28,12 +28,10 @@ double Rock::bed_distance(const Vec3d& point) const {
   return least;
 }
 
-bool Rock::has_permeability() const {
-  return !geology_.permeable.empty() || geology_.permeability.has_value();
-}
+bool Rock::has_permeability() const { return !geology_.permeable.empty(); }
 
 double Rock::permeability(const Vec3d& point) const {
-  double sum = geology_.permeability && geology_.permeability->value(point) <= 0 ? 1.0 : 0.0;
+  double sum = 0;
   for (const PermeableBall& ball : geology_.permeable)
     sum += ball.strength * smooth_falloff((point - ball.center).length(), ball.radius);
   return std::clamp(sum, -1.0, 1.0);

@@ -48,6 +48,8 @@ void join_components(const std::vector<Vec3d>& points, std::vector<Edge>& edges)
   }
 }
 
+}  // namespace
+
 void fill_arcs(SampleGraph& graph) {
   graph.first.assign(graph.points.size() + 1, 0);
   for (const auto& [a, b] : graph.edges) {
@@ -67,8 +69,6 @@ void fill_arcs(SampleGraph& graph) {
     std::sort(graph.arcs.begin() + graph.first[i], graph.arcs.begin() + graph.first[i + 1],
               [](const Arc& a, const Arc& b) { return a.to < b.to; });
 }
-
-}  // namespace
 
 SampleGraph build_graph(std::vector<Vec3d> points, int neighbours) {
   SampleGraph graph;

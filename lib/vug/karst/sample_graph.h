@@ -37,6 +37,9 @@ struct SampleGraph {
 
 SampleGraph build_graph(std::vector<Vec3d> points, int neighbours);
 
+/// Computes `first` and `arcs` from the edges.
+void fill_arcs(SampleGraph& graph);
+
 /// The cost of each edge in metres of unfavourable rock: the length times 1 plus the weights for
 /// distance from beds, directions across joints, and rock that is not permeable, times a random
 /// factor (paris2021karst, section 4, with the terms of gouy2024karstnsim). Legs through air have

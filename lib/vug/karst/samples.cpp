@@ -2,6 +2,7 @@
 #include <vug/base/maths.h>
 #include <vug/karst/darts.h>
 #include <vug/karst/samples.h>
+#include <vug/karst/separation.h>
 
 #include <cmath>
 
@@ -57,17 +58,14 @@ class SampleSource {
   Point in_permeable() {
     const Geology& g = rock_.geology();
     const auto balls = static_cast<uint32_t>(g.permeable.size());
-    const bool fields = g.permeability || !g.ghost_rock.empty();
-    if (balls > 0 && (!fields || random_.uniform() < 0.5)) {
+    if (balls > 0 && (g.ghost_rock.empty() || random_.uniform() < 0.5)) {
       const PermeableBall& ball = g.permeable[random_.below(balls)];
       const Vec3d offset(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1));
       return offset.length() <= 1 && ball.strength > 0 ? Point(ball.center + offset * ball.radius)
                                                        : std::nullopt;
     }
     const Vec3d point = anywhere();
-    const bool inside =
-        rock_.in_ghost_rock(point) || (g.permeability && g.permeability->value(point) <= 0);
-    return inside ? Point(point) : std::nullopt;
+    return rock_.in_ghost_rock(point) ? Point(point) : std::nullopt;
   }
 
  private:
@@ -75,19 +73,36 @@ class SampleSource {
   RandomStream random_;
 };
 
-/// Throws darts until `count` points are accepted or too many were in vain.
-template <class Draw>
-void throw_darts(int count, double distance, const Rock& rock, std::vector<Vec3d>& points,
-                 const Draw& draw) {
-  if (count <= 0) return;
-  Darts darts(distance);
-  for (int64_t left = int64_t{count} * kDartsPerSample; left > 0 && count > 0; --left) {
-    const Point point = draw();
-    if (!point || !rock.contains(*point) || !darts.add(*point)) continue;
-    points.push_back(*point);
-    --count;
+/// Throws darts at the rock. Points of all kinds keep one distance, and those of each kind keep one
+/// of their own.
+class DartThrower {
+ public:
+  DartThrower(const Rock& rock, double distance, std::vector<Vec3d>& points)
+      : rock_(rock), all_(distance), points_(points) {
+    for (const Vec3d& point : points) all_.add(point);
   }
-}
+
+  /// Throws darts until `count` points are accepted or too many were in vain.
+  template <class Draw>
+  void run(int count, double distance, const Draw& draw) {
+    if (count <= 0) return;
+    Darts kind(distance);
+    for (int64_t left = int64_t{count} * kDartsPerSample; left > 0 && count > 0; --left) {
+      const Point point = draw();
+      if (!point || !rock_.contains(*point) || !kind.is_free(*point) || !all_.is_free(*point))
+        continue;
+      kind.add(*point);
+      all_.add(*point);
+      points_.push_back(*point);
+      --count;
+    }
+  }
+
+ private:
+  const Rock& rock_;
+  Darts all_;
+  std::vector<Vec3d>& points_;
+};
 
 }  // namespace
 
@@ -119,23 +134,23 @@ Samples draw_samples(const Rock& rock, const KeyPoints& keys, const KarstOptions
     return kDistance * maths::exp(maths::log(volume_of_kind / count) / 3);
   };
 
-  const int on_beds = share(o.on_beds, !g.beds.empty());
-  throw_darts(on_beds, flat_distance(on_beds, g.beds.size()), rock, points,
-              [&] { return source.on_bed(); });
+  DartThrower darts(rock, kMeeting * o.separation, points);
+  // Samples on joints are the first, because those on beds would leave few places on them.
   const int on_joints = share(o.on_fractures, !rock.joints().empty());
   // Points on joints are on lines, so only repeated points are rejected.
-  throw_darts(on_joints, 0.2 * flat_distance(on_joints, std::max<size_t>(1, g.beds.size())), rock,
-              points, [&] { return source.on_joint(); });
+  darts.run(on_joints, 0.2 * flat_distance(on_joints, std::max<size_t>(1, g.beds.size())),
+            [&] { return source.on_joint(); });
+  const int on_beds = share(o.on_beds, !g.beds.empty());
+  darts.run(on_beds, flat_distance(on_beds, g.beds.size()), [&] { return source.on_bed(); });
   double ball_volume = 0;
   for (const PermeableBall& ball : g.permeable)
     ball_volume += 4 * kPi / 3 * ball.radius * ball.radius * ball.radius;
-  const bool fields = g.permeability || !g.ghost_rock.empty();
+  const bool fields = !g.ghost_rock.empty();
   const int permeable = share(o.in_permeable, ball_volume > 0 || fields);
-  throw_darts(permeable, solid_distance(permeable, fields ? 0.1 * volume : ball_volume), rock,
-              points, [&] { return source.in_permeable(); });
+  darts.run(permeable, solid_distance(permeable, fields ? 0.1 * volume : ball_volume),
+            [&] { return source.in_permeable(); });
   const int rest = o.count - (end() - samples.random);
-  throw_darts(rest, solid_distance(rest, volume), rock, points,
-              [&] { return Point(source.anywhere()); });
+  darts.run(rest, solid_distance(rest, volume), [&] { return Point(source.anywhere()); });
   return samples;
 }
 

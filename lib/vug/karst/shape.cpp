@@ -91,6 +91,18 @@ std::vector<Vec3d> zigzag(const Vec3d& from, const Vec3d& to, Steps steps, const
   return points;
 }
 
+/// Moves points towards the straight line of the ends, to this part of their distance from it.
+void flatten(std::vector<Vec3d>& points, double part) {
+  const Vec3d from = points.front();
+  const Vec3d way = points.back() - from;
+  if (part == 1 || !(way.length2() > 0)) return;
+  for (size_t i = 1; i + 1 < points.size(); ++i) {
+    const double t = std::clamp((points[i] - from).dot(way) / way.length2(), 0.0, 1.0);
+    const Vec3d straight = from + way * t;
+    points[i] = straight + (points[i] - straight) * part;
+  }
+}
+
 /// The horizontal distance from the first point to each one.
 std::vector<double> stations_along(const std::vector<Vec3d>& points) {
   std::vector<double> along{0};
@@ -102,7 +114,7 @@ std::vector<double> stations_along(const std::vector<Vec3d>& points) {
 
 /// Gentle slopes with pitches between them. The pitches are at points, which they double.
 std::vector<Vec3d> with_pitches(const std::vector<Vec3d>& points, const ShapeOptions& o,
-                                RandomStream& random) {
+                                bool at_end, RandomStream& random) {
   const std::vector<double> along = stations_along(points);
   const double drop = points.front().y - points.back().y;
   const double slope = maths::tan(o.vadose_slope);
@@ -112,7 +124,8 @@ std::vector<Vec3d> with_pitches(const std::vector<Vec3d>& points, const ShapeOpt
   const int count = std::clamp(
       static_cast<int>(std::lround(excess / o.pitch * random.uniform(0.7, 1.3))), 1, places);
   std::vector<bool> drops(points.size(), false);
-  for (int left = count; left > 0;) {
+  drops.back() = at_end;
+  for (int left = count - (at_end ? 1 : 0); left > 0;) {
     const auto place = 1 + random.below(static_cast<uint32_t>(places));
     if (drops[place]) continue;
     drops[place] = true;
@@ -145,20 +158,24 @@ void add_loop(std::vector<Vec3d>& points, const ShapeOptions& o, RandomStream& r
 
 }  // namespace
 
-std::vector<Vec3d> shape_passage(const Vec3d& from, const Vec3d& to, network::Stage stage,
-                                 const Rock& rock, const ShapeOptions& options, RandomKey key) {
-  RandomStream random(key);
-  std::vector<Vec3d> points{from, to};
-  double amount = options.wander;
+std::vector<Vec3d> shape_passage(const network::Leg& leg, const SegmentPiece& ends,
+                                 const Rock& rock, const ShapeOptions& options, int attempt,
+                                 RandomKey key) {
+  std::vector<Vec3d> points{ends.from, ends.to};
+  if (attempt + 1 >= kShapeAttempts) return points;
+  RandomStream random(attempt == 0 ? key : key.at(static_cast<uint64_t>(attempt)));
+  const double amplitude = 1 - static_cast<double>(attempt) / (kShapeAttempts - 1);
+  double amount = amplitude * options.wander;
   if (options.zigzag > 0 && random.uniform() < options.zigzag)
-    if (const auto steps = steps_along_joints(to - from, rock)) {
-      points = zigzag(from, to, *steps, options, random);
-      amount = 0.25 * steps->spread;
+    if (const auto steps = steps_along_joints(ends.to - ends.from, rock)) {
+      points = zigzag(ends.from, ends.to, *steps, options, random);
+      flatten(points, amplitude);
+      amount = 0.25 * amplitude * steps->spread;
     }
   wander(points, options, amount, random);
-  if (stage == network::Stage::vadose && from.y > to.y)
-    return with_pitches(points, options, random);
-  if (stage == network::Stage::phreatic) add_loop(points, options, random);
+  if (leg.stage == network::Stage::vadose && ends.from.y > ends.to.y)
+    return with_pitches(points, options, attempt % 2 == 1, random);
+  if (leg.stage == network::Stage::phreatic) add_loop(points, options, random);
   return points;
 }
 

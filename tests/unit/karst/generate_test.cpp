@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
+#include <vug/field/registry.h>
 #include <vug/network/metrics.h>
 
 #include <cmath>
@@ -132,15 +133,22 @@ TEST(Karst, PhreaticPassagesLoopBelowTheTable) {
   options.growth.dead_ends = 0;
   options.shape.looping = 0.3;
   options.shape.wander = 0;
-  const auto lowest = [&] {
-    double least = 0;
-    for (const network::Station& station : generate(small_geology(), options).stations)
-      least = std::min(least, station.position.y);
-    return least;
+  const auto mean_height = [&] {
+    const Network cave = generate(small_geology(), options);
+    double sum = 0, total = 0;
+    for (const network::Leg& leg : cave.legs) {
+      if (leg.stage != network::Stage::phreatic) continue;
+      const double metres = leg_vector(cave, leg).length();
+      total += metres;
+      sum += 0.5 * metres *
+             (cave.stations[static_cast<size_t>(leg.from)].position.y +
+              cave.stations[static_cast<size_t>(leg.to)].position.y);
+    }
+    return sum / total;
   };
-  const double looping = lowest();
+  const double looping = mean_height();
   options.shape.looping = 0;
-  EXPECT_LT(looping, lowest() - 0.5);
+  EXPECT_LT(looping, mean_height() - 0.5);
 }
 
 TEST(Karst, FormerWaterTablesLeaveTiers) {
@@ -183,6 +191,76 @@ TEST(Karst, BedsAttractPassages) {
     return sum / static_cast<double>(cave.stations.size());
   };
   EXPECT_LT(mean_distance(20), 0.7 * mean_distance(0));
+}
+
+/// The part of a network's length for whose middles a condition holds, over several seeds.
+template <class Condition>
+double part_of_length(const Geology& geology, KarstOptions options, const Condition& holds) {
+  double part = 0, total = 0;
+  for (uint64_t seed = 1; seed <= 4; ++seed) {
+    options.seed = seed;
+    const Network cave = generate(geology, options);
+    for (const network::Leg& leg : cave.legs) {
+      const Vec3d way = leg_vector(cave, leg);
+      const Vec3d middle = cave.stations[static_cast<size_t>(leg.from)].position + way * 0.5;
+      total += way.length();
+      if (holds(middle)) part += way.length();
+    }
+  }
+  return part / total;
+}
+
+/// Ways between random points of one bed.
+Geology bed_geology() {
+  Geology geology;
+  geology.bounds = Box3d(Vec3d(-100, -20, -100), Vec3d(100, 20, 100));
+  geology.beds = {{.point = Vec3d(0.0)}};
+  return geology;
+}
+
+KarstOptions bed_options() {
+  KarstOptions options = small_options();
+  options.growth.sinks = 0;
+  options.growth.waypoints = 12;
+  options.growth.gamma = 2;
+  options.shape = {.wander = 0, .looping = 0};
+  return options;
+}
+
+TEST(Karst, FaultsAttractPassages) {
+  const auto near_fault = [](const Vec3d& p) { return std::abs(p.x) < 8; };
+  Geology geology = bed_geology();
+  const double without = part_of_length(geology, bed_options(), near_fault);
+  geology.faults = {{.point = Vec3d(0.0), .azimuth = 0, .width = 8}};
+  KarstOptions options = bed_options();
+  options.cost.fracture = 6;
+  EXPECT_GT(part_of_length(geology, options, near_fault), 1.4 * without);
+}
+
+TEST(Karst, PermeableRockAttractsPassagesAndTightRockRepelsThem) {
+  const auto inside = [](const Vec3d& p) { return p.length() < 50; };
+  Geology geology = bed_geology();
+  KarstOptions options = bed_options();
+  options.cost.permeability = 4;
+  options.samples.in_permeable = 0;  // Only the cost attracts.
+  geology.waypoints = {Vec3d(-90, 0, -60), Vec3d(90, 0, -60), Vec3d(-90, 0, 60),
+                       Vec3d(90, 0, 60),   Vec3d(0, 0, -90),  Vec3d(0, 0, 90)};
+  const double plain = part_of_length(geology, options, inside);
+  geology.permeable = {{.center = Vec3d(0.0), .radius = 70, .strength = 1}};
+  EXPECT_GT(part_of_length(geology, options, inside), 1.1 * plain);
+  geology.permeable[0].strength = -1;
+  EXPECT_LT(part_of_length(geology, options, inside), 0.8 * plain);
+}
+
+TEST(Karst, GhostRockAttractsPassages) {
+  const auto inside = [](const Vec3d& p) { return std::abs(p.z) < 20; };
+  Geology geology = bed_geology();
+  KarstOptions options = bed_options();
+  options.cost.ghost_rock = 6;
+  options.samples.in_permeable = 0;
+  const double without = part_of_length(geology, options, inside);
+  geology.ghost_rock = {field::make("box", {{"size", Vec3d(200, 40, 40)}})};
+  EXPECT_GT(part_of_length(geology, options, inside), 1.4 * without);
 }
 
 TEST(Karst, JointsDirectPassages) {

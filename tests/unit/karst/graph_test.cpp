@@ -114,8 +114,6 @@ TEST(Layer, DipsTowardsItsAzimuth) {
   EXPECT_NEAR(layer.height_at(6, 5), 10 - std::tan(0.3), 1e-12);  // East is +x.
   const Layer north{.point = Vec3d(0.0), .dip = 0.3};
   EXPECT_NEAR(north.height_at(0, -1), -std::tan(0.3), 1e-12);  // North is -z.
-  const Layer folded{.relief = [](double x, double) { return x * x; }};
-  EXPECT_NEAR(folded.height_at(3, 0), 9, 1e-12);
 }
 
 }  // namespace

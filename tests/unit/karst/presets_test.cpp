@@ -6,40 +6,58 @@
 #include <vug/base/parallel.h>
 #include <vug/karst/realistic.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 namespace vug::karst {
 namespace {
 
-constexpr size_t kSeeds = 20;
 constexpr int kAttempts = 8;
 
-/// For each criterion the number of seeds with a value in the band of real caves.
-std::vector<int> seeds_in_bands(const Preset& preset, int attempts) {
-  std::vector<network::Realism> realism(kSeeds);
-  parallel_for(kSeeds, [&](size_t seed) {
+/// VUG_PRESET_SEEDS=50 tests fifty seeds of each preset.
+size_t seeds() {
+  const char* text = std::getenv("VUG_PRESET_SEEDS");
+  return text ? static_cast<size_t>(std::max(1, std::atoi(text))) : 4;
+}
+
+/// A network of a seed, and the one that is chosen of several attempts, of which it is the first.
+struct Caves {
+  network::Realism first;
+  network::Realism chosen;
+};
+
+std::vector<Caves> caves_of(const Preset& preset) {
+  std::vector<Caves> caves(seeds());
+  parallel_for(caves.size(), [&](size_t seed) {
     KarstOptions options = preset.options;
     options.seed = seed + 1;
-    realism[seed] = generate_realistic(preset.geology, options, attempts).realism;
+    Caves& here = caves[seed];
+    here.chosen = here.first = generate_realistic(preset.geology, options, 1).realism;
+    const bool chosen =
+        std::all_of(here.first.network.begin(), here.first.network.end(),
+                    [](const network::CriterionScore& s) { return s.realism >= 1; });
+    if (!chosen) here.chosen = generate_realistic(preset.geology, options, kAttempts).realism;
   });
-  std::vector<int> inside(network::criteria().size(), 0);
-  for (const network::Realism& r : realism)
-    for (size_t c = 0; c < inside.size(); ++c) inside[c] += r.network[c].realism >= 1;
-  return inside;
+  return caves;
 }
 
-TEST(PresetBands, ChosenNetworksAreInTheBandsOfRealCaves) {
+TEST(PresetBands, NetworksAreInTheBandsOfRealCaves) {
   for (const Preset& preset : presets()) {
-    const std::vector<int> inside = seeds_in_bands(preset, kAttempts);
-    for (size_t c = 0; c < inside.size(); ++c)
-      EXPECT_GE(inside[c], 0.9 * kSeeds) << preset.name << ": " << network::criteria()[c].name;
-  }
-}
-
-TEST(PresetBands, MostNetworksAreInThemWithoutAChoice) {
-  for (const Preset& preset : presets()) {
-    const std::vector<int> inside = seeds_in_bands(preset, 1);
-    int sum = 0;
-    for (const int count : inside) sum += count;
-    EXPECT_GE(sum, 0.9 * static_cast<double>(kSeeds * inside.size())) << preset.name;
+    const std::vector<Caves> caves = caves_of(preset);
+    const size_t criteria = network::criteria().size();
+    size_t first = 0;
+    for (size_t c = 0; c < criteria; ++c) {
+      size_t chosen = 0;
+      for (const Caves& cave : caves) {
+        first += cave.first.network[c].realism >= 1;
+        chosen += cave.chosen.network[c].realism >= 1;
+      }
+      EXPECT_GE(static_cast<double>(chosen), 0.9 * static_cast<double>(caves.size()))
+          << preset.name << ": " << network::criteria()[c].name;
+    }
+    // Most are even without a choice.
+    EXPECT_GE(static_cast<double>(first), 0.9 * static_cast<double>(caves.size() * criteria))
+        << preset.name;
   }
 }
 
