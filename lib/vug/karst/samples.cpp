@@ -149,7 +149,8 @@ Samples draw_samples(const Rock& rock, const KeyPoints& keys, const KarstOptions
   const int permeable = share(o.in_permeable, ball_volume > 0 || fields);
   darts.run(permeable, solid_distance(permeable, fields ? 0.1 * volume : ball_volume),
             [&] { return source.in_permeable(); });
-  const int rest = o.count - (end() - samples.random);
+  // Beds and joints without room for all of their samples leave none to the rest of the rock.
+  const int rest = o.count - on_joints - on_beds - permeable;
   darts.run(rest, solid_distance(rest, volume), [&] { return Point(source.anywhere()); });
   return samples;
 }
