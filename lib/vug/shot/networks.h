@@ -13,6 +13,9 @@ namespace vug::shot {
 /// A network that was computed or read once and is shared by all that use it.
 using NetworkPtr = std::shared_ptr<const network::Network>;
 
+/// The largest width and height of passages in metres; the largest halls measure hundreds.
+inline constexpr double kLargestPassage = 1e4;
+
 /// The kinds of networks listed in CMakeLists.txt.
 const Kinds<NetworkPtr>& network_kinds();
 using NetworkKind = Kind<NetworkPtr>;

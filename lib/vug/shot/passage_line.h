@@ -3,7 +3,7 @@
 // them, with the same defaults.
 #pragma once
 
-#include <vug/passages/passages.h>
+#include <vug/passages/on_axes.h>
 #include <vug/shot/networks.h>
 
 namespace vug::shot {
@@ -14,6 +14,7 @@ struct PassageLine {
   double height = passages::DefaultSize().height;
   double sinuosity = passages::MeanderOptions().sinuosity;
   bool smooth = true;
+  bool splays = true;
 
   /// Adds the network to the schema of a struct that is derived from this one.
   template <class P>
@@ -23,12 +24,15 @@ struct PassageLine {
   /// Adds the other parameters.
   template <class P>
   static void describe_axes(Schema<P>& s) {
-    s.param("width", &PassageLine::width, positive_length("where it was not measured"))
-        .param("height", &PassageLine::height, positive_length("where it was not measured"))
+    ParamSpec size = positive_length("where it was not measured");
+    size.max = kLargestPassage;
+    s.param("width", &PassageLine::width, size)
+        .param("height", &PassageLine::height, size)
         .param(
             "sinuosity", &PassageLine::sinuosity,
             {.doc = "length of a stream's meanders over that of the valley", .min = 1, .max = 3.5})
-        .param("smooth", &PassageLine::smooth, {.doc = "curves through the stations"});
+        .param("smooth", &PassageLine::smooth, {.doc = "curves through the stations"})
+        .param("splays", &PassageLine::splays, {.doc = "sections from splays"});
   }
 
   passages::PassageOptions options() const {
@@ -37,7 +41,25 @@ struct PassageLine {
     out.size.height = height;
     out.meanders.sinuosity = sinuosity;
     out.smooth = smooth;
+    out.splays = splays;
     return out;
+  }
+};
+
+/// The parameters of points on a network.
+struct PointLine : PassageLine {
+  bool middle = true;
+
+  template <class P>
+  static void describe_course(Schema<P>& s) {
+    s.param("middle", &PointLine::middle,
+            {.doc = "in the middle of the passages; else on the straight legs"});
+    describe_axes(s);
+  }
+
+  /// The network with the legs on which the points lie.
+  network::Network course() const {
+    return middle && !of->legs.empty() ? passages::on_axes(*of, options()) : *of;
   }
 };
 

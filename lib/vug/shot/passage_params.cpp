@@ -8,7 +8,6 @@ passages::PassageOptions PassageParams::options() const {
   passages::PassageOptions out = PassageLine::options();
   out.chamber = chamber;
   out.fillet = fillet;
-  out.splays = splays;
   if (section || !sections.empty()) out.rules = sections;
   if (section) out.section = *section;
   return out;

@@ -14,7 +14,6 @@ struct PassageParams : PassageLine {
   std::vector<passages::SectionRule> sections;
   double chamber = passages::kDefaultChamber;
   double fillet = passages::kDefaultFillet;
-  bool splays = true;
 
   passages::PassageOptions options() const;
 
@@ -32,7 +31,6 @@ struct PassageParams : PassageLine {
         .param(
             "fillet", &PassageParams::fillet,
             {.doc = "radius of fillets at junctions, by half the smaller size", .min = 0, .max = 1})
-        .param("splays", &PassageParams::splays, {.doc = "sections from splays"})
         .param("sections", &PassageParams::sections,
                {.doc = "rules when(...) for the cross-section, of which the first that applies "
                        "counts"});

@@ -1,30 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // A station of a network as a point, e.g. for cameras and lights.
 #include <vug/network/find_station.h>
-#include <vug/shot/networks.h>
+#include <vug/shot/passage_line.h>
 
 namespace vug::shot {
 namespace {
 
-struct StationPoint {
-  NetworkPtr of;
+struct StationPoint : PointLine {
   std::string name;
   double up = 0;
 
   static void describe(Schema<StationPoint>& s) {
-    s.doc("The position of a station of a network.")
-        .param("of", &StationPoint::of, {.doc = "the network", .required = true})
-        .param(
-            "name", &StationPoint::name,
+    s.doc("The position of a station of a network, in the middle of its passage.");
+    describe_network(s);
+    s.param("name", &StationPoint::name,
             {.doc = "the station's name, or its last levels if they are unique", .required = true})
-        .param("up", &StationPoint::up, any_length("how far above the station"));
+        .param("up", &StationPoint::up, any_length("how far above the middle of the passage"));
+    describe_course(s);
   }
 };
 
 Vec3d station_position(const StationPoint& p) {
-  const network::Station& station =
-      p.of->stations[static_cast<size_t>(network::find_station(*p.of, p.name))];
-  return station.position + Vec3d(0, p.up, 0);
+  const auto station = static_cast<size_t>(network::find_station(*p.of, p.name));
+  return p.course().stations[station].position + Vec3d(0, p.up, 0);
 }
 
 }  // namespace
