@@ -6,6 +6,19 @@
 
 namespace vug {
 
+/// "geologies", "boxes", "lights" for their singular.
+inline std::string plural_of(const std::string& word) {
+  const auto ends_in = [&](char last, const char* before) {
+    return word.size() > 1 && word.back() == last &&
+           std::string(before).find(word[word.size() - 2]) != std::string::npos;
+  };
+  if (word.size() > 1 && word.back() == 'y' && !ends_in('y', "aeiou"))
+    return word.substr(0, word.size() - 1) + "ies";
+  const bool hisses =
+      word.ends_with('s') || word.ends_with('x') || word.ends_with("sh") || word.ends_with("ch");
+  return word + (hisses ? "es" : "s");
+}
+
 /// "1 edit", "0 edits", "7 edits".
 inline std::string pluralize(size_t count, const std::string& what) {
   return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/pluralize.h>
 #include <vug/base/schema.h>
 #include <vug/base/srgb.h>
 
@@ -66,7 +67,7 @@ namespace {
 std::string with_article(const std::string& type) {
   const std::string list = "list of ";
   if (type == "true or false") return type;
-  if (type.compare(0, list.size(), list) == 0) return fmt::format("a {}s", type);
+  if (type.compare(0, list.size(), list) == 0) return "a " + plural_of(type);
   return fmt::format("a {}", type);
 }
 
@@ -121,13 +122,14 @@ bool check_number(const ParamInfo& info, const std::string& what, double value, 
   const bool low = value < info.min || (info.above_min && value == info.min);
   if (low || value > info.max) {
     const Dimension unit = bare ? info.dimension : dimension;
-    const std::string bound = fmt::format("{} {}",
-                                          !low             ? "at most"
-                                          : info.above_min ? "above"
-                                                           : "at least",
-                                          quantity_text(low ? info.min : info.max, unit));
-    diagnostics.error(
-        where, fmt::format("{} must be {}, not {}", what, bound, quantity_text(value, unit)));
+    const char* side = !low ? "at most" : info.above_min ? "above" : "at least";
+    std::string bound = quantity_text(low ? info.min : info.max, unit);
+    std::string given = quantity_text(value, unit);
+    if (given == bound && !(low && value == info.min)) {
+      bound = exact_quantity_text(low ? info.min : info.max, unit);
+      given = exact_quantity_text(value, unit);
+    }
+    diagnostics.error(where, fmt::format("{} must be {} {}, not {}", what, side, bound, given));
     return false;
   }
   return true;

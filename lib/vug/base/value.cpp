@@ -31,11 +31,23 @@ size_t Value::element_count() const {
   return data ? (*data)->elements : 1;
 }
 
-std::string quantity_text(double value, Dimension dimension) {
+namespace {
+
+std::string text_with_digits(double value, Dimension dimension, int digits) {
   if (value == 0) return "0";
-  if (dimension == Dimension::angle) return fmt::format("{:.6g}deg", value * 180 / kPi);
-  if (dimension == Dimension::ratio) return fmt::format("{:.6g}%", value * 100);
-  return fmt::format("{:.6g}{}", value, unit_of(dimension));
+  if (dimension == Dimension::angle) return fmt::format("{:.{}g}deg", value * 180 / kPi, digits);
+  if (dimension == Dimension::ratio) return fmt::format("{:.{}g}%", value * 100, digits);
+  return fmt::format("{:.{}g}{}", value, digits, unit_of(dimension));
+}
+
+}  // namespace
+
+std::string quantity_text(double value, Dimension dimension) {
+  return text_with_digits(value, dimension, 6);
+}
+
+std::string exact_quantity_text(double value, Dimension dimension) {
+  return text_with_digits(value, dimension, 17);
 }
 
 namespace {

@@ -17,6 +17,8 @@ namespace vug {
 
 /// A value as scene text with six digits: "30deg", "52%", "0.25m"; 0 has no unit.
 std::string quantity_text(double value, Dimension dimension);
+/// The same with all digits, for numbers that are nearly equal.
+std::string exact_quantity_text(double value, Dimension dimension);
 
 struct Number {
   double value = 0;

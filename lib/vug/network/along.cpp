@@ -11,7 +11,7 @@
 namespace vug::network {
 namespace {
 
-constexpr double kMostPoints = 1e7;
+constexpr double kMostPoints = 1e6;  ///< As many as iterations of a loop in a scene.
 
 /// Appends `count` points that divide the branch evenly, each in the middle of its share.
 void add_points(const Network& network, const Branch& branch, size_t count,
@@ -47,9 +47,11 @@ std::vector<Vec3d> points_along(const Network& network, double spacing) {
   if (!(total <= kMostPoints))
     throw Error(
         ErrorCode::too_large,
-        fmt::format("a spacing of {} m gives {:.3g} points along the network; at most {:.0g} "
+        fmt::format("a spacing of {} m gives {:.3g} points along the network; at most {:.0f} "
                     "are possible",
-                    spacing, total, kMostPoints));
+                    spacing, total, kMostPoints),
+        {},
+        fmt::format("use a spacing of at least {:.2g} m", 1.01 * spacing * total / kMostPoints));
   std::vector<Vec3d> points;
   for (const Branch& branch : reduction.branches) {
     const double shares = std::max(1.0, std::round(branch.length / spacing));

@@ -53,7 +53,7 @@ struct LayerFeature {
   template <class P>
   static void describe(Schema<P>& s) {
     s.param("at", &LayerFeature::at, any_length("a point of the plane"))
-        .param("dip", &LayerFeature::dip, dip_angle("steepness of the plane", 1.5))
+        .param("dip", &LayerFeature::dip, dip_angle("steepness of the plane", 85 * kPi / 180))
         .param("towards", &LayerFeature::towards, compass("direction in which it falls"));
   }
   karst::Layer layer() const { return {.point = at, .dip = dip, .dip_azimuth = towards}; }

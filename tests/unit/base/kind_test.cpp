@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/kind.h>
+#include <vug/base/pluralize.h>
 #include <vug/base/require_kind.h>
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ struct Rope : Strand {
   static void describe(Schema<Rope>& s) {
     s.param("length", &Strand::length, positive_length("of the rope"))
         .param("file", &Rope::file, {.doc = "a picture of it"})
-        .param("plies", &Rope::plies, {.doc = "strands", .min = 1})
+        .param("plies", &Rope::plies, {.doc = "strands", .min = 1, .max = 1e6})
         .param("knots", &Rope::knots, {.doc = "in it; as many as it likes if not given"});
   }
   std::string fault() const { return plies > 10 * length ? "too many plies for its length" : ""; }
@@ -66,8 +67,16 @@ TEST(Kind, MakesItsProductFromArguments) {
   EXPECT_EQ(make_product(kRopes, "rope", {{"knots", 4}})->knots, 4);
 }
 
+TEST(Pluralize, FollowsTheSpelling) {
+  EXPECT_EQ(plural_of("light"), "lights");
+  EXPECT_EQ(plural_of("geology"), "geologies");
+  EXPECT_EQ(plural_of("way"), "ways");
+  EXPECT_EQ(plural_of("box"), "boxes");
+}
+
 TEST(Kind, RejectsInvalidArguments) {
   EXPECT_EQ(refusal({{"plies", 0}}), "'plies' must be at least 1, not 0");
+  EXPECT_EQ(refusal({{"plies", 1000001}}), "'plies' must be at most 1000000, not 1000001");
   EXPECT_EQ(refusal({{"plies", 20}}), "too many plies for its length");
   EXPECT_EQ(refusal({{"plies", 0}, {"length", -1.0}}),
             "'plies' must be at least 1, not 0; 'length' must be above 0, not -1m");

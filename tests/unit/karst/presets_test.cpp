@@ -71,6 +71,9 @@ TEST(Realistic, ReturnsTheBestOfItsAttempts) {
   options.seed = best.seed;
   EXPECT_EQ(digest_of(best.network), digest_of(generate(small_geology(), options)));
   EXPECT_THROW(generate_realistic(small_geology(), options, 0), Error);
+  EXPECT_THROW(generate_realistic(small_geology(), options, kMostAttempts + 1), Error);
+  options.samples.count = 150000;
+  EXPECT_THROW(generate_realistic(small_geology(), options, 8), Error);
 }
 
 }  // namespace

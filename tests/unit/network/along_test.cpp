@@ -36,6 +36,7 @@ TEST(PointsAlong, RejectsSpacingsWithoutAnEnd) {
   EXPECT_THROW(points_along(corner(), -1), Error);
   EXPECT_THROW(points_along(corner(), std::nan("")), Error);
   EXPECT_THROW(points_along(corner(), 1e-9), Error);
+  EXPECT_THROW(points_along(corner(), 1e-5), Error);
   EXPECT_TRUE(points_along({}, 1).empty());
 }
 

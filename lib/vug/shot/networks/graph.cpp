@@ -29,11 +29,13 @@ struct Graph {
         .param("widths", &Graph::widths,
                {.doc = "width of the passage at each station, if given",
                 .dimension = Dimension::length,
-                .min = 0})
+                .min = 0,
+                .max = kLargestPassage})
         .param("heights", &Graph::heights,
                {.doc = "height of the passage at each station, if given",
                 .dimension = Dimension::length,
-                .min = 0});
+                .min = 0,
+                .max = kLargestPassage});
   }
 
   std::string fault() const {

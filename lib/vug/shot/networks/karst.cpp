@@ -25,7 +25,9 @@ struct Karst : SectionChoice {
   std::optional<double> loops;
 
   static void describe(Schema<Karst>& s) {
-    const auto count = [](std::string doc) { return ParamSpec{.doc = std::move(doc), .min = 0}; };
+    const auto count = [](std::string doc, double most) {
+      return ParamSpec{.doc = std::move(doc), .min = 0, .max = most};
+    };
     s.doc(
          "The network that water cuts from sinks to springs, along beds and joints, first down to "
          "the water table and then along it. A preset provides everything; features of the geology "
@@ -38,17 +40,18 @@ struct Karst : SectionChoice {
         .param("rock", &Karst::rock, {.doc = "the rock that the cave stays in"})
         .param("geology", &Karst::geology, {.doc = "beds, fractures, water tables, sinks, ..."})
         .param("samples", &Karst::samples,
-               {.doc = "number of points between which water can flow", .min = 10, .max = 1e6})
-        .param("sinks", &Karst::sinks, count("number of random sinks, if none is given"))
-        .param("waypoints", &Karst::waypoints, count("number of random points of the network"))
-        .param("dead_ends", &Karst::dead_ends, count("number of blind passages"))
+               {.doc = "number of points between which water can flow", .min = 10, .max = 2e5})
+        .param("sinks", &Karst::sinks, count("number of random sinks, if none is given", 1000))
+        .param("waypoints", &Karst::waypoints,
+               count("number of random points of the network", 1000))
+        .param("dead_ends", &Karst::dead_ends, count("number of blind passages", 10000))
         .param("loops", &Karst::loops,
                {.doc = "loops for each junction or end", .min = 0, .max = 1})
         .param("attempts", &Karst::attempts,
                {.doc = "caves that are tried until the measures of one lie within those of real "
                        "caves; 8 for a preset without changes, else 1",
                 .min = 1,
-                .max = 1000});
+                .max = karst::kMostAttempts});
     SectionChoice::describe(s);
   }
 
