@@ -27,8 +27,8 @@ std::vector<int> chain_indices(const Chain& chain, const Curve& curve) {
 
 class AxisNetwork {
  public:
-  explicit AxisNetwork(const Network& network)
-      : legs_(network), out_{network.stations, {}, network.origin, network.coordinate_system} {
+  explicit AxisNetwork(const Network& network) : legs_(network), out_(network) {
+    out_.legs.clear();
     for (network::Station& station : out_.stations) {
       station.section.reset();
       station.splays.clear();
