@@ -59,10 +59,18 @@ std::optional<std::string> utm_zone(const std::string& name) {
   return "EPSG:" + std::to_string((south ? 32700 : 32600) + zone);
 }
 
+/// E.g. PROJCRS["ETRS89 / UTM zone 30N", ...].
+bool is_well_known_text(const std::string& name) {
+  const size_t letters =
+      std::min(name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_"), name.size());
+  return letters > 3 && name.substr(letters).starts_with("[\"") && name.back() == ']';
+}
+
 }  // namespace
 
 std::optional<CoordinateSystem> coordinate_system(const std::string& name) {
   if (name.starts_with("+")) return CoordinateSystem{name, Vec3d(0)};
+  if (is_well_known_text(name)) return CoordinateSystem{name, Vec3d(0)};
   const std::string upper = capitals(name);
   if (const auto found = named_systems().find(upper); found != named_systems().end())
     return CoordinateSystem{found->second, Vec3d(0)};

@@ -18,9 +18,9 @@ struct Geographic {
 
 /// Coordinate systems are named as in Survex: "EPSG:27700", "ESRI:102009", "UTM30N", "OSGB:SD",
 /// "S-MERC", "long-lat", "EUR79Z30", "JTSK", "iJTSK", "JTSK03", "iJTSK03", "local", or a definition
-/// of PROJ that begins with "+". Coordinates are easting, northing and altitude in metres, or
-/// longitude and latitude in degrees. Keeps the transformations that it has made; PROJ starts with
-/// the first of them.
+/// of PROJ that begins with "+", or a well-known text (WKT). Coordinates are easting, northing and
+/// altitude in metres, or longitude and latitude in degrees. Keeps the transformations that it has
+/// made; PROJ starts with the first of them.
 class Geodesy {
  public:
   Geodesy();

@@ -93,6 +93,7 @@ void check_placement(const Loaded& scene, const PlacementOptions& options,
   check_lights(set, options.accuracy, diagnostics);
   check_props(set, options.accuracy, diagnostics);
   check_voids(scene, part, options.accuracy, diagnostics);
+  check_ground(scene, part, diagnostics);
 }
 
 }  // namespace vug::loading

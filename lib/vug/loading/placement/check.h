@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds mistakes of set dressing before a picture is rendered: cameras and lights in rock, props in
-// mid-air, and voids that another part of the rock fills.
+// mid-air, voids that another part of the rock fills, and passages that leave the terrain.
 #pragma once
 
 #include <vug/loading/load.h>

@@ -14,6 +14,8 @@ void check_props(const Set& set, Accuracy accuracy, Diagnostics& diagnostics);
 void check_voids(const Loaded& scene, const shot::Shot& part, Accuracy accuracy,
                  Diagnostics& diagnostics);
 
+void check_ground(const Loaded& scene, const shot::Shot& part, Diagnostics& diagnostics);
+
 /// "(0, 1.5, -2)", rounded to centimetres.
 std::string position_text(const Vec3d& p);
 
