@@ -29,6 +29,8 @@ class Examples : public testing::Test {
     stone.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
     mesh::write_mesh(stone, folder_.file("stone.ply"));
     write_text(folder_.file("stones.csv"), "x,y,z\n1,0,0\n2,0,1\n");
+    write_text(folder_.file("hill.asc"),
+               "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 30\n1 2\n3 5\n");
     write_text(folder_.file("cave.svx"), "*fix a 0 0 0\na b 9 40 5\nb c 7 80 -10\n");
     write_text(folder_.file("cave_nodes.dat"), "0 0 0\n9 0 -2\n15 4 -3\n");
     write_text(folder_.file("cave_links.dat"), "1 2\n2 3\n");

@@ -48,7 +48,11 @@ TEST(Language, NetworksOfTheirPageMakeSolids) {
   const std::vector<std::string> examples = blocks("vug", "reference/networks.md");
   ASSERT_GE(examples.size(), 2u);
   for (const std::string& example : examples) {
-    const Loaded loaded = load_text(example, "networks.md");
+    // The files of the examples are those of the teaching scenes.
+    const fs::path here = fs::path(VUG_DATA) / "scenes" / "teaching" / "networks.md";
+    LoadOptions options;
+    options.include_folders = {fs::path(VUG_DATA)};
+    const Loaded loaded = load_text(example, here.string(), options);
     EXPECT_EQ(loaded.report(), "") << example;
     EXPECT_EQ(loaded.shot.volumes.size(), 1u) << example;
   }
