@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Internal to terrain/: the functions of GDAL's C interface that read elevations [@gdal2022]. They
 // are declared here and found in the shared library on first use
-// (docs/explanation/decisions/0035-gdal-on-first-use.md).
+// (docs/explanation/decisions/0036-gdal-on-first-use.md).
 #pragma once
 
 namespace vug::terrain::gdal {
