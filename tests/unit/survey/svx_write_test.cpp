@@ -102,13 +102,16 @@ Survey random_survey(uint64_t seed, int count) {
     return static_cast<int>(random.below(static_cast<uint32_t>(n)));
   };
   const char* levels[] = {"", "cave.", "cave.upper.", "other.", "cave.it's.", "cave.\u00e9."};
+  const auto random_name = [&](int number) {
+    const char* letter = below(2) ? "P" : "p/";
+    return fmt::format("{}{}{}", levels[below(6)], letter, number);
+  };
   Survey survey;
   for (int i = 0; i < count; ++i) {
     Station station;
-    if (i == 0 || below(6) > 0)
-      station.name = fmt::format("{}{}{}", levels[below(6)], below(2) ? "P" : "p/", i);
-    station.position =
-        Vec3d(random.uniform(), random.uniform(), random.uniform()) * 3000.0 + Vec3d(4e5, 1e5, 0);
+    if (i == 0 || below(6) > 0) station.name = random_name(i);
+    for (const int axis : {2, 1, 0}) station.position[axis] = random.uniform() * 3000;
+    station.position += Vec3d(4e5, 1e5, 0);
     station.wall = station.anonymous() && below(2) == 0;
     station.entrance = !station.anonymous() && below(9) == 0;
     station.fixed = !station.anonymous() && below(9) == 0;

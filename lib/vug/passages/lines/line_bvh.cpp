@@ -34,7 +34,7 @@ void LineBvh::build(uint32_t at, uint32_t first, uint32_t count) {
     node.high = std::max({node.high, line.floor_from, line.floor_to});
   });
   if (count > kLinesPerLeaf) {
-    const unsigned axis = node.box.majorAxis();
+    const auto axis = static_cast<int>(node.box.majorAxis());
     const uint32_t half = count / 2;
     std::stable_sort(begin, begin + count, [axis](const AxisLine& a, const AxisLine& b) {
       return a.from[axis] + a.to[axis] < b.from[axis] + b.to[axis];

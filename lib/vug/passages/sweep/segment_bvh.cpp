@@ -36,7 +36,7 @@ void SegmentBvh::build(uint32_t at, uint32_t first, uint32_t count) {
   node.first = first;
   node.count = count;
   if (count > kLeafSize) {
-    const unsigned axis = centres.majorAxis();
+    const auto axis = static_cast<int>(centres.majorAxis());
     const uint32_t half = count / 2;
     const auto key = [&](uint32_t i) {
       return std::pair(segments_[i].start()[axis] + segments_[i].end()[axis], i);
