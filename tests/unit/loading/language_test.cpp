@@ -54,7 +54,7 @@ TEST(Language, NetworksOfTheirPageMakeSolids) {
     options.include_folders = {fs::path(VUG_DATA)};
     const Loaded loaded = load_text(example, here.string(), options);
     EXPECT_EQ(loaded.report(), "") << example;
-    EXPECT_EQ(loaded.shot.volumes.size(), 1u) << example;
+    EXPECT_GE(loaded.shot.volumes.size(), 1u) << example;
   }
 }
 
