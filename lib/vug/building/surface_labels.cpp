@@ -8,6 +8,7 @@
 namespace vug::building {
 
 void add_labels(mesh::Mesh& mesh, const std::vector<shot::SurfaceLabel>& labels) {
+  if (labels.empty()) return;
   const size_t count = mesh.positions.size();
   std::vector<float> least(count);
   std::vector<size_t> nearest(count, 0);

@@ -14,7 +14,7 @@ struct SampleOptions {
   double on_fractures = 0.1;  ///< Fraction on joints and their crossings.
   double in_permeable = 0.1;  ///< Fraction in permeable balls and ghost rock.
   int neighbours = 24;        ///< Number of nearest samples to which a sample is joined.
-  /// Metres between passages that do not meet. Samples keep 2.5 times this distance.
+  /// Metres between passages that do not meet. Samples keep kMeeting times it.
   double separation = 2;
 };
 

@@ -13,8 +13,8 @@ constexpr double kCell = 12;  ///< Metres.
 constexpr double kBend = 2;   ///< Metres of passage in separations that may lie close together.
 /// Least distance of two pieces by the metres of passage between them, about 2 sin(35 deg / 2) / 2.
 constexpr double kPillar = 0.28;
-constexpr double kShapeSine =
-    0.42;  ///< Sine of the least angle of pieces at a station, 25 degrees.
+/// Sine of the least angle of pieces at a station, 25 degrees.
+constexpr double kShapeSine = 0.42;
 constexpr size_t kLegGrain = 32;
 
 using Shape = std::vector<Vec3d>;

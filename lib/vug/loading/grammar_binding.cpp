@@ -55,6 +55,8 @@ class Binder {
                                  RandomKey key);
   /// Reads the option `dress` and the attributes that the rules use.
   void read_network();
+  /// Reports items that would make elements of the network.
+  void refuse_elements(const std::vector<scene::Item>& items) const;
   /// The item of the axiom that makes a symbol for each element of the network.
   grammar::SuccessorItem elements_part(const NetworkSymbol& symbol) const;
   /// The symbol of the network that the rule rewrites, or null.
@@ -188,8 +190,10 @@ void Binder::read_network() {
                    fmt::format("'{}' expects a network, not {}", kDress, given.type_name()));
     network_ = *network;
   }
+  refuse_elements(source_.axiom);
   bool used = false;
   for (const scene::Rule& rule : source_.rules) {
+    refuse_elements(rule.items);
     const NetworkSymbol* symbol = element_symbol(rule.head);
     if (!symbol) continue;
     used = true;
@@ -210,6 +214,16 @@ void Binder::read_network() {
         source_.where,
         fmt::format("grammar '{}' has no rule for an element of its network", source_.name),
         "write a rule for Leg, Junction, End or Sump");
+}
+
+void Binder::refuse_elements(const std::vector<scene::Item>& items) const {
+  for (const scene::Item& item : items)
+    if (item.op.empty() && element_symbol(item.symbol()))
+      values_.fail(item.where,
+                   fmt::format("'{}' stands for an element of the network, which a grammar cannot "
+                               "add",
+                               item.symbol()),
+                   "give the symbol another name");
 }
 
 grammar::SuccessorItem Binder::elements_part(const NetworkSymbol& symbol) const {

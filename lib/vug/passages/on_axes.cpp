@@ -17,7 +17,9 @@ std::vector<int> chain_indices(const Chain& chain, const Curve& curve) {
   size_t next = 0;
   for (const CurvePoint& point : curve) {
     size_t i = next;
-    while (i < chain.stations.size() && chain.stations[i] != point.station) ++i;
+    // Most points are not stations; a search for each of them would be quadratic.
+    while (point.station >= 0 && i < chain.stations.size() && chain.stations[i] != point.station)
+      ++i;
     const bool found = point.station >= 0 && i < chain.stations.size();
     indices.push_back(found ? static_cast<int>(i) : -1);
     if (found) next = i + 1;

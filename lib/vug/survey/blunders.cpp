@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vug::survey {
 namespace {
 
 constexpr double kSignificant = 3;
 constexpr size_t kMost = 5;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// An error of one reading: the change of the leg's vector for one unit of the reading.
 struct Hypothesis {

@@ -46,12 +46,12 @@ class Search {
   Search(const network::Network& network, const field::Ground& ground)
       : network_(network), ground_(ground), openings_(openings_of(network)) {}
 
-  /// The highest exit of a leg; its height is -infinity without one.
-  Exit of(const network::Leg& leg) const {
+  /// The highest exit of a leg above a height; without one, its height is this one.
+  Exit of(const network::Leg& leg, double tolerance) const {
     const network::Station &a = station(leg.from), &b = station(leg.to);
     const double length = (b.position - a.position).length();
     const int count = static_cast<int>(std::clamp(length / kSpacing, 1.0, kMostPlaces * 1.0));
-    Exit worst{.position = a.position, .station = {}, .height = -kInfinity};
+    Exit worst{.position = a.position, .station = {}, .height = tolerance};
     for (int i = 0; i <= count; ++i) {
       const double t = static_cast<double>(i) / count;
       const Vec3d p = a.position + (b.position - a.position) * t;
@@ -87,7 +87,7 @@ std::vector<Exit> exits(const network::Network& network, const field::Ground& gr
   std::vector<std::pair<int, Exit>> found;  // With a station of its leg.
   for (const network::Leg& leg : network.legs) {
     if (leg.surface) continue;
-    Exit one = search.of(leg);
+    Exit one = search.of(leg, tolerance);
     if (!(one.height > tolerance)) continue;
     parts.join(leg.from, leg.to);
     found.emplace_back(leg.from, std::move(one));

@@ -92,6 +92,8 @@ TEST(Dressing, ReportsFaults) {
       "'label' has no effect on a shape that is placed on a network");
   has(problem("dress plan\naxiom Room\nRoom -> + sphere(1m)\n"),
       "grammar 'dressed' has no rule for an element of its network");
+  has(problem("dress plan\nLeg -> End\nEnd -> nothing\n"),
+      "'End' stands for an element of the network, which a grammar cannot add");
   has(problem("dress 3m\nLeg -> + sphere(1m)\n"), "'dress' expects a network, not a length");
   has(problem("Leg -> + sphere(1m)\n"), "grammar 'dressed' has no axiom");
   has(problem("axiom + sphere(1m) slope 100deg\n"), "'slope' expects an angle between");

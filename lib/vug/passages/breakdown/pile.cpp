@@ -36,7 +36,7 @@ void require_pile_options(const PileOptions& o) {
 
 /// The height of a cone with a ridge of this half length that has the volume.
 double height_for(double volume, double ridge, double slope) {
-  double low = 0, high = std::cbrt(volume * slope * slope) + 1;
+  double low = 0, high = maths::pow(volume * slope * slope, 1.0 / 3) + 1;
   for (int i = 0; i < 100; ++i) {
     const double h = 0.5 * (low + high);
     const double v = kPi * h * h * h / (3 * slope * slope) + 2 * ridge * h * h / slope;

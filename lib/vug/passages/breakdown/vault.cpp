@@ -18,6 +18,7 @@ constexpr double kJointSpread = 0.4;  // Of the distance between joints.
 constexpr double kJoin = 0.02;        // Metres by which places of blocks overlap.
 constexpr size_t kMostBlocks = 20000;
 constexpr int kMostBeds = 1000;
+constexpr double kFarthest = 1e7;  // Metres; cells of blocks are counted with int.
 
 void require_vault_options(const VaultOptions& o) {
   const auto check = [](const char* name, double value, double min, double max) {
@@ -38,9 +39,12 @@ void require_vault_options(const VaultOptions& o) {
       !(std::fabs(o.bedding.y) > 0.5 * o.bedding.length()))
     throw Error(ErrorCode::bad_input, "the beds of a vault dip by more than 60 degrees", {},
                 "give a direction across the beds that is less than 60 degrees from the vertical");
-  if (!std::isfinite(o.at.length()))
-    throw Error(ErrorCode::bad_input, "the position of a vault is not finite", {},
-                "give a point in metres");
+  if (!(o.at.length() <= kFarthest))
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the position of a vault is not finite, or more than {:g} m away from "
+                            "the origin",
+                            kFarthest),
+                {}, "give a point in metres");
 }
 
 /// Joints across [-half, half]: their positions, in ascending order, one beyond each end.

@@ -11,7 +11,8 @@ namespace {
 constexpr double kFreeFall = 9.81;
 constexpr double kSheetStep = 0.2;  // Metres along the sheet.
 constexpr double kIntoPool = 0.1;   // Metres by which the sheet enters the water below.
-constexpr int kMostSheetSteps = 4000;
+constexpr double kDeepest = 2;      // Metres below the foot to which the last piece leads at most.
+constexpr int kMostSheetSteps = 8000;
 
 /// The way by its distance in plan.
 class Way {
@@ -89,15 +90,18 @@ void append_fall(const Fall& fall, std::vector<Polytope>& out) {
   const double lip = fall.way.front().position.y;
   Sheet before{fall.way.front().position, fall.way.front().right,
                std::max(critical, fall.thickness)};
+  // On a long bed, steps of the parabola would become too short to reach its end.
+  const double least_step = way.length() / (kMostSheetSteps / 2);
   double x = 0;
   for (int step = 0; step < kMostSheetSteps && before.position.y > fall.foot - kIntoPool; ++step) {
     // Steps have equal lengths along the parabola, or along the bed.
     const double steepness = kFreeFall * x / (speed * speed);
-    x += kSheetStep / std::sqrt(1 + steepness * steepness);
+    x += std::max(kSheetStep / std::sqrt(1 + steepness * steepness), least_step);
     const double free = lip - kFreeFall * x * x / (2 * speed * speed);
     FallPoint next = way.at(x);
-    // Past the end of the way, only the parabola remains.
+    // Past the end of the way, only the parabola remains. After a slide it is far below the bed.
     next.position.y = x < way.length() ? std::max(free, next.position.y) : free;
+    next.position.y = std::max(next.position.y, fall.foot - kDeepest);
     next.position.y = std::min(next.position.y, before.position.y);
     const double drop = std::max(0.0, lip - next.position.y);
     const double fast = std::sqrt(speed * speed + 2 * kFreeFall * drop);

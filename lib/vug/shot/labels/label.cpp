@@ -11,11 +11,9 @@ struct Label {
 
   static void describe(Schema<Label>& s) {
     s.doc(
-         "A label for the entry `labels` of a mesh: the vertices at which the value of the field "
-         "is "
-         "below those of all other labels have the attribute NAME, 1 there and 0 elsewhere, and "
-         "the "
-         "name in the AOV CryptoElement.")
+         "A label for the entry `labels` of a mesh: the attribute NAME is 1 at the vertices where "
+         "the value of the field is below those of all other labels, and 0 elsewhere. The AOV "
+         "CryptoElement has the name there.")
         .param("name", &Label::name, {.doc = "the name", .required = true})
         .param("field", &Label::field,
                {.doc = "the solid, e.g. centreline(of: part(of: plan, name: \"choke2\"))",

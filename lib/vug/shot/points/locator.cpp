@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A place that a grammar names as a point, e.g. for cameras and lights.
+#include <vug/base/pluralize.h>
 #include <vug/sgm/named_places.h>
 #include <vug/shot/networks.h>
 
@@ -33,8 +34,9 @@ Vec3d locator_position(const Locator& p) {
   }
   if (found > 0)
     throw Error(ErrorCode::bad_input,
-                fmt::format("the grammar has only {} shapes with the name '{}'", found, p.name), {},
-                fmt::format("'index' is at most {}", found));
+                fmt::format("the grammar has only {} with the name '{}'",
+                            pluralize(static_cast<size_t>(found), "shape"), p.name),
+                {}, fmt::format("'index' is at most {}", found));
   throw Error(ErrorCode::bad_input,
               fmt::format("the solid has no shape with the name '{}'", p.name), {},
               names.empty() ? "'of' is a grammar whose items have a clause such as name \"hall\""
