@@ -97,7 +97,8 @@ class Survey(VugTest):
     def test_a_scene_names_the_line_of_its_survey(self):
         (self.folder / "bad.svx").write_text("*begin a\n1 2 3 x 5\n*end a\n")
         (self.folder / "bad.vug").write_text('network cave = survey(file: "bad.svx")\n')
-        self.assertIn("bad.svx:2:7: error: expected a number, found 'x'\n", self.expect(2, "check", "bad.vug").err)
+        self.assertIn("bad.vug:1:16: error: bad.svx:2:7: expected a number, found 'x'\n",
+                      self.expect(2, "check", "bad.vug").err)
 
     def test_files_outside_of_the_folder(self):
         (self.folder / "below").mkdir()

@@ -26,7 +26,7 @@ class Diagnostics {
   void warning(SourceLocation where, std::string message, std::string hint = {});
 
   void add(Diagnostic diagnostic);
-  /// Adds an error at its own location, e.g. in a file that the text names, or at `otherwise`.
+  /// Adds an error at its own location in the text, or at `otherwise` if that is unknown.
   void add(const Error& error, const SourceLocation& otherwise);
   /// Appends another list, in order.
   void append(const Diagnostics& other);

@@ -31,6 +31,10 @@ std::string range_text(const SourceLocation& where) {
 Error::Error(ErrorCode code, const std::string& message, SourceLocation where, std::string hint)
     : std::runtime_error(message), code_(code), where_(std::move(where)), hint_(std::move(hint)) {}
 
+std::string Error::located_message() const {
+  return where_.known() ? fmt::format("{}: {}", to_string(where_), what()) : what();
+}
+
 Error& Error::within(std::string doing) {
   context_.push_back(std::move(doing));
   return *this;

@@ -51,6 +51,8 @@ class Error : public std::runtime_error {
   ErrorCode code() const { return code_; }
   const SourceLocation& where() const { return where_; }
   const std::string& hint() const { return hint_; }
+  /// The message after the location, if it is known, e.g. "stone.ply:3:1: a face has two corners".
+  std::string located_message() const;
   const std::vector<std::string>& context() const { return context_; }
 
   /// The same error at `where`, without its context.

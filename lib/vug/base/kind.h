@@ -23,7 +23,8 @@ template <class Product>
 using Kinds = std::vector<const Kind<Product>*>;
 
 /// A kind with the parameters of the schema; `build` makes the product from them. An
-/// Error(bad_input) thrown by `build`, e.g. for an unusable file, becomes a diagnostic.
+/// Error(bad_input) thrown by `build`, e.g. for an unusable file, becomes a diagnostic at the call,
+/// which names the place in the file.
 template <class Product, class P, class Build>
 Kind<Product> make_kind(Schema<P> schema, Build build) {
   KindInfo info = schema.info();
@@ -37,7 +38,7 @@ Kind<Product> make_kind(Schema<P> schema, Build build) {
               return build(*params);
             } catch (const Error& error) {
               if (error.code() != ErrorCode::bad_input) throw;
-              diagnostics.add(error, where);
+              diagnostics.error(where, error.located_message(), error.hint());
               return std::nullopt;
             }
           }};
