@@ -17,7 +17,7 @@ constexpr int kAttempts = 8;
 /// VUG_PRESET_SEEDS=50 tests fifty seeds of each preset.
 size_t seeds() {
   const char* text = std::getenv("VUG_PRESET_SEEDS");
-  return text ? static_cast<size_t>(std::max(1, std::atoi(text))) : 4;
+  return text ? static_cast<size_t>(std::max(1, std::atoi(text))) : 20;
 }
 
 /// A network of a seed, and the one that is chosen of several attempts, of which it is the first.

@@ -54,7 +54,11 @@ TEST(Language, NetworksOfTheirPageMakeSolids) {
     options.include_folders = {fs::path(VUG_DATA)};
     const Loaded loaded = load_text(example, here.string(), options);
     EXPECT_EQ(loaded.report(), "") << example;
-    EXPECT_GE(loaded.shot.volumes.size(), 1u) << example;
+    size_t declared = 0;
+    for (size_t at = 0; (at = example.find("volume ", at)) != std::string::npos; ++at)
+      declared += at == 0 || example[at - 1] == '\n';
+    EXPECT_GE(declared, 1u) << example;
+    EXPECT_EQ(loaded.shot.volumes.size(), declared) << example;
   }
 }
 
