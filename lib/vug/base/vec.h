@@ -41,4 +41,16 @@ Box3d intersection(const Box3d& a, const Box3d& b);
 /// The smallest box that contains both.
 Box3d united(const Box3d& a, const Box3d& b);
 
+/// Squared distance from a point to a box; 0 inside.
+inline double squared_distance(const Vec3d& p, const Box3d& box) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double below = box.min[axis] - p[axis];
+    const double above = p[axis] - box.max[axis];
+    const double out = below > above ? below : above;
+    if (out > 0) sum += out * out;
+  }
+  return sum;
+}
+
 }  // namespace vug

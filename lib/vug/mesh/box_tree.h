@@ -45,18 +45,6 @@ class BoxTree {
   std::vector<uint32_t> items_;
 };
 
-/// Squared distance from a point to a box; 0 inside.
-inline double squared_distance(const Vec3d& p, const Box3d& box) {
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double below = box.min[axis] - p[axis];
-    const double above = p[axis] - box.max[axis];
-    const double out = below > above ? below : above;
-    if (out > 0) sum += out * out;
-  }
-  return sum;
-}
-
 template <class Visit>
 void BoxTree::visit_nearest(const Vec3d& p, double squared_limit, const Visit& visit) const {
   struct Entry {

@@ -2,7 +2,6 @@
 #include <vug/passages/lines/line_bvh.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace vug::passages {
 namespace {
@@ -45,15 +44,6 @@ void LineBvh::build(uint32_t at, uint32_t first, uint32_t count) {
     build(node.left + 1, first + half, count - half);
   }
   nodes_[at] = node;
-}
-
-double LineBvh::Node::distance(const Vec3d& p) const {
-  double squared = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double d = std::max({box.min[axis] - p[axis], p[axis] - box.max[axis], 0.0});
-    squared += d * d;
-  }
-  return std::sqrt(squared);
 }
 
 LineBvh::Nearest LineBvh::nearest(const Vec3d& p) const {

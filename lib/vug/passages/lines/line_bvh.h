@@ -3,9 +3,10 @@
 #pragma once
 
 #include <vug/passages/lines/axis_lines.h>
+#include <vug/passages/nearest_first.h>
 
+#include <cmath>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace vug::passages {
@@ -17,7 +18,7 @@ class LineBvh {
     double low = kInfinity, high = -kInfinity;  // Heights of the floors below the node.
     uint32_t left = 0;              // Index of the left child, whose sibling follows; 0 for a leaf.
     uint32_t first = 0, count = 0;  // Of the lines of a leaf.
-    double distance(const Vec3d& p) const;
+    double distance(const Vec3d& p) const { return std::sqrt(squared_distance(p, box)); }
   };
 
   /// The lines are reordered, so that those of a leaf follow one another. At least one.
@@ -29,24 +30,10 @@ class LineBvh {
   /// Calls visit(index, line) for all lines below nodes with bound(node) <= limit, nearer nodes
   /// first; `visit` may lower the limit.
   template <class Bound, class Visit>
-  void search(double& limit, const Bound& bound, const Visit& visit) const {
-    std::pair<double, uint32_t> stack[kStack];
-    size_t open = 0;
-    stack[open++] = {bound(nodes_[0]), 0};
-    while (open > 0) {
-      const auto [least, index] = stack[--open];
-      if (least > limit) continue;
-      const Node& node = nodes_[index];
-      if (node.left == 0) {
-        for (uint32_t i = node.first; i < node.first + node.count; ++i) visit(i, lines_[i]);
-        continue;
-      }
-      std::pair<double, uint32_t> near{bound(nodes_[node.left]), node.left};
-      std::pair<double, uint32_t> far{bound(nodes_[node.left + 1]), node.left + 1};
-      if (far.first < near.first) std::swap(near, far);
-      stack[open++] = far;
-      stack[open++] = near;
-    }
+  void search(const double& limit, const Bound& bound, const Visit& visit) const {
+    visit_nearest_first(nodes_, limit, bound, [&](const Node& leaf) {
+      for (uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) visit(i, lines_[i]);
+    });
   }
 
   struct Nearest {
@@ -56,7 +43,6 @@ class LineBvh {
   Nearest nearest(const Vec3d& p) const;
 
  private:
-  static constexpr size_t kStack = 128;
   void build(uint32_t node, uint32_t first, uint32_t count);
 
   std::vector<AxisLine> lines_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/passages/nearest_first.h>
 #include <vug/passages/sweep/segment_bvh.h>
 
 #include <algorithm>
@@ -53,39 +54,22 @@ void SegmentBvh::build(uint32_t at, uint32_t first, uint32_t count) {
 }
 
 double SegmentBvh::Node::least(const Vec3d& p) const {
-  double squared = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double d = std::max({box.min[axis] - p[axis], p[axis] - box.max[axis], 0.0});
-    squared += d * d;
-  }
-  const double away = std::sqrt(squared) - reach;
+  const double away = std::sqrt(squared_distance(p, box)) - reach;
   return away > 0 ? scale * away : away;
 }
 
 SegmentBvh::Nearest SegmentBvh::nearest(const Vec3d& p) const {
   Nearest best;
-  std::pair<double, uint32_t> stack[kStack];
-  size_t open = 0;
-  stack[open++] = {nodes_[0].least(p), 0};
-  while (open > 0) {
-    const auto [bound, index] = stack[--open];
-    if (bound >= best.value) continue;
-    const Node& node = nodes_[index];
-    if (node.left == 0) {
-      for (uint32_t i = node.first; i < node.first + node.count; ++i) {
-        const Segment& segment = segments_[order_[i]];
-        if (segment.least(segment.distance_to_axis(p)) >= best.value) continue;
-        const double value = segment.value(field::point(p));
-        if (value < best.value) best = {value, order_[i]};
-      }
-      continue;
-    }
-    std::pair<double, uint32_t> near{nodes_[node.left].least(p), node.left};
-    std::pair<double, uint32_t> far{nodes_[node.left + 1].least(p), node.left + 1};
-    if (far.first < near.first) std::swap(near, far);
-    stack[open++] = far;
-    stack[open++] = near;
-  }
+  visit_nearest_first(
+      nodes_, best.value, [&](const Node& node) { return node.least(p); },
+      [&](const Node& leaf) {
+        for (uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+          const Segment& segment = segments_[order_[i]];
+          if (segment.least(segment.distance_to_axis(p)) >= best.value) continue;
+          const double value = segment.value(field::point(p));
+          if (value < best.value) best = {value, order_[i]};
+        }
+      });
   return best;
 }
 

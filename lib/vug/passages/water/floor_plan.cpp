@@ -18,8 +18,6 @@ constexpr double kMostPoints = 5e5;
 // Passages whose tangent has a smaller horizontal part keep the direction of their frame.
 constexpr double kLevel = 0.3;
 
-Vec3d horizontal(const Vec3d& v) { return {v.x, 0, v.z}; }
-
 /// The section at a point of an axis, reduced to numbers that can be interpolated.
 struct Profile {
   FloorNode node;
@@ -44,8 +42,8 @@ Profile mixed(const Profile& a, const Profile& b, double t) {
 
 /// The horizontal direction across a passage, on the side of `before`.
 Vec3d across(const Vec3d& tangent, const SectionFrame& frame, const Vec3d& before) {
-  const Vec3d level = horizontal(tangent);
-  Vec3d right = level.length() > kLevel ? level.cross({0, 1, 0}) : horizontal(frame.right);
+  const Vec3d level = in_plan(tangent);
+  Vec3d right = level.length() > kLevel ? level.cross({0, 1, 0}) : in_plan(frame.right);
   if (right.length() < 1e-3) right = before;
   right.normalize();
   return right.dot(before) < -1e-9 && level.length() <= kLevel ? -right : right;
@@ -188,8 +186,8 @@ std::vector<std::vector<int>> neighbours(const FloorPlan& plan) {
 }
 
 double plan_distance(const FloorPlan& plan, int a, int b) {
-  return horizontal(plan.nodes[static_cast<size_t>(b)].position -
-                    plan.nodes[static_cast<size_t>(a)].position)
+  return in_plan(plan.nodes[static_cast<size_t>(b)].position -
+                 plan.nodes[static_cast<size_t>(a)].position)
       .length();
 }
 

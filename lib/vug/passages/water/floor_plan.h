@@ -10,6 +10,9 @@
 
 namespace vug::passages {
 
+/// The vector without its vertical part.
+inline Vec3d in_plan(const Vec3d& v) { return {v.x, 0, v.z}; }
+
 /// A cross-section as water sees it. Heights are coordinates y in metres.
 struct FloorNode {
   /// Between the walls, and along the passage in plan where the floor is lowest: steep passages

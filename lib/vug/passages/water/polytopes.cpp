@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/boolean.h>
 #include <vug/field/opaque.h>
+#include <vug/passages/nearest_first.h>
 #include <vug/passages/water/polytopes.h>
 
 #include <algorithm>
@@ -49,7 +50,12 @@ class PolytopeUnion {
 
   Gradient sample(const Vec3d& p) const {
     Gradient best{kInfinity, {0, 1, 0}};
-    visit(0, p, best);
+    visit_nearest_first(
+        nodes_, best.value, [&](const Node& node) { return beyond(node.box, p).value; },
+        [&](const Node& leaf) {
+          const Gradient here = sample_one(parts_[leaf.part], p);
+          if (here.value < best.value) best = here;
+        });
     return best;
   }
   const Box3d& bounds() const { return nodes_[0].box; }
@@ -80,21 +86,6 @@ class PolytopeUnion {
     nodes_.resize(nodes_.size() + 2);
     build(left, first, count / 2);
     build(left + 1, first + count / 2, count - count / 2);
-  }
-
-  void visit(uint32_t index, const Vec3d& p, Gradient& best) const {
-    const Node& node = nodes_[index];
-    if (node.left == 0) {
-      const Gradient here = sample_one(parts_[node.part], p);
-      if (here.value < best.value) best = here;
-      return;
-    }
-    const double a = beyond(nodes_[node.left].box, p).value;
-    const double b = beyond(nodes_[node.left + 1].box, p).value;
-    const uint32_t first = a <= b ? node.left : node.left + 1;
-    const uint32_t second = a <= b ? node.left + 1 : node.left;
-    if (std::min(a, b) < best.value) visit(first, p, best);
-    if (std::max(a, b) < best.value) visit(second, p, best);
   }
 
   std::vector<Polytope> parts_;

@@ -11,8 +11,6 @@ namespace {
 /// A corner of a prism: its place in plan and the height of the top above it.
 using Corner = Vec3d;
 
-Vec3d in_plan(const Vec3d& v) { return {v.x, 0, v.z}; }
-
 /// The prism above a triangle in plan, with a plane through the corners as its top. Its sides are
 /// moved outwards by kSeam.
 void append_prism(const std::array<Corner, 3>& corners, double bottom, std::vector<Polytope>& out) {
