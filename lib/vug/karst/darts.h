@@ -2,12 +2,8 @@
 // Internal to karst: dart throwing, which accepts points that keep a distance from each other.
 #pragma once
 
-#include <vug/base/vec.h>
+#include <vug/karst/cell.h>
 
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace vug::karst {
@@ -19,7 +15,7 @@ class Darts {
 
   /// Whether no point that was added is nearer than the distance.
   bool is_free(const Vec3d& point) const {
-    const Cell cell = cell_of(point);
+    const Cell cell = cell_at(point, distance_);
     for (int64_t x = cell[0] - 1; x <= cell[0] + 1; ++x)
       for (int64_t y = cell[1] - 1; y <= cell[1] + 1; ++y)
         for (int64_t z = cell[2] - 1; z <= cell[2] + 1; ++z) {
@@ -30,25 +26,11 @@ class Darts {
         }
     return true;
   }
-  void add(const Vec3d& point) { cells_[cell_of(point)].push_back(point); }
+  void add(const Vec3d& point) { cells_[cell_at(point, distance_)].push_back(point); }
 
  private:
-  using Cell = std::array<int64_t, 3>;
-  struct Hash {
-    size_t operator()(const Cell& c) const {
-      return static_cast<size_t>(c[0] * 73856093) ^ static_cast<size_t>(c[1] * 19349663) ^
-             static_cast<size_t>(c[2] * 83492791);
-    }
-  };
-
-  Cell cell_of(const Vec3d& p) const {
-    return {static_cast<int64_t>(std::floor(p.x / distance_)),
-            static_cast<int64_t>(std::floor(p.y / distance_)),
-            static_cast<int64_t>(std::floor(p.z / distance_))};
-  }
-
   double distance_;
-  std::unordered_map<Cell, std::vector<Vec3d>, Hash> cells_;
+  CellMap<std::vector<Vec3d>> cells_;
 };
 
 }  // namespace vug::karst

@@ -2,13 +2,9 @@
 // Distances between straight legs, and a grid that finds the near ones.
 #pragma once
 
-#include <vug/base/vec.h>
+#include <vug/karst/cell.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace vug::karst {
@@ -55,14 +51,6 @@ class SegmentGrid {
   }
 
  private:
-  using Cell = std::array<int64_t, 3>;
-  struct Hash {
-    size_t operator()(const Cell& c) const {
-      return static_cast<size_t>(c[0] * 73856093) ^ static_cast<size_t>(c[1] * 19349663) ^
-             static_cast<size_t>(c[2] * 83492791);
-    }
-  };
-
   /// The cells of boxes around pieces of the segment that are at most a side long.
   template <class Visit>
   void for_each_cell(const SegmentPiece& segment, double margin, const Visit& visit) const {
@@ -71,24 +59,18 @@ class SegmentGrid {
     for (int64_t i = 0; i < pieces; ++i) {
       const Vec3d start = segment.from + way * (static_cast<double>(i) / double(pieces));
       const Vec3d end = segment.from + way * (static_cast<double>(i + 1) / double(pieces));
-      Cell low{}, high{};
+      Vec3d low, high;
       for (int axis = 0; axis < 3; ++axis) {
-        const auto k = static_cast<size_t>(axis);
-        low[k] = cell_at(std::min(start[axis], end[axis]) - margin);
-        high[k] = cell_at(std::max(start[axis], end[axis]) + margin);
+        low[axis] = std::min(start[axis], end[axis]) - margin;
+        high[axis] = std::max(start[axis], end[axis]) + margin;
       }
-      for (int64_t x = low[0]; x <= high[0]; ++x)
-        for (int64_t y = low[1]; y <= high[1]; ++y)
-          for (int64_t z = low[2]; z <= high[2]; ++z) visit(Cell{x, y, z});
+      karst::for_each_cell(cell_at(low, side_), cell_at(high, side_), visit);
     }
-  }
-  int64_t cell_at(double coordinate) const {
-    return static_cast<int64_t>(std::floor(coordinate / side_));
   }
 
   double side_;
   double reach_;
-  std::unordered_map<Cell, std::vector<int>, Hash> cells_;
+  CellMap<std::vector<int>> cells_;
 };
 
 }  // namespace vug::karst
