@@ -66,8 +66,8 @@ int Semantics::node_at(const Vec3d& world) const {
   double least = kMaxWeathering;
   boxes_.visit_nearest(p, least * least, [&](uint32_t item) {
     const Piece& piece = pieces_[item];
-    const double away = piece.flat ? std::sqrt(mesh::squared_distance(p, piece.box))
-                                   : std::abs(piece.solid.value(p));
+    const double away =
+        piece.flat ? std::sqrt(squared_distance(p, piece.box)) : std::abs(piece.solid.value(p));
     if (away < least - kSameDistance || (away < least + kSameDistance && piece.node > node))
       node = piece.node;
     least = std::min(least, away);

@@ -19,14 +19,6 @@
 namespace vug::loading {
 namespace {
 
-/// The option of a grammar that names the network which it dresses.
-constexpr const char* kDress = "dress";
-
-bool is_clause(const std::string& option) {
-  const std::vector<std::string>& names = clause_names();
-  return std::find(names.begin(), names.end(), option) != names.end();
-}
-
 bool has_rule(const scene::Grammar& grammar, const std::string& symbol) {
   return std::any_of(grammar.rules.begin(), grammar.rules.end(),
                      [&](const scene::Rule& rule) { return rule.head == symbol; });
@@ -182,12 +174,12 @@ grammar::SuccessorItem Binder::part(const scene::Item& item, const scene::Rule& 
 
 void Binder::read_network() {
   for (const scene::Entry& option : source_.options) {
-    if (option.key != kDress) continue;
-    const Value given = values_.value(*option.values.at(0), key_.at(kDress), {});
+    if (option.key != scene::kDressOption) continue;
+    const Value given = values_.value(*option.values.at(0), key_.at(scene::kDressOption), {});
     const auto network = ValueTraits<shot::NetworkPtr>::read(given);
     if (!network)
-      values_.fail(option.extent,
-                   fmt::format("'{}' expects a network, not {}", kDress, given.type_name()));
+      values_.fail(option.extent, fmt::format("'{}' expects a network, not {}", scene::kDressOption,
+                                              given.type_name()));
     network_ = *network;
   }
   refuse_elements(source_.axiom);
@@ -213,7 +205,7 @@ void Binder::read_network() {
     values_.fail(
         source_.where,
         fmt::format("grammar '{}' has no rule for an element of its network", source_.name),
-        "write a rule for Leg, Junction, End or Sump");
+        "write a rule for " + network_symbol_names("or"));
 }
 
 void Binder::refuse_elements(const std::vector<scene::Item>& items) const {

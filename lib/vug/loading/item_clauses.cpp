@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/kind.h>
 #include <vug/loading/item_clauses.h>
+#include <vug/loading/option_info.h>
 
 #include <fmt/format.h>
 
@@ -66,58 +67,80 @@ std::vector<double> azimuths(const Given& given) {
   return out;
 }
 
+ParamInfo overlap_info() {
+  ParamInfo info =
+      option_info("overlap", "number",
+                  "penetration of a shape as a fraction of its extent; default: by its operation");
+  info.min = 0;
+  info.max = 1;
+  info.dimension = Dimension::ratio;
+  return info;
+}
+
 struct Clause {
-  const char* name;
+  ParamInfo info;
   bool about_gluing;
   void (*read)(const Given& given, ItemClauses& out);
 };
 
-constexpr Clause kClauses[] = {
-    {"label", true, [](const Given& g, ItemClauses& out) { out.step.label = label(g); }},
-    {"blend", false,
-     [](const Given& g, ItemClauses& out) {
-       const auto blend = ValueTraits<field::Blend>::read(g.value);
-       g.expect(blend.has_value(), "a blend such as smooth(10cm)");
-       out.step.blend = *blend;
-     }},
-    {"overlap", true,
-     [](const Given& g, ItemClauses& out) {
-       out.step.overlap = g.number(Dimension::ratio, 0, 1, "a share between 0% and 100%");
-     }},
-    {"reach", false, [](const Given& g, ItemClauses& out) { out.step.reach = reach(g); }},
-    {"pieces", false,
-     [](const Given& g, ItemClauses& out) {
-       constexpr const char* kWhat = "a whole number between 0 and 1000";
-       const double count = g.number(Dimension::none, 0, 1000, kWhat);
-       g.expect(count == std::floor(count), kWhat);
-       out.pieces = std::max(1, static_cast<int>(count));
-     }},
-    {"piece_label", false,
-     [](const Given& g, ItemClauses& out) { out.step.piece_label = label(g); }},
-    {"slope", true,
-     [](const Given& g, ItemClauses& out) {
-       out.step.heading.slope =
-           g.number(Dimension::angle, -kPi / 2, kPi / 2, "an angle between -90deg and 90deg");
-     }},
-    {"azimuth", true,
-     [](const Given& g, ItemClauses& out) { out.step.heading.azimuths = azimuths(g); }},
-    {"within", true,
-     [](const Given& g, ItemClauses& out) {
-       const auto* solid = g.value.object<field::Field>();
-       g.expect(solid != nullptr, "a solid");
-       out.step.limits.within = *solid;
-     }},
-    {"apart", true,
-     [](const Given& g, ItemClauses& out) {
-       out.step.limits.apart = g.number(Dimension::length, 0, kInfinity, "a length of at least 0");
-     }},
-    {"name", false,
-     [](const Given& g, ItemClauses& out) {
-       const auto* text = g.value.get<std::string>();
-       g.expect(text && !text->empty(), "a text such as \"hall\"");
-       out.step.name = *text;
-     }},
-};
+const std::vector<Clause>& clauses() {
+  static const std::vector<Clause> all = {
+      {choice_info("label", sgm::label_names(), "random", "side to which a shape is attached"),
+       true, [](const Given& g, ItemClauses& out) { out.step.label = label(g); }},
+      {option_info("blend", "blend", "blend between a shape and the existing solid"), false,
+       [](const Given& g, ItemClauses& out) {
+         const auto blend = ValueTraits<field::Blend>::read(g.value);
+         g.expect(blend.has_value(), "a blend such as smooth(10cm)");
+         out.step.blend = *blend;
+       }},
+      {overlap_info(), true,
+       [](const Given& g, ItemClauses& out) {
+         out.step.overlap = g.number(Dimension::ratio, 0, 1, "a share between 0% and 100%");
+       }},
+      {choice_info("reach", {"local", "whole"}, "local", "range of the effect of a shape"), false,
+       [](const Given& g, ItemClauses& out) { out.step.reach = reach(g); }},
+      {whole_info("pieces", 0, 1000, "1",
+                  "number of shapes joined before they are attached; 0 counts as 1"),
+       false,
+       [](const Given& g, ItemClauses& out) {
+         constexpr const char* kWhat = "a whole number between 0 and 1000";
+         const double count = g.number(Dimension::none, 0, 1000, kWhat);
+         g.expect(count == std::floor(count), kWhat);
+         out.pieces = std::max(1, static_cast<int>(count));
+       }},
+      {choice_info("piece_label", sgm::label_names(), "random",
+                   "side to which each piece is attached"),
+       false, [](const Given& g, ItemClauses& out) { out.step.piece_label = label(g); }},
+      {option_info("slope", "angle",
+                   "inclination of the direction in which a shape continues the solid"),
+       true,
+       [](const Given& g, ItemClauses& out) {
+         out.step.heading.slope =
+             g.number(Dimension::angle, -kPi / 2, kPi / 2, "an angle between -90deg and 90deg");
+       }},
+      {option_info("azimuth", "angle or list",
+                   "compass directions of joints, of which a shape follows the nearest"),
+       true, [](const Given& g, ItemClauses& out) { out.step.heading.azimuths = azimuths(g); }},
+      {option_info("within", "field", "solid that must contain the middle of each shape"), true,
+       [](const Given& g, ItemClauses& out) {
+         const auto* solid = g.value.object<field::Field>();
+         g.expect(solid != nullptr, "a solid");
+         out.step.limits.within = *solid;
+       }},
+      {option_info("apart", "length", "least distance to shapes that are not neighbours"), true,
+       [](const Given& g, ItemClauses& out) {
+         out.step.limits.apart =
+             g.number(Dimension::length, 0, kInfinity, "a length of at least 0");
+       }},
+      {option_info("name", "text", "name of the place of a shape, for locator(...)"), false,
+       [](const Given& g, ItemClauses& out) {
+         const auto* text = g.value.get<std::string>();
+         g.expect(text && !text->empty(), "a text such as \"hall\"");
+         out.step.name = *text;
+       }},
+  };
+  return all;
+}
 
 /// The choice in a clause, such as +X or random, even if X or random is declared.
 std::optional<std::string> choice(const std::string& key, const scene::Expr& expr) {
@@ -132,21 +155,20 @@ std::optional<std::string> choice(const std::string& key, const scene::Expr& exp
 }
 
 const Clause* find_clause(const std::string& name) {
-  const auto* found = std::find_if(std::begin(kClauses), std::end(kClauses),
-                                   [&](const Clause& clause) { return clause.name == name; });
-  return found == std::end(kClauses) ? nullptr : found;
+  const auto found = std::find_if(clauses().begin(), clauses().end(),
+                                  [&](const Clause& clause) { return clause.info.name == name; });
+  return found == clauses().end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-const std::vector<std::string>& clause_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (const Clause& clause : kClauses) all.emplace_back(clause.name);
-    return all;
-  }();
-  return names;
+std::vector<ParamInfo> clause_infos() {
+  std::vector<ParamInfo> infos;
+  for (const Clause& clause : clauses()) infos.push_back(clause.info);
+  return infos;
 }
+
+bool is_clause(const std::string& name) { return find_clause(name) != nullptr; }
 
 bool is_about_gluing(const std::string& clause) {
   const Clause* found = find_clause(clause);
@@ -156,9 +178,12 @@ bool is_about_gluing(const std::string& clause) {
 void read_clause(const scene::Entry& clause, RandomKey key, const scene::Scope& scope,
                  const RuleValues& values, ItemClauses& out) {
   const Clause* found = find_clause(clause.key);
-  if (!found)
+  if (!found) {
+    std::vector<std::string> names;
+    for (const Clause& one : clauses()) names.push_back(one.info.name);
     values.fail(clause.where, fmt::format("unknown clause '{}'", clause.key),
-                suggestion(clause.key, clause_names()));
+                suggestion(clause.key, names));
+  }
   const scene::Expr& expr = *clause.values.at(0);
   const std::optional<std::string> word = choice(clause.key, expr);
   found->read({clause, values,

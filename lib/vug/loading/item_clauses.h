@@ -13,8 +13,11 @@ struct ItemClauses {
   int pieces = 1;
 };
 
-/// The names of all clauses. Every one is an option of the grammar, too.
-const std::vector<std::string>& clause_names();
+/// All clauses. Every one is an option of the grammar, too.
+std::vector<ParamInfo> clause_infos();
+
+/// Whether there is a clause of that name.
+bool is_clause(const std::string& name);
 
 /// Whether a clause describes how a shape is glued to another one, which has no meaning for a shape
 /// that is placed on a network.

@@ -102,6 +102,18 @@ const std::vector<NetworkSymbol>& network_symbols() {
   return symbols;
 }
 
+std::string network_symbol_names(const char* last_word) {
+  const auto& all = network_symbols();
+  std::string text;
+  for (size_t i = 0; i < all.size(); ++i)
+    text += fmt::format("{}{}",
+                        i == 0               ? ""
+                        : i + 1 < all.size() ? ", "
+                                             : fmt::format(" {} ", last_word),
+                        all[i].name);
+  return text;
+}
+
 const NetworkSymbol* find_network_symbol(const std::string& name) {
   const auto& all = network_symbols();
   const auto found = std::find_if(all.begin(), all.end(),

@@ -15,12 +15,15 @@ struct ElementAttribute {
 };
 
 struct NetworkSymbol {
-  const char* name;  ///< "Leg", "Junction", "End" or "Sump".
+  const char* name;  ///< E.g. "Leg".
   network::ElementKind kind;
   std::vector<ElementAttribute> attributes;
 };
 
 const std::vector<NetworkSymbol>& network_symbols();
+
+/// For example "Leg, Junction, End or Sump" for the word "or".
+std::string network_symbol_names(const char* last_word);
 
 /// The symbol of that name, or null.
 const NetworkSymbol* find_network_symbol(const std::string& name);

@@ -140,8 +140,9 @@ class NameChecker {
   }
 
   void grammar(const Grammar& grammar) {
-    const bool dresses = std::any_of(grammar.options.begin(), grammar.options.end(),
-                                     [](const Entry& option) { return option.key == "dress"; });
+    const bool dresses =
+        std::any_of(grammar.options.begin(), grammar.options.end(),
+                    [](const Entry& option) { return option.key == kDressOption; });
     if (!grammar.axiom_where.known() && !grammar.broken && !dresses)
       diagnostics_.error(grammar.where, fmt::format("grammar '{}' has no axiom", grammar.name),
                          "write 'axiom' followed by the initial symbols");

@@ -125,6 +125,10 @@ struct Rule {
 
 struct LSystem;  ///< See lsystem_document.h.
 
+/// The option of a shape grammar that names the network which it dresses. Such a grammar needs no
+/// axiom.
+inline constexpr const char* kDressOption = "dress";
+
 /// `grammar name : kind { ... }`. The kind selects the dialect: "shape", "facade", or "lsystem",
 /// whose axiom and rules are in `lsystem`.
 struct Grammar {
