@@ -20,11 +20,16 @@ void add_labels(mesh::Mesh& mesh, const std::vector<shot::SurfaceLabel>& labels)
         nearest[i] = k;
       }
   }
-  for (const std::string& name : shot::label_names(labels)) {
-    mesh::Attribute mask{name, 1, std::vector<float>(count)};
-    for (size_t i = 0; i < count; ++i) mask.values[i] = labels[nearest[i]].name == name ? 1.f : 0.f;
-    mesh.attributes.push_back(std::move(mask));
-  }
+  const std::vector<std::string> names = shot::label_names(labels);
+  const size_t first = mesh.attributes.size();
+  std::vector<size_t> attribute;  // By label.
+  for (const shot::SurfaceLabel& label : labels)
+    attribute.push_back(
+        first +
+        static_cast<size_t>(std::find(names.begin(), names.end(), label.name) - names.begin()));
+  for (const std::string& name : names)
+    mesh.attributes.push_back({name, 1, std::vector<float>(count)});
+  for (size_t i = 0; i < count; ++i) mesh.attributes[attribute[nearest[i]]].values[i] = 1;
 }
 
 }  // namespace vug::building

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace vug::network {
 namespace {
@@ -17,11 +18,11 @@ bool ends_in_levels(std::string_view full, std::string_view name) {
          full[full.size() - name.size() - 1] == '.';
 }
 
-/// All names of a station; none if it has no name.
-std::vector<std::string> names_of(const Station& station) {
-  std::vector<std::string> names = station.equated;
-  if (!station.name.empty()) names.insert(names.begin(), station.name);
-  return names;
+/// Calls visit(name) for all names of a station; not at all if it has no name.
+template <class Visit>
+void for_each_name(const Station& station, const Visit& visit) {
+  if (!station.name.empty()) visit(station.name);
+  for (const std::string& name : station.equated) visit(name);
 }
 
 /// For example "the names of its 321 stations begin with a, b, c, d, e".
@@ -38,11 +39,11 @@ std::string first_stations(const Network& network) {
 [[noreturn]] void refuse_unknown(const Network& network, const std::string& name) {
   std::vector<std::string> known;
   for (const Station& station : network.stations)
-    for (const std::string& full : names_of(station)) {
+    for_each_name(station, [&](const std::string& full) {
       known.push_back(full);
       const size_t dot = full.rfind('.');
       if (dot != std::string::npos) known.push_back(full.substr(dot + 1));
-    }
+    });
   throw Error(ErrorCode::bad_input, fmt::format("the network has no station '{}'", name), {},
               did_you_mean(name, known, first_stations(network)));
 }
@@ -53,14 +54,16 @@ int find_station(const Network& network, std::string_view name) {
   if (name.empty()) refuse_unknown(network, "");
   std::vector<int> found;
   std::vector<std::string> candidates;
-  for (size_t i = 0; i < network.stations.size(); ++i)
-    for (const std::string& full : names_of(network.stations[i])) {
-      if (full == name) return static_cast<int>(i);
-      if (!ends_in_levels(full, name)) continue;
+  std::optional<int> exact;
+  for (size_t i = 0; i < network.stations.size() && !exact; ++i)
+    for_each_name(network.stations[i], [&](const std::string& full) {
+      const int station = static_cast<int>(i);
+      if (full == name) exact = station;
+      if (!ends_in_levels(full, name)) return;
       candidates.push_back(full);
-      if (found.empty() || found.back() != static_cast<int>(i))
-        found.push_back(static_cast<int>(i));
-    }
+      if (found.empty() || found.back() != station) found.push_back(station);
+    });
+  if (exact) return *exact;
   if (found.empty()) refuse_unknown(network, std::string(name));
   if (found.size() == 1) return found.front();
   constexpr size_t kShown = 5;

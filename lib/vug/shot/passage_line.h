@@ -58,9 +58,7 @@ struct PointLine : PassageLine {
   }
 
   /// The network with the legs on which the points lie.
-  network::Network course() const {
-    return middle && !of->legs.empty() ? passages::on_axes(*of, options()) : *of;
-  }
+  NetworkPtr course() const;
 };
 
 }  // namespace vug::shot

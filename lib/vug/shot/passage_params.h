@@ -5,6 +5,8 @@
 #include <vug/shot/passage_line.h>
 #include <vug/shot/section_rules.h>
 
+#include <fmt/format.h>
+
 #include <optional>
 
 namespace vug::shot {
@@ -48,6 +50,16 @@ void describe_bed(Schema<P>& s, const char* depth, const char* fill) {
              {.doc = "additional depth of sediment, as a part of the passage's height",
               .min = 0,
               .max = 1});
+}
+
+/// Adds `overlap` of P, by which `body` extends into the rock.
+template <class P>
+void describe_overlap(Schema<P>& s, const char* body) {
+  s.param("overlap", &P::overlap,
+          {.doc = fmt::format("how far the {} extends into walls and floor", body),
+           .dimension = Dimension::length,
+           .min = 0.05,
+           .max = 100});
 }
 
 /// The stations with these names; see network::find_station.

@@ -23,11 +23,7 @@ struct Ponds : PassageParams {
             {.doc = "stations where water leaves; by default all springs, or the lowest end"})
         .param("depth", &Ponds::most, positive_length("at the deepest point, at most"));
     describe_bed(s, "sediment", "fill");
-    s.param("overlap", &Ponds::overlap,
-            {.doc = "how far the water extends into walls and floor",
-             .dimension = Dimension::length,
-             .min = 0.05,
-             .max = 100});
+    describe_overlap(s, "water");
     describe_walls(s);
   }
 };

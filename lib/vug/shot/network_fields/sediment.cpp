@@ -22,12 +22,8 @@ struct Sediment : PassageParams {
             {.doc = "steepest floor with sediment, which thins out 10 degrees below it",
              .dimension = Dimension::angle,
              .min = 0.05,
-             .max = kPi / 2})
-        .param("overlap", &Sediment::overlap,
-               {.doc = "how far the sediment extends into walls and floor",
-                .dimension = Dimension::length,
-                .min = 0.05,
-                .max = 100});
+             .max = kPi / 2});
+    describe_overlap(s, "sediment");
     describe_walls(s);
   }
 };

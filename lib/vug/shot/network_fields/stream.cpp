@@ -45,17 +45,13 @@ struct StreamParams : PassageParams {
                {.doc = "distance between points of the surface, at most",
                 .dimension = Dimension::length,
                 .min = 0.05,
-                .max = 100})
-        .param("overlap", &StreamParams::overlap,
-               {.doc = "how far the water extends into walls and floor",
-                .dimension = Dimension::length,
-                .min = 0.05,
-                .max = 100})
-        .choice("part", &StreamParams::part,
-                {{"all", passages::StreamPart::all},
-                 {"surface", passages::StreamPart::surface},
-                 {"falls", passages::StreamPart::falls}},
-                "which water: pools, riffles and backwaters, or falls")
+                .max = 100});
+    describe_overlap(s, "water");
+    s.choice("part", &StreamParams::part,
+             {{"all", passages::StreamPart::all},
+              {"surface", passages::StreamPart::surface},
+              {"falls", passages::StreamPart::falls}},
+             "which water: pools, riffles and backwaters, or falls")
         .param("seed", &StreamParams::seed, {.doc = "of the distances between riffles", .min = 0});
     describe_walls(s);
   }

@@ -22,7 +22,7 @@ struct Along : PointLine {
 };
 
 std::vector<Vec3d> points(const Along& p) {
-  std::vector<Vec3d> all = network::points_along(p.course(), p.spacing);
+  std::vector<Vec3d> all = network::points_along(*p.course(), p.spacing);
   for (Vec3d& point : all) point.y += p.up;
   return all;
 }

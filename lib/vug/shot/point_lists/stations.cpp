@@ -52,12 +52,12 @@ bool is_chosen(Choice only, size_t degree, const network::StationFlags& flags) {
 std::vector<Vec3d> positions(const Stations& p) {
   const network::PlacedGraph cave = network::cave_graph(*p.of);
   const std::vector<std::vector<int>> neighbours = network::neighbours(cave.graph);
-  const network::Network course = p.course();
+  const NetworkPtr course = p.course();
   std::vector<Vec3d> points;
   for (size_t node = 0; node < cave.stations.size(); ++node) {
     const auto station = static_cast<size_t>(cave.stations[node]);
     if (is_chosen(p.only, neighbours[node].size(), p.of->stations[station].flags))
-      points.push_back(course.stations[station].position + Vec3d(0, p.up, 0));
+      points.push_back(course->stations[station].position + Vec3d(0, p.up, 0));
   }
   return points;
 }

@@ -22,7 +22,7 @@ struct StationPoint : PointLine {
 
 Vec3d station_position(const StationPoint& p) {
   const auto station = static_cast<size_t>(network::find_station(*p.of, p.name));
-  return p.course().stations[station].position + Vec3d(0, p.up, 0);
+  return p.course()->stations[station].position + Vec3d(0, p.up, 0);
 }
 
 }  // namespace
