@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Voids: the operands that differences remove.
+#include <vug/field/affine.h>
 #include <vug/field/operands.h>
+#include <vug/field/placement.h>
 #include <vug/loading/placement/checks.h>
 
 #include <fmt/format.h>
@@ -14,10 +16,12 @@ namespace {
 /// Points along each axis of a void's box: first few, then many before it is reported.
 constexpr int kFew = 5, kMany = 16;
 
-/// A void and the solid of which it is a part, in the same space.
-struct Void {
+/// A node below the field of a volume, with the map to the volume's space.
+struct PlacedNode {
   field::NodePtr node;
-  field::Field whole;
+  Transform to_volume;
+
+  field::Field in_volume() const { return field::transformed(field::Field(node), to_volume); }
 };
 
 /// Whether a rule of a grammar made the node: its productions may fill each other's voids.
@@ -27,30 +31,36 @@ bool is_of_rule(const scene::Provenance& made) {
   return false;
 }
 
-/// The voids below a node that the text names.
-void find_voids(const field::NodePtr& top, const field::Field& whole, const Loaded& scene,
-                std::vector<Void>& voids) {
+/// The voids below a node that the text names. Of a node that is placed several times, only the
+/// first place counts.
+std::vector<PlacedNode> find_voids(const field::NodePtr& top, const Loaded& scene) {
+  std::vector<PlacedNode> voids;
   std::unordered_set<const field::Node*> seen;
-  std::vector<field::NodePtr> pending = {top};
+  std::vector<PlacedNode> pending = {{top, {}}};
   while (!pending.empty()) {
-    const field::NodePtr node = std::move(pending.back());
+    const PlacedNode here = std::move(pending.back());
     pending.pop_back();
-    if (!seen.insert(node.get()).second) continue;
-    if (field::NodePtr child = field::undisplaced(*node)) pending.push_back(std::move(child));
-    field::Operands operands = field::operands_of(*node);
-    if (operands.kept.empty()) continue;
-    for (field::NodePtr& kept : operands.kept) pending.push_back(std::move(kept));
-    const scene::Provenance* made = scene.provenance.find(node);
+    const field::Node& node = *here.node;
+    if (!seen.insert(&node).second) continue;
+    if (const std::optional<Transform> placement = field::placement_of(node))
+      pending.push_back({node.children().front(), here.to_volume * *placement});
+    if (field::NodePtr child = field::undisplaced(node))
+      pending.push_back({std::move(child), here.to_volume});
+    field::Operands operands = field::operands_of(node);
+    for (field::NodePtr& kept : operands.kept) pending.push_back({std::move(kept), here.to_volume});
+    const scene::Provenance* made = scene.provenance.find(here.node);
     if (!made || is_of_rule(*made)) continue;
-    for (field::NodePtr& removed : operands.removed) voids.push_back({std::move(removed), whole});
+    for (field::NodePtr& removed : operands.removed)
+      voids.push_back({std::move(removed), here.to_volume});
   }
+  return voids;
 }
 
 enum class Content { unknown, air, rock };
 
-/// Looks for air in the void, at points of a lattice.
-Content content_of(const Void& one, const Box3d& box, int count, double slack, Accuracy accuracy) {
-  const field::Field removed(one.node);
+/// Looks for air in the part of a void inside the box, at points of a lattice.
+Content content_of(const field::Field& removed, const field::Field& whole, const Box3d& box,
+                   int count, double slack, Accuracy accuracy) {
   Content content = Content::unknown;
   const Vec3d size = box.size();
   for (int i = 0; i < count * count * count; ++i) {
@@ -59,7 +69,7 @@ Content content_of(const Void& one, const Box3d& box, int count, double slack, A
     const Vec3d p = box.min + size * share;
     if (!(field::bounds_at(removed, p).hi < -slack)) continue;
     const double rock =
-        accuracy == Accuracy::exact ? one.whole.value(p) : field::bounds_at(one.whole, p).hi;
+        accuracy == Accuracy::exact ? whole.value(p) : field::bounds_at(whole, p).hi;
     if (!(rock < -slack)) return Content::air;
     content = Content::rock;
   }
@@ -74,13 +84,13 @@ void check_voids(const Loaded& scene, const shot::Shot& part, Accuracy accuracy,
     if (volume->source_mesh || volume->fog) continue;
     Box3d region = volume->field.bounds();
     if (volume->from) region = intersection(region, Box3d(*volume->from, *volume->to));
-    std::vector<Void> voids;
-    find_voids(volume->field.node(), volume->field, scene, voids);
-    for (const Void& one : voids) {
-      const Box3d box = intersection(region, one.node->traits().bounds);
+    for (const PlacedNode& one : find_voids(volume->field.node(), scene)) {
+      const field::Field removed = one.in_volume();
+      const Box3d box = intersection(region, removed.bounds());
       if (!is_finite(box)) continue;
       const auto filled = [&](int count) {
-        return content_of(one, box, count, 0.5 * volume->voxel, accuracy) == Content::rock;
+        return content_of(removed, volume->field, box, count, 0.5 * volume->voxel, accuracy) ==
+               Content::rock;
       };
       const scene::Provenance* made = scene.provenance.find(one.node);
       if (!made || !filled(kFew) || !filled(kMany)) continue;
