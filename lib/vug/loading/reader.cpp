@@ -128,14 +128,24 @@ std::optional<Value> make(const KindRegistry& registry, const std::string& name,
   return value;
 }
 
-Value report_unknown(const KindRegistry& registry, const std::string& name,
-                     const SourceLocation& where, Diagnostics& diagnostics) {
+std::string hint_for_unknown(const KindRegistry& registry, const std::string& name) {
+  for (const KindRegistry& other : kind_registries())
+    if (other.find(name))
+      return other.type == "field" && registry.type == "volume"
+                 ? fmt::format("'{0}' is a field: write level_set({0}(...), voxel: 10cm)", name)
+                 : fmt::format("'{}' is listed by 'vug list {}'; choose from 'vug list {}'", name,
+                               other.type, registry.type);
   std::vector<std::string> names;
   for (const RegisteredKind& kind : registry.kinds) names.push_back(kind.info->name);
+  return names.size() <= kMaxNames || !nearest_name(name, names).empty()
+             ? suggestion(name, names)
+             : "'vug list' shows them all";
+}
+
+Value report_unknown(const KindRegistry& registry, const std::string& name,
+                     const SourceLocation& where, Diagnostics& diagnostics) {
   diagnostics.error(where, fmt::format("there is no {} '{}'", registry.type, name),
-                    names.size() <= kMaxNames || !nearest_name(name, names).empty()
-                        ? suggestion(name, names)
-                        : "'vug list' shows them all");
+                    hint_for_unknown(registry, name));
   return Value();
 }
 
