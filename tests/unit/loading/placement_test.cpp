@@ -174,9 +174,10 @@ TEST(Placement, AFilledVoid) {
   EXPECT_NE(filled("displace(block + sphere(3m), amount: 10cm)"), "");
   EXPECT_NE(filled("union([block, box(size: (5, 5, 5))], blend: smooth(20cm))"), "");
   EXPECT_NE(filled("block.translate((0, 0, 20)) + sphere(3m).translate((0, 0, 20))"), "");
-  EXPECT_NE(filled("block.rotate(axis: (0, 1, 0), angle: 30deg).scale(by: 2).translate((5, 0, 0)) + "
-                   "box(size: (10, 10, 10)).translate((5, 0, 0))"),
-            "");
+  EXPECT_NE(
+      filled("block.rotate(axis: (0, 1, 0), angle: 30deg).scale(by: 2).translate((5, 0, 0)) + "
+             "box(size: (10, 10, 10)).translate((5, 0, 0))"),
+      "");
   EXPECT_EQ(filled("block.translate((0, 0, 20)) + sphere(3m)"), "") << "the void has moved away";
   EXPECT_EQ(filled("block"), "");
   EXPECT_EQ(filled("block + cylinder(radius: 1m, height: 9m)"), "") << "a pillar in the hall";
