@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/parameter_synonyms.h>
 #include <vug/base/pluralize.h>
 #include <vug/base/schema.h>
 #include <vug/base/srgb.h>
@@ -41,10 +42,12 @@ std::vector<int> match_arguments(const KindInfo& kind, const Arguments& argument
     } else {
       slot =
           static_cast<size_t>(std::find(names.begin(), names.end(), argument.name) - names.begin());
-      if (slot == names.size())
+      if (slot == names.size()) {
+        const std::string ours = parameter_for(argument.name, names);
         diagnostics.error(name_location(argument),
                           fmt::format("'{}' has no parameter '{}'", kind.name, argument.name),
-                          suggestion(argument.name, names));
+                          suggestion(ours.empty() ? argument.name : ours, names));
+      }
     }
     if (slot == names.size()) continue;
     if (given[slot]) {

@@ -3,6 +3,7 @@
 #include <vug/loading/kind_registry.h>
 
 #include <fmt/format.h>
+#include <boost/algorithm/string/predicate.hpp>
 
 #include <algorithm>
 #include <map>
@@ -124,6 +125,13 @@ std::vector<std::string> synonyms_of(const KindInfo& kind) {
     at = end + 2;
   }
   return words;
+}
+
+bool is_synonym(const std::string& word, const KindInfo& kind) {
+  const std::vector<std::string> words = synonyms_of(kind);
+  return std::any_of(words.begin(), words.end(), [&](const std::string& each) {
+    return boost::algorithm::iequals(word, each);
+  });
 }
 
 std::string example_of(const KindInfo& kind) {

@@ -22,6 +22,9 @@ const std::vector<KindText>& kind_texts();
 /// Words of other programs for the kind.
 std::vector<std::string> synonyms_of(const KindInfo& kind);
 
+/// Whether other programs have this word for the kind, in upper or lower case.
+bool is_synonym(const std::string& word, const KindInfo& kind);
+
 /// A use of the kind that can be copied: that of its file, or one made from its required
 /// parameters, in a statement that the kinds of its category need. It may use the names of
 /// `example_scene`. An example that begins with "vug " is a command.

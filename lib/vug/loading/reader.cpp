@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/loading/example.h>
 #include <vug/loading/reader.h>
 
 #include <fmt/format.h>
@@ -129,14 +130,17 @@ std::optional<Value> make(const KindRegistry& registry, const std::string& name,
 }
 
 std::string hint_for_unknown(const KindRegistry& registry, const std::string& name) {
+  std::vector<std::string> names;
+  for (const RegisteredKind& kind : registry.kinds) {
+    if (is_synonym(name, *kind.info)) return fmt::format("did you mean '{}'?", kind.info->name);
+    names.push_back(kind.info->name);
+  }
   for (const KindRegistry& other : kind_registries())
     if (other.find(name))
       return other.type == "field" && registry.type == "volume"
                  ? fmt::format("'{0}' is a field: write level_set({0}(...), voxel: 10cm)", name)
                  : fmt::format("'{}' is listed by 'vug list {}'; choose from 'vug list {}'", name,
                                other.type, registry.type);
-  std::vector<std::string> names;
-  for (const RegisteredKind& kind : registry.kinds) names.push_back(kind.info->name);
   return names.size() <= kMaxNames || !nearest_name(name, names).empty()
              ? suggestion(name, names)
              : "'vug list' shows them all";

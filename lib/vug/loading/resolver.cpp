@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/boolean.h>
 #include <vug/field/registry.h>
+#include <vug/loading/example.h>
 #include <vug/loading/reader.h>
 #include <vug/loading/resolver.h>
 
@@ -238,6 +239,13 @@ std::vector<std::string> Resolver::known_calls() const {
   for (const KindRegistry& registry : kind_registries())
     for (const RegisteredKind& kind : registry.kinds) names.push_back(kind.info->name);
   return names;
+}
+
+std::string Resolver::call_for(const std::string& word) const {
+  for (const KindRegistry& registry : kind_registries())
+    for (const RegisteredKind& kind : registry.kinds)
+      if (is_synonym(word, *kind.info)) return kind.info->name;
+  return "";
 }
 
 }  // namespace vug::loading

@@ -65,6 +65,7 @@ class Resolver final : public scene::Resolver {
                              Diagnostics& diagnostics) override;
   std::vector<std::string> known_names() const override;
   std::vector<std::string> known_calls() const override;
+  std::string call_for(const std::string& word) const override;
 
   /// Records that the value was made by the text at `where`, if it is a field.
   void record(const Value& value, const SourceLocation& where);

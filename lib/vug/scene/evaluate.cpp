@@ -366,9 +366,10 @@ void Evaluator::report_unknown_function(const Expr& expr) {
   for (const Function& function : functions()) names.emplace_back(function.name);
   for (const auto& [name, def] : defs_) names.push_back(name);
   names.insert(names.end(), {"if", "pick", "keys"});
+  const std::string call = resolver_.call_for(expr.text);
   diagnostics_->error(word_at(expr.where, expr.text),
                       fmt::format("unknown function '{}'", expr.text),
-                      did_you_mean(name_in_this_language(expr.text), names));
+                      did_you_mean(call.empty() ? name_in_this_language(expr.text) : call, names));
 }
 
 }  // namespace vug::scene

@@ -58,6 +58,8 @@ class Resolver {
 
   virtual std::vector<std::string> known_names() const { return {}; }
   virtual std::vector<std::string> known_calls() const { return {}; }
+  /// The call that other programs name with this word, for suggestions; empty if there is none.
+  virtual std::string call_for(const std::string& /*word*/) const { return {}; }
 
   /// Maximum number of names that depend on one another in a chain.
   static constexpr int kMaxPending = 200;

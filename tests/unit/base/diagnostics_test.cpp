@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/parameter_synonyms.h>
 #include <vug/base/schema.h>
 
 #include <gtest/gtest.h>
@@ -128,6 +129,15 @@ TEST(SourceLocation, RangesNestAndJoin) {
   const SourceLocation position{"a.vug", 2, 6};
   EXPECT_FALSE(both.contains(position) || position.has_end());
   EXPECT_EQ(range_text(position), "a.vug:2:6");
+}
+
+TEST(Parameters, OfOtherProgramsAreKnown) {
+  EXPECT_EQ(parameter_for("samples", {"size", "spp"}), "spp");
+  EXPECT_EQ(parameter_for("position", {"eye", "target"}), "eye");
+  EXPECT_EQ(parameter_for("position", {"center", "radius"}), "center");
+  EXPECT_EQ(parameter_for("color", {"radiance", "radius"}), "radiance");
+  EXPECT_EQ(parameter_for("color", {"radius"}), "");
+  EXPECT_EQ(parameter_for("colander", {"radiance"}), "");
 }
 
 }  // namespace
