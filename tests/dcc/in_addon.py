@@ -15,6 +15,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 part, folder, zipped = sys.argv[sys.argv.index("--") + 1:]
 os.chdir(folder)
 from addon_files import memory, reloads, save, sweeps  # noqa: E402  it looks where it is
+from addon_networks import networks  # noqa: E402
 from addon_helpers import (cave, corners, equal, near, nothing_is_built, print_of, refused, thing,  # noqa: E402
                            values, volume_of)
 
@@ -353,7 +354,7 @@ def modules():
 
 
 CHECKS = {"use": (install, empty, adds, parameters, geometry, attributes, lights, sky, cloud, slider, nothing_is_built,
-                  stale, deleted, units, cancel, faults, block_out, opacity, modules, save, sweeps, memory),
+                  stale, deleted, units, cancel, faults, block_out, opacity, modules, networks, save, sweeps, memory),
           "again": (reloads,)}
 for check in CHECKS[part]:
     check()

@@ -88,18 +88,18 @@ mesh wall on rock {{}}
 """
 
 
-def file_of(path):
+def file_of(path, extension, example):
     """The path of the output file. Raises ValueError if it is not usable."""
     path = bpy.path.abspath(path)
     name, folder = os.path.basename(path), os.path.dirname(path)
     if not name or os.path.isdir(path):
-        raise ValueError("choose a name for the file, such as block.ply")
+        raise ValueError(f"choose a name for the file, such as {example}")
     end = os.path.splitext(name)[1]
-    if end.lower() not in ("", ".ply"):
-        raise ValueError(f"'{name}' must end in .ply, the format that the scene reads")
+    if end.lower() not in ("", extension):
+        raise ValueError(f"'{name}' must end in {extension}, the format that the scene reads")
     if folder and not os.path.isdir(folder):
         raise ValueError(f"the folder '{folder}' does not exist")
-    return path if end else path + ".ply"
+    return path if end else path + extension
 
 
 def replace(path, data):
@@ -110,7 +110,7 @@ def replace(path, data):
 def write(thing, depsgraph, path, voxel):
     """Writes the mesh and, unless a scene of that name exists, a scene next to it; an edited scene is never
     overwritten. Returns a summary in one sentence."""
-    path = file_of(path)
+    path = file_of(path, ".ply", "block.ply")
     points, triangles = triangles_of(thing, depsgraph)
     require_closed(thing.name, triangles)
     volume = require_solid(thing.name, points, triangles)

@@ -21,7 +21,7 @@ class VUG_PT_cave(bpy.types.Panel):
         collection = properties.active_cave(context)
         if not collection:
             layout.operator("vug.add", icon="MESH_ICOSPHERE")
-            layout.operator("vug.export_field")
+            self.draw_exchange()
             return
         layout.label(text=collection.name, icon="OUTLINER_COLLECTION")
         if parameters.variants(collection):
@@ -50,7 +50,11 @@ class VUG_PT_cave(bpy.types.Panel):
         column = layout.column()
         column.prop(collection.vug, "source")
         column.prop(collection.vug, "folder")
-        layout.operator("vug.export_field")
+        self.draw_exchange()
+
+    def draw_exchange(self):
+        for operator in ("vug.export_field", "vug.export_network", "vug.import_network"):
+            self.layout.operator(operator)
 
 
 def register():
