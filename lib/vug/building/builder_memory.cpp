@@ -67,12 +67,15 @@ void Builder::require_mesh_memory(const shot::MeshPtr& plan) const {
   const shot::VolumePlan& volume = *plan->volume;
   if (volume.source_mesh) return require_mesh_memory(volume.source_mesh);
   if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
-  const double band = 2 * volume.half_width;
-  if (meshing_bytes(max_active_voxels(volume), band) <= static_cast<double>(memory_budget()))
-    return;
+  const size_t labels = shot::label_names(plan->labels).size();
+  const auto bytes_of_mesh = [&](double active_voxels) {
+    const double band = 2 * volume.half_width;
+    return meshing_bytes(active_voxels, band) + label_bytes(active_voxels, band, labels);
+  };
+  if (bytes_of_mesh(max_active_voxels(volume)) <= static_cast<double>(memory_budget())) return;
   try {
     const auto& estimated = estimate(plan->volume);
-    const double bytes = estimated.bytes + meshing_bytes(estimated.active_voxels, band);
+    const double bytes = estimated.bytes + bytes_of_mesh(estimated.active_voxels);
     require_memory(bytes, memory_budget(),
                    fmt::format("a mesh and its grid with voxels of {} m", volume.voxel),
                    volume::fitting_voxel_hint(volume.voxel, bytes, memory_budget()));

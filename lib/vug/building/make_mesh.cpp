@@ -37,7 +37,10 @@ SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surfac
                          : volume::field_in_region(volume.field, voxelize_options(volume, memory));
   const field::Field* exact = volume.source_mesh ? nullptr : &field;
   const auto active = static_cast<double>(surface.statistics().active_voxels);
-  require_memory(meshing_bytes(active, 2 * plan.volume->half_width), memory, "the mesh");
+  const double band = 2 * plan.volume->half_width;
+  require_memory(meshing_bytes(active, band) +
+                     label_bytes(active, band, shot::label_names(plan.labels).size()),
+                 memory, "the mesh");
   progress.begin("small features");
   std::vector<volume::SmallFeature> small = volume::find_small_features(surface, exact);
   const volume::LevelSet meshed = plan.topology == shot::SmallTopology::clean

@@ -22,11 +22,25 @@ uint64_t bytes_of(const mesh::Mesh& mesh) {
   return bytes;
 }
 
-// A surface of area A has 1.5 A / voxel^2 vertices, averaged over orientations; measured for a
-// smooth and a rough sphere, each vertex takes 420 bytes.
+namespace {
+
+// A surface of area A has 1.5 A / voxel^2 vertices, averaged over orientations.
+double vertices_of(double active_voxels, double band) { return 1.5 * active_voxels / band; }
+
+}  // namespace
+
+// Measured for a smooth and a rough sphere.
 double meshing_bytes(double active_voxels, double band) {
   constexpr double kVertexBytes = 420;
-  return kVertexBytes * 1.5 * active_voxels / band;
+  return kVertexBytes * vertices_of(active_voxels, band);
+}
+
+// Two values, the nearest label and a number for each name; see add_labels.
+double label_bytes(double active_voxels, double band, size_t names) {
+  if (names == 0) return 0;
+  const double bytes =
+      2 * sizeof(float) + sizeof(size_t) + static_cast<double>(names) * sizeof(float);
+  return bytes * vertices_of(active_voxels, band);
 }
 
 double surface_bytes(double area, double voxel) {

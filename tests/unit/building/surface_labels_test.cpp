@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/error.h>
+#include <vug/building/builder.h>
 #include <vug/building/surface_labels.h>
 #include <vug/field/registry.h>
+#include <vug/loading/load.h>
 
 #include <gtest/gtest.h>
 
@@ -24,6 +27,27 @@ TEST(SurfaceLabels, TheNearestSolidCounts) {
             (std::vector<float>{1, 1, 0, 0, 1}));
   for (size_t i = 0; i < mesh.positions.size(); ++i)
     EXPECT_EQ(mesh.attributes[0].values[i] + mesh.attributes[1].values[i], 1);
+}
+
+// 400 labels of 190,000 vertices take 300 MB; the mesh and its grid take less than 200 MB.
+TEST(SurfaceLabels, ManyLabelsNeedMemory) {
+  const loading::Loaded loaded = loading::load_text(
+      "volume rock = level_set(sphere(1m), voxel: 1cm)\nmesh wall on rock {}\n", "labels.vug");
+  ASSERT_TRUE(loaded.usable()) << loaded.report();
+  shot::MeshPlan plan = *loaded.shot.meshes.back();
+  BuildOptions options;
+  options.max_memory = uint64_t{250} << 20;
+  const Builder builder(loaded.shot, options);
+  builder.require_mesh_memory(std::make_shared<const shot::MeshPlan>(plan));
+  for (int i = 0; i < 400; ++i) plan.labels.push_back({std::to_string(i % 4), ball(1, i)});
+  builder.require_mesh_memory(std::make_shared<const shot::MeshPlan>(plan));  // Four attributes.
+  for (size_t i = 0; i < 400; ++i) plan.labels[i].name = std::to_string(i);
+  try {
+    builder.require_mesh_memory(std::make_shared<const shot::MeshPlan>(plan));
+    ADD_FAILURE() << "expected an error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::too_large);
+  }
 }
 
 TEST(SurfaceLabels, NoLabelsAddNothing) {

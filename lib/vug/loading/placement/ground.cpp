@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Terrain: passages that leave the ground, and warnings about its heights and place.
+#include <vug/base/pluralize.h>
 #include <vug/loading/placement/checks.h>
 #include <vug/terrain/exits.h>
 #include <vug/terrain/terrain.h>
@@ -24,10 +25,10 @@ void check_terrain(const terrain::TerrainSource& ground, const SourceLocation& w
       terrain::exits(*ground.around, ground, std::max(kLeast, kShareOfCell * ground.cell));
   if (exits.empty()) return;
   const terrain::Exit& worst = exits.front();
-  const std::string others =
-      exits.size() == 1 ? ""
-                        : fmt::format(", and passages at {} other place{} leave it as well",
-                                      exits.size() - 1, exits.size() == 2 ? "" : "s");
+  const std::string others = exits.size() == 1
+                                 ? ""
+                                 : fmt::format(", and passages at {} leave it as well",
+                                               pluralize(exits.size() - 1, "other place"));
   const std::string at = worst.station.empty() ? "" : fmt::format("station '{}', ", worst.station);
   diagnostics.warning(
       where,
