@@ -176,6 +176,56 @@ TEST(Stream, TheSheetOfAFallIsAParabola) {
   }
 }
 
+// Water on a slope of 4 % in a wide tube: w = 4.83 Q^(1/2), d = (n Q / (w S^(1/2)))^(3/5).
+TEST(Stream, UniformFlowHasManningsDepth) {
+  const network::Network cave = tube_along({{0, 8, 0}, {200, 0, 0}});
+  for (const double discharge : {0.01, 0.1}) {
+    const StreamOptions options{.from = {0}, .to = {1}, .discharge = discharge, .roughness = 0.04};
+    const Stream water = stream(cave, straight_tubes(), options);
+    const double width = 4.83 * std::sqrt(discharge);
+    const double depth = std::pow(0.04 * discharge / (width * std::sqrt(0.04)), 0.6);
+    int uniform = 0;
+    for (size_t i = 0; i < water.level.size(); ++i) {
+      EXPECT_NEAR(water.width[i], width, 1e-12);
+      const double above = water.level[i] - water.bed[i];
+      EXPECT_GT(above, depth * (1 - 1e-3)) << i;
+      if (above < depth * (1 + 1e-3)) ++uniform;
+    }
+    // Elsewhere there is a riffle, or the pool behind it.
+    EXPECT_GT(uniform, 20) << discharge;
+  }
+}
+
+// A slide of 50 degrees and 25 m: a sheet on the rock, thinner than a fall, down to the pool.
+TEST(Stream, SlidesOnSteepRock) {
+  const double angle = 50 * kPi / 180, length = 25;
+  const double top = length * std::sin(angle), far = length * std::cos(angle);
+  const network::Network cave =
+      tube_along({{-12, top + 0.4, 0}, {0, top, 0}, {far, 0, 0}, {far + 15, -0.5, 0}});
+  const double thickness = 0.1;
+  const auto part = [&](StreamPart which) {
+    return stream_body(cave, straight_tubes(), {.from = {0}, .to = {3}},
+                       {.thickness = thickness, .part = which});
+  };
+  const field::Field sheet = part(StreamPart::falls), pools = part(StreamPart::surface);
+  const field::Field air = passages(cave, straight_tubes());
+  const Vec3d along(std::cos(angle), -std::sin(angle), 0), up(std::sin(angle), std::cos(angle), 0);
+  for (double s = 4; s < length - 4; s += 0.25) {
+    const Vec3d bed = Vec3d(0, top, 0) + along * s - up * 2;
+    EXPECT_LT(std::fabs(air.value(bed)), 1e-6) << s;
+    double wet = 0, lowest = kInfinity;
+    for (double h = 0; h < 2; h += 0.005)
+      if (sheet.value(bed + up * h) < 0) {
+        wet += 0.005;
+        lowest = std::min(lowest, h);
+      }
+    EXPECT_GT(wet, 0.5 * thickness) << s;
+    EXPECT_LT(wet, 3 * thickness) << s;
+    EXPECT_LT(lowest, 0.03) << s << ": the sheet leaves the rock";
+    EXPECT_GT(pools.value(bed + up * 0.5 * thickness), 0) << s;
+  }
+}
+
 TEST(Sediment, IsLevelAndEndsWhereItWouldSlide) {
   const network::Network cave = tube_along({{0, 0, 0}, {30, 0, 0}, {34, 8, 0}, {60, 8, 0}});
   const field::Field body = sediment_body(cave, straight_tubes(), {.depth = 0.5, .fill = 0.1}, 0.3);

@@ -105,7 +105,7 @@ Vault vault(const VaultOptions& o) {
       for (size_t j = 0; j + 1 < across_v.size(); ++j) {
         const double x = 0.5 * (across_u[i] + across_u[i + 1]);
         const double z = 0.5 * (across_v[j] + across_v[j + 1]);
-        if (!(std::hypot(2 * x / span, 2 * z / length) < 1)) continue;
+        if (!(Vec2d(2 * x / span, 2 * z / length).length2() < 1)) continue;
         out.blocks.push_back({o.at + u * x + up * (height + 0.5 * thickness) + v * z,
                               {0.5 * (across_u[i + 1] - across_u[i]), 0.5 * thickness,
                                0.5 * (across_v[j + 1] - across_v[j])},

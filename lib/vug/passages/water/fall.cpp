@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/maths.h>
 #include <vug/passages/water/fall.h>
+#include <vug/passages/water/floor_plan.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +20,8 @@ class Way {
  public:
   explicit Way(const std::vector<FallPoint>& points) : points_(points), along_(points.size(), 0) {
     for (size_t i = 1; i < points.size(); ++i) {
-      const Vec3d step = points[i].position - points[i - 1].position;
-      along_[i] = along_[i - 1] + std::hypot(step.x, step.z);
+      const Vec3d step = in_plan(points[i].position - points[i - 1].position);
+      along_[i] = along_[i - 1] + step.length();
     }
   }
   double length() const { return along_.back(); }

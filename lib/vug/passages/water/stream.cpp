@@ -82,6 +82,13 @@ class Solver {
     return distance > 0 ? std::clamp(drop / distance, kLeastSlope, 1.0) : kLeastSlope;
   }
 
+  /// Whether the bed is steep enough for a fall or a slide, on which no riffle forms.
+  bool falls(int node, int next) const {
+    const double drop = out_.bed[at(node)] - out_.bed[at(next)];
+    return drop * maths::cos(options_.fall) >=
+           plan_distance(out_.plan, node, next) * maths::sin(options_.fall);
+  }
+
   void set_sizes() {
     const size_t count = out_.plan.nodes.size();
     out_.width.assign(count, 0);
@@ -99,7 +106,7 @@ class Solver {
       const int next = out_.towards[i];
       if (next < 0) continue;
       to_riffle[i] = to_riffle[at(next)] - plan_distance(out_.plan, node, next);
-      if (to_riffle[i] > 0) continue;
+      if (to_riffle[i] > 0 || falls(node, next)) continue;
       RandomStream random(RandomKey(options_.seed).at("riffles").at(i));
       const double steep = std::clamp((steepness - 0.02) / 0.03, 0.0, 1.0);
       to_riffle[i] = width * (6 - 3.5 * steep) * random.uniform(0.7, 1.3);

@@ -114,8 +114,8 @@ void append_fall(const Stream& stream, const FloorLine& line, size_t first, size
   const std::vector<FallPoint> bed = fall.way;
   for (size_t i = 1; i + 1 < bed.size(); ++i) {
     const Vec3d step = bed[i + 1].position - bed[i - 1].position;
-    const double level_step = std::max(std::hypot(step.x, step.z), 1e-6);
-    const double raise = std::min(std::hypot(1.0, step.y / level_step), 10.0) * thickness;
+    const double level_step = std::max(in_plan(step).length(), 1e-6), slope = step.y / level_step;
+    const double raise = std::min(std::sqrt(1 + slope * slope), 10.0) * thickness;
     fall.way[i].position.y = std::min(bed[i].position.y + raise, bed[0].position.y);
   }
   const auto node = static_cast<size_t>(line[lip].node);
