@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to karst: the ways of water from sinks to springs, and the costs of directions.
+// The ways of water from sinks to springs, and the costs of directions.
 #pragma once
 
 #include <vug/karst/plan.h>

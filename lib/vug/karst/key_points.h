@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to karst: the points that a network must contain, given or random.
+// The points that a network must contain, given or random.
 #pragma once
 
 #include <vug/karst/options.h>

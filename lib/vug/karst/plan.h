@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to karst: the passages of a network that grows on the graph of samples.
+// The passages of a network that grows on the graph of samples.
 #pragma once
 
 #include <vug/karst/sample_graph.h>

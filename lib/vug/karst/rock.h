@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to karst: questions about a point of the geology.
+// Questions about a point of the geology.
 #pragma once
 
 #include <vug/karst/joints.h>

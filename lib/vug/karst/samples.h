@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to karst: the points between which water can flow.
+// The points between which water can flow.
 #pragma once
 
 #include <vug/karst/key_points.h>

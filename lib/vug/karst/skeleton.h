@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to karst: ways between key points that do not follow the flow to springs.
+// Ways between key points that do not follow the flow to springs.
 #pragma once
 
 #include <vug/karst/flow.h>
