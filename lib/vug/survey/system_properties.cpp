@@ -26,6 +26,15 @@ Context make_context() {
   return context;
 }
 
+/// The system of a definition; null for definitions that PROJ does not know, and for local ones.
+Object create_system(PJ_CONTEXT* context, const std::optional<CoordinateSystem>& system) {
+  if (!system || system->definition.empty()) return nullptr;
+  const std::string& text = system->definition;
+  // Without a type, such a text is an operation.
+  const bool is_operation = text.starts_with("+") && text.find("+type=crs") == std::string::npos;
+  return Object(proj_create(context, (is_operation ? text + " +type=crs" : text).c_str()));
+}
+
 /// The system inside of those that add heights or a transformation.
 Object without_wrapping(PJ_CONTEXT* context, Object system, bool& three) {
   for (int depth = 0; system && depth < 4; ++depth) {
@@ -48,11 +57,7 @@ Object without_wrapping(PJ_CONTEXT* context, Object system, bool& three) {
 SystemProperties system_properties(const std::string& name) {
   const std::optional<CoordinateSystem> known = coordinate_system(name);
   const Context context = make_context();
-  Object whole(known && !known->definition.empty()
-                   ? proj_create(context.get(), known->definition.starts_with("+")
-                                                    ? (known->definition + " +type=crs").c_str()
-                                                    : known->definition.c_str())
-                   : nullptr);
+  Object whole = create_system(context.get(), known);
   SystemProperties out;
   // The transformation of a bound system is kept, because the text of the inner one lacks it.
   const bool bound = whole && proj_get_type(whole.get()) == PJ_TYPE_BOUND_CRS;
@@ -93,11 +98,9 @@ std::optional<double> geoid_above_ellipsoid(const Geographic& place) {
 }
 
 std::optional<std::string> missing_grid(const std::string& from, const std::string& to) {
-  const std::optional<CoordinateSystem> a = coordinate_system(from), b = coordinate_system(to);
-  if (!a || !b) return std::nullopt;
   const Context context = make_context();
-  const Object source(proj_create(context.get(), a->definition.c_str())),
-      target(proj_create(context.get(), b->definition.c_str()));
+  const Object source = create_system(context.get(), coordinate_system(from)),
+               target = create_system(context.get(), coordinate_system(to));
   if (!source || !target) return std::nullopt;
   const std::unique_ptr<PJ_OPERATION_FACTORY_CONTEXT,
                         decltype(&proj_operation_factory_context_destroy)>

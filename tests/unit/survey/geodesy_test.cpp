@@ -5,6 +5,7 @@
 #include <vug/survey/dates.h>
 #include <vug/survey/geodesy.h>
 #include <vug/survey/geomagnetism.h>
+#include <vug/survey/system_properties.h>
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
@@ -71,6 +72,18 @@ TEST(Geodesy, TransformsAndKeepsHeights) {
             Vec3d(397480, 472608, 225));
   EXPECT_THROW(geodesy.transform("local", "UTM30N", Vec3d(0)), Error);
   EXPECT_THROW(geodesy.transform("UTM30N", "long-lat", Vec3d(1e30)), Error);
+}
+
+// The grid of the British system is not part of PROJ's own data.
+TEST(Geodesy, MissingGridsAreFoundForAllNamesOfASystem) {
+  const auto grid = missing_grid("EPSG:4326", "EPSG:27700");
+  for (const char* name : {"+proj=longlat +datum=WGS84", "+proj=longlat +datum=WGS84 +type=crs",
+                           "+proj=utm +zone=30 +datum=WGS84 +no_defs", "UTM30N"})
+    EXPECT_EQ(missing_grid(name, "EPSG:27700"), grid) << name;
+  EXPECT_EQ(missing_grid("+proj=utm +zone=30 +datum=WGS84", "UTM31N"), std::nullopt);
+  EXPECT_EQ(missing_grid("local", "UTM31N"), std::nullopt);
+  if (!grid) GTEST_SKIP() << "the grid is installed";
+  EXPECT_NE(grid->find("OSTN15"), std::string::npos) << *grid;
 }
 
 TEST(Geodesy, TrueNorthOnTheGrid) {
