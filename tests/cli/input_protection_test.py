@@ -55,6 +55,11 @@ class InputsKept(VugTest):
             self.refused(kept, "measure", file, "--score", "--plot", "plot.svg")
         os.symlink("part.svx", self.folder / "cave.ply")
         self.refused(kept, "build", "cave.vug", "-o", ".")
+        # A network without a name.
+        self.write("cave.vug", 'volume air = level_set(passages(of: survey(file: "all.svx")), voxel: 1m)\n')
+        self.refused(kept, "survey", "--shoot", "cave.vug", "-o", "part.svx")
+        os.symlink("part.svx", self.folder / "cave.vdb")
+        self.refused(kept, "build", "cave.vug", "-o", ".")
 
     def test_pictures_that_are_compared(self):
         for name in ["a.hdr", "b.hdr"]:

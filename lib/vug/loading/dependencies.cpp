@@ -24,6 +24,8 @@ std::vector<fs::path> file_dependencies(const Loaded& scene) {
       add(text.parent_path() / scene::unquote(token.text));
     }
   }
+  for (const fs::path& file : scene.provenance.network_files()) add(file);
+  // Those of networks from a static cache, which have names.
   for (const shot::NetworkPlan& plan : scene.shot.networks)
     for (const fs::path& file : plan.network->files) add(file);
   return files;

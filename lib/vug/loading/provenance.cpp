@@ -79,4 +79,10 @@ void ProvenanceTable::record(const field::NodePtr& node, const scene::Provenance
   }
 }
 
+void ProvenanceTable::record_files(const std::vector<std::filesystem::path>& files) {
+  for (const std::filesystem::path& file : files)
+    if (std::find(network_files_.begin(), network_files_.end(), file) == network_files_.end())
+      network_files_.push_back(file);
+}
+
 }  // namespace vug::loading

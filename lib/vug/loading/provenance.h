@@ -6,6 +6,7 @@
 #include <vug/scene/document.h>
 #include <vug/scene/provenance.h>
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -50,11 +51,17 @@ class ProvenanceTable {
   /// Records the nodes of a field that have no provenance yet.
   void record(const field::NodePtr& node, const scene::Provenance& provenance);
 
+  /// The files of networks, also of those without a name, in the order in which they were read;
+  /// each once. Networks that were taken from a StaticCache are not included.
+  const std::vector<std::filesystem::path>& network_files() const { return network_files_; }
+  void record_files(const std::vector<std::filesystem::path>& files);
+
  private:
   std::vector<Declared> declared_;
   std::map<std::string, SourceLocation> included_from_;  ///< By file.
   // By control block: the entry of a deleted node cannot be taken for that of a new one.
   std::map<std::weak_ptr<const field::Node>, scene::Provenance, std::owner_less<>> nodes_;
+  std::vector<std::filesystem::path> network_files_;
 };
 
 }  // namespace vug::loading

@@ -4,6 +4,7 @@
 #include <vug/loading/example.h>
 #include <vug/loading/reader.h>
 #include <vug/loading/resolver.h>
+#include <vug/shot/networks.h>
 
 #include <fmt/format.h>
 
@@ -105,6 +106,8 @@ std::optional<Value> Resolver::make(const KindRegistry& registry, const std::str
 void Resolver::record(const Value& value, const SourceLocation& where) {
   if (const auto* made = value.object<field::Field>())
     provenance_.record(made->node(), {where, frames()});
+  if (const auto* network = value.object<shot::NetworkPtr>(); network && *network)
+    provenance_.record_files((*network)->files);
 }
 
 namespace {

@@ -67,7 +67,8 @@ class Resolver final : public scene::Resolver {
   std::vector<std::string> known_calls() const override;
   std::string call_for(const std::string& word) const override;
 
-  /// Records that the value was made by the text at `where`, if it is a field.
+  /// Records that the value was made by the text at `where`, if it is a field, and the files of a
+  /// network.
   void record(const Value& value, const SourceLocation& where);
   ProvenanceTable& provenance() { return provenance_; }
 
