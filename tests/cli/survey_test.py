@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`vug survey` reports, draws and converts cave surveys."""
 import json
+import struct
 import unittest
 import xml.etree.ElementTree
 
@@ -32,6 +33,20 @@ SCENE = """network plan = graph(
 volume cave = level_set(box(size: (60, 30, 60)) - passages(of: plan), voxel: 50cm)
 volume mist = fog(sphere(5m), voxel: 50cm)
 """
+
+
+def scraps_of(data):
+    """Points and triangles of the scraps in a .lox file: chunks of records and data."""
+    scraps, at = [], 0
+    while at < len(data):
+        kind, size, count, extra = struct.unpack_from("<4I", data, at)
+        start = at + 16 + size
+        for i in range(count if kind == 4 else 0):
+            _, _, points, first, _, triangles, second, _ = struct.unpack_from("<8I", data, at + 16 + 32 * i)
+            scraps.append(([struct.unpack_from("<3d", data, start + first + 24 * k) for k in range(points)],
+                           [struct.unpack_from("<3I", data, start + second + 12 * k) for k in range(triangles)]))
+        at = start + extra
+    return scraps
 
 
 class Survey(VugTest):
@@ -124,6 +139,23 @@ class Survey(VugTest):
         self.assertEqual((self.folder / "again.3d").read_bytes(), first)
         self.shoot("--longest-leg", "4m", "--splays", "12", "--seed", "5", "-o", "other.3d")
         self.assertNotEqual((self.folder / "other.3d").read_bytes(), first)
+
+    def test_walls_in_lox_files(self):
+        """The walls of the passages without the faces of the block of rock around them."""
+        (self.folder / "plan.vug").write_text(SCENE)
+        self.shoot("--splays", "6", "-o", "plan.lox")
+        scraps = scraps_of((self.folder / "plan.lox").read_bytes())
+        self.assertEqual(len(scraps), 1)
+        points, triangles = scraps[0]
+        for axis, (low, high) in enumerate(((-3, 22), (-16, 5), (-8, 4))):
+            self.assertTrue(all(low < point[axis] < high for point in points))
+        edges = {}
+        for a, b, c in triangles:
+            for edge in ((a, b), (b, c), (c, a)):
+                edges[edge] = edges.get(edge, 0) + 1
+        self.assertTrue(all(uses == 1 and (b, a) in edges for (a, b), uses in edges.items()))
+        self.expect(0, "survey", "plan.lox", "-o", "again.lox")
+        self.assertEqual(scraps_of((self.folder / "again.lox").read_bytes()), scraps)
 
     def test_errors_of_surveys_of_scenes(self):
         (self.folder / "plan.vug").write_text(SCENE)

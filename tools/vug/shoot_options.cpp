@@ -6,7 +6,10 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/loading/dependencies.h>
+#include <vug/passages/wall_scraps.h>
 #include <vug/shot/queries.h>
+
+#include <algorithm>
 
 namespace vug::cli {
 namespace {
@@ -22,6 +25,12 @@ shot::VolumePtr surveyed_volume(const shot::Shot& shot, const std::string& name)
               fmt::format("the volume '{}' is {}, which cannot be surveyed", volume->name,
                           volume->fog ? "a fog" : "made of a mesh"),
               volume->where, "--volume names a level set of a field");
+}
+
+/// Whether a format that stores walls is among the outputs.
+bool stores_walls(const std::vector<std::filesystem::path>& outputs) {
+  return std::any_of(outputs.begin(), outputs.end(),
+                     [](const auto& file) { return extension_of(file.string()) == ".lox"; });
 }
 
 }  // namespace
@@ -68,6 +77,14 @@ survey::Survey ShootOptions::survey(const std::vector<std::filesystem::path>& ou
                "walls and no splays\n",
                simulated.in_rock, walls->name);
   simulated.survey.title = fmt::format("{} of {}", plan.name, loaded.shot.name);
+  if (stores_walls(outputs)) {
+    const WorkOptions work;
+    building::Builder builder(loaded.shot, work.build_options(loaded),
+                              terminal_progress(work.bar_mode()));
+    const mesh::MeshPtr surface = builder.mesh(shot::plain_mesh(walls));
+    simulated.survey.scraps =
+        passages::wall_scraps(*surface, simulated.survey, plan.network->origin);
+  }
   return std::move(simulated.survey);
 }
 

@@ -17,7 +17,8 @@ struct ShootOptions {
   /// `file`: the option that names a survey file, which --shoot replaces.
   void add_to(CLI::App& app, CLI::Option* file);
   bool given() const { return !scene.scene.empty(); }
-  /// Loads the scene and surveys the volume; prints diagnostics on stderr. Error(bad_input) for
+  /// Loads the scene and surveys the volume, with its walls as scraps if one of the outputs is a
+  /// .lox file; prints diagnostics on stderr. Error(bad_input) for
   /// other files, unknown names, volumes without a field, and outputs that the scene reads.
   survey::Survey survey(const std::vector<std::filesystem::path>& outputs) const;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The topology of a field's surface.
+// A field's surface and its topology.
 #pragma once
 
 #include <vug/field/field.h>
@@ -9,8 +9,8 @@
 
 namespace vug::passages {
 
-/// Counts on the polygons of the level set with this edge of voxels in metres.
-inline mesh::Topology topology_of(const field::Field& field, double voxel) {
+/// The polygons of the level set with this edge of voxels in metres.
+inline mesh::Mesh surface_of(const field::Field& field, double voxel) {
   volume::VoxelizeOptions options;
   options.voxel = voxel;
   const volume::Polygons polygons = volume::polygons_of(volume::voxelize(field, options));
@@ -21,7 +21,11 @@ inline mesh::Topology topology_of(const field::Field& field, double voxel) {
     mesh.triangles.push_back({q[0], q[1], q[2]});
     mesh.triangles.push_back({q[0], q[2], q[3]});
   }
-  return mesh::inspect(mesh);
+  return mesh;
+}
+
+inline mesh::Topology topology_of(const field::Field& field, double voxel) {
+  return mesh::inspect(surface_of(field, voxel));
 }
 
 }  // namespace vug::passages
