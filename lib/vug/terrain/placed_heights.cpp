@@ -72,29 +72,16 @@ double cell_edge(const ElevationFile& file, const Mapping& mapping, const Box3d&
                   (at(middle.x, middle.y + 1) - here).length());
 }
 
-/// The cells of the file that a box of the survey's plane needs.
-Window window_of(const ElevationFile& file, const Mapping& mapping, const Box3d& box) {
-  Box3d cells;
-  for (int i = 0; i <= kEdgePoints; ++i)
-    for (int j = 0; j <= kEdgePoints; ++j) {
-      const Vec3d share(static_cast<double>(i) / kEdgePoints, static_cast<double>(j) / kEdgePoints,
-                        0);
-      cells.extendBy(file.transform().cell(mapping.to_file(box.min + box.size() * share)));
-    }
-  const auto [left, right] = span_of(cells.min.x - kBorder, cells.max.x + kBorder, file.columns());
-  const auto [top, bottom] = span_of(cells.min.y - kBorder, cells.max.y + kBorder, file.rows());
-  return {left, top, right - left + 1, bottom - top + 1};
-}
-
 PlacedHeights resample(const ElevationFile& file, const Mapping& mapping, const Box3d& box,
                        field::Sampling sampling) {
   const double edge = cell_edge(file, mapping, box);
-  const Window window = window_of(file, mapping, box);
+  const Window window = cells_at(file, mapping, box);
   if (window.columns < 2 || window.rows < 2 || !(edge > 0)) throw empty_box(file);
   const Vec3d size = box.size();
   const double across = std::ceil(size.x / edge) + 1, down = std::ceil(size.y / edge) + 1;
   if (across < 2 || down < 2) throw empty_box(file);
-  require_memory(across * down * 2 * sizeof(float), available_memory() / 10 * 9,
+  // Heights, and the slopes of the ground that is made of them.
+  require_memory(across * down * 3 * sizeof(float), available_memory() / 10 * 9,
                  fmt::format("the terrain '{}'", file.path().string()),
                  "use 'around' and a smaller 'margin', or a file with fewer cells");
   const field::Heightmap source(window.columns, window.rows, file.heights(window),
@@ -131,12 +118,31 @@ PlacedHeights resample(const ElevationFile& file, const Mapping& mapping, const 
 
 }  // namespace
 
-Coverage coverage(const ElevationFile& file, const Mapping& mapping) {
+Window cells_at(const ElevationFile& file, const Mapping& mapping, const Box3d& box,
+                double beyond) {
+  Box3d cells;
+  for (int i = 0; i <= kEdgePoints; ++i)
+    for (int j = 0; j <= kEdgePoints; ++j) {
+      const Vec3d share(static_cast<double>(i) / kEdgePoints, static_cast<double>(j) / kEdgePoints,
+                        0);
+      cells.extendBy(file.transform().cell(mapping.to_file(box.min + box.size() * share)));
+    }
+  const Vec3d more = cells.size() * beyond + Vec3d(kBorder, kBorder, 0);
+  const Box3d all(cells.min - more, cells.max + more);
+  if (all.max.x < 0 || all.max.y < 0 || all.min.x > file.columns() || all.min.y > file.rows())
+    return {};
+  const auto [left, right] = span_of(all.min.x, all.max.x, file.columns());
+  const auto [top, bottom] = span_of(all.min.y, all.max.y, file.rows());
+  return {left, top, right - left + 1, bottom - top + 1};
+}
+
+Coverage coverage(const ElevationFile& file, const Mapping& mapping, const Window& cells) {
   // Corners of the centres' rectangle, in order around it.
-  const double right = file.columns() - 0.5, bottom = file.rows() - 0.5;
-  const std::array<Vec3d, 5> corners = {Vec3d(0.5, 0.5, 0), Vec3d(right, 0.5, 0),
-                                        Vec3d(right, bottom, 0), Vec3d(0.5, bottom, 0),
-                                        Vec3d(0.5, 0.5, 0)};
+  const double left = cells.column + 0.5, right = cells.column + cells.columns - 0.5;
+  const double top = cells.row + 0.5, bottom = cells.row + cells.rows - 0.5;
+  const std::array<Vec3d, 5> corners = {Vec3d(left, top, 0), Vec3d(right, top, 0),
+                                        Vec3d(right, bottom, 0), Vec3d(left, bottom, 0),
+                                        Vec3d(left, top, 0)};
   Coverage out;
   std::array<Box3d, 4> edges;
   for (size_t k = 0; k < 4; ++k) {

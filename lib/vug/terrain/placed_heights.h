@@ -25,12 +25,17 @@ struct Mapping {
   bool identity = false;
 };
 
-/// The part of the survey's plane that the centres of all cells enclose: a box inside of it, which
-/// is empty for a grid that is rotated too far, and the box around it.
+/// The cells of the file at a box of the survey's plane, and on each side `beyond` times the number
+/// of cells in the box; no columns or rows where the file does not reach.
+Window cells_at(const ElevationFile& file, const Mapping& mapping, const Box3d& box,
+                double beyond = 0);
+
+/// The part of the survey's plane that the centres of these cells enclose: a box inside of it,
+/// which is empty for a grid that is rotated too far, and the box around it.
 struct Coverage {
   Box3d inside, around;
 };
-Coverage coverage(const ElevationFile& file, const Mapping& mapping);
+Coverage coverage(const ElevationFile& file, const Mapping& mapping, const Window& cells);
 
 /// The heights in a box of the survey's plane. The box is enlarged to whole cells if the axes
 /// agree. Throws Error(bad_input) if the box has no cells, Error(too_large) as

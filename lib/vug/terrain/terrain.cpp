@@ -17,6 +17,20 @@ namespace {
 /// Systems whose coordinates differ by less than this many metres are the same.
 constexpr double kSame = 1e-3;
 
+/// The largest extent in degrees of longitude that one zone of UTM represents tolerably, and the
+/// latitudes between which the zones are defined.
+constexpr double kWidest = 20, kSouthernmost = -80, kNorthernmost = 84;
+
+/// Cells above and below the ground within which values are distances to first order.
+constexpr double kReach = 4;
+
+/// Cells of the file around the network that count, by those that are needed: enough that a grid
+/// that is rotated by up to 39 degrees encloses the box of the network.
+constexpr double kBeyond = 2;
+
+constexpr const char* kDegrees =
+    "if they are longitudes and latitudes, write system: \"EPSG:4326\"";
+
 Error misplaced(const ElevationFile& file, const std::string& what, const std::string& hint) {
   return Error(ErrorCode::bad_input, fmt::format("the terrain '{}' {}", file.path().string(), what),
                {}, hint);
@@ -34,8 +48,9 @@ class Placement {
 
   field::Field run() {
     choose_systems();
-    make_mapping();
-    const Box3d needed = choose_box();
+    const Box3d needed = stations();
+    make_mapping(needed);
+    choose_box(needed);
     PlacedHeights placed = place_heights(file_, mapping_, box_, options_.sampling);
     fill_holes(placed);
     require_cover(placed.box, needed);
@@ -56,10 +71,16 @@ class Placement {
     std::optional<survey::SystemProperties> own;
     if (!stated.empty()) own = survey::system_properties(stated);
     if (own) from_ = own->horizontal;
+    geographic_ = own && own->geographic;
     if (options_.around)
       match_survey(own);
     else if (own && (own->geographic || own->metres_per_unit != 1))
       to_ = utm_zone();
+    if (!own && looks_like_degrees())
+      warnings_.push_back({fmt::format("'{}' does not state its coordinate system; its coordinates "
+                                       "({}) look like degrees, but are taken as metres",
+                                       file_.path().string(), extent(whole_file())),
+                           kDegrees});
     if (own && own->ellipsoidal) report_ellipsoid();
   }
 
@@ -82,7 +103,9 @@ class Placement {
     if (!own)
       throw misplaced(
           file_, "does not state its coordinate system, but the network has one",
-          fmt::format("name it, e.g. system: \"{}\" if it is that of the network", survey));
+          looks_like_degrees()
+              ? kDegrees
+              : fmt::format("name it, e.g. system: \"{}\" if it is that of the network", survey));
     const survey::SystemProperties target = survey::system_properties(survey);
     if (target.geographic || target.metres_per_unit != 1)
       throw misplaced(
@@ -101,7 +124,31 @@ class Placement {
     return file_.transform().place(0.5 * file_.columns(), 0.5 * file_.rows());
   }
 
+  /// In the coordinates of the file.
+  Box3d whole_file() const {
+    Box3d out;
+    for (const double i : {0.0, 1.0})
+      for (const double j : {0.0, 1.0})
+        out.extendBy(file_.transform().place(i * file_.columns(), j * file_.rows()));
+    return out;
+  }
+
+  /// Whether coordinates without a system are probably longitudes and latitudes.
+  bool looks_like_degrees() const {
+    const Box3d all = whole_file();
+    const double cell = std::sqrt(std::fabs(file_.transform().determinant()));
+    return all.min.x >= -360 && all.max.x <= 360 && all.min.y >= -90.1 && all.max.y <= 90.1 &&
+           cell < 0.1;
+  }
+
   std::string utm_zone() {
+    const Box3d all = whole_file();
+    if (geographic_ &&
+        (all.size().x > kWidest || all.min.y < kSouthernmost || all.max.y > kNorthernmost))
+      throw misplaced(
+          file_, fmt::format("covers too much of the Earth to be flat: {} degrees", extent(all)),
+          "name a network (around), or cut out a part, e.g. with gdal_translate "
+          "-projwin WEST NORTH EAST SOUTH");
     const survey::Geographic place = geodesy_.geographic(from_, middle_of_file());
     const double zone = std::clamp(std::floor((place.longitude + 180) / 6) + 1, 1.0, 60.0);
     return fmt::format("UTM{:.0f}{}", zone, place.latitude < 0 ? "S" : "N");
@@ -122,60 +169,100 @@ class Placement {
                            by});
   }
 
-  void make_mapping() {
+  /// The box of the network's stations in the plane of the survey; empty without stations.
+  Box3d stations() {
+    Box3d out;
+    if (!options_.around) return out;
+    origin_ = options_.around->origin;
+    for (const network::Station& station : options_.around->stations) {
+      const Vec3d p = network::to_survey(station.position) + origin_;
+      lowest_ = std::min(lowest_, p.z);
+      out.extendBy(Vec3d(p.x, p.y, 0));
+    }
+    return out;
+  }
+
+  /// Longitudes in the range of the file, which may be -180 to 180 or 0 to 360.
+  Vec3d with_file_longitude(Vec3d place) const {
+    if (geographic_) place.x += 360 * std::round((middle_of_file().x - place.x) / 360);
+    return place;
+  }
+
+  /// Compares the systems where the terrain is needed, because projections have no values far away.
+  void make_mapping(const Box3d& stations) {
     mapping_.identity = true;
     mapping_.to_survey = mapping_.to_file = [](const Vec3d& p) { return p; };
     if (to_.empty()) return;
-    const auto map = [this](const std::string& a, const std::string& b) {
-      return [this, a, b](const Vec3d& p) {
-        Vec3d out = geodesy_.transform(a, b, p);
-        out.z = 0;
-        return out;
-      };
+    const auto map = [this](const std::string& a, const std::string& b, const Vec3d& p) {
+      Vec3d out = geodesy_.transform(a, b, p);
+      out.z = 0;
+      return out;
     };
-    const Mapping exact{map(from_, to_), map(to_, from_), false};
+    const Mapping exact{
+        [this, map](const Vec3d& p) { return map(from_, to_, p); },
+        [this, map](const Vec3d& p) { return with_file_longitude(map(to_, from_, p)); }, false};
+    const bool whole = stations.isEmpty();
+    const Box3d box = whole ? whole_file() : with_margin(stations);
     for (const double i : {0.0, 0.5, 1.0})
       for (const double j : {0.0, 0.5, 1.0}) {
-        const Vec3d p = file_.transform().place(i * file_.columns(), j * file_.rows());
-        mapping_.identity &= (exact.to_survey(p) - p).length() < kSame;
+        const Vec3d p = box.min + box.size() * Vec3d(i, j, 0);
+        const Vec3d other = whole ? exact.to_survey(p) : exact.to_file(p);
+        mapping_.identity &= (other - p).length() < kSame;
       }
     if (!mapping_.identity) mapping_ = exact;
   }
 
-  /// Sets box_ and the origin, and returns the box of the network's stations.
-  Box3d choose_box() {
-    const Coverage cover = coverage(file_, mapping_);
-    if (!options_.around || options_.around->stations.empty()) {
-      box_ = cover.inside;
+  Box3d with_margin(const Box3d& stations) const {
+    const Vec3d margin(options_.margin, options_.margin, 0);
+    return {stations.min - margin, stations.max + margin};
+  }
+
+  /// Sets box_. `stations` may be empty.
+  void choose_box(const Box3d& stations) {
+    if (stations.isEmpty()) {
+      box_ = coverage(file_, mapping_, {0, 0, file_.columns(), file_.rows()}).inside;
       if (box_.isEmpty())
         throw misplaced(file_, "has a grid that is rotated too far",
                         "name a network (around), or turn the grid with gdalwarp");
-      if (options_.around) origin_ = options_.around->origin;
-      return {};
+      return;
     }
-    origin_ = options_.around->origin;
-    Box3d stations;
-    for (const network::Station& station : options_.around->stations) {
-      const Vec3d p = network::to_survey(station.position) + origin_;
-      lowest_ = std::min(lowest_, p.z);
-      stations.extendBy(Vec3d(p.x, p.y, 0));
-    }
-    const Vec3d margin(options_.margin, options_.margin, 0);
-    const Box3d wanted(stations.min - margin, stations.max + margin);
+    const Box3d wanted = with_margin(stations);
+    const Window cells = cells_at(file_, mapping_, wanted, kBeyond);
+    if (cells.columns < 2 || cells.rows < 2) throw does_not_cover(stations);
+    require_one_side(wanted);
+    const Coverage cover = coverage(file_, mapping_, cells);
     const Box3d inside = intersection(wanted, cover.inside);
     const bool suffices =
         !inside.isEmpty() && inside.intersects(stations.min) && inside.intersects(stations.max);
     box_ = suffices ? inside : intersection(wanted, cover.around);
-    if (box_.isEmpty()) throw does_not_cover(cover.around, stations);
-    return stations;
+    if (box_.isEmpty()) throw does_not_cover(stations);
   }
 
-  Error does_not_cover(const Box3d& cover, const Box3d& stations) const {
-    return misplaced(
-        file_,
-        fmt::format("does not cover the network: it lies in {}, but the stations in {}{}",
-                    extent(cover), extent(stations), to_.empty() ? "" : " of " + to_),
-        "compare the coordinate systems and the fixed points of both");
+  /// Refuses networks on both sides of the meridian at which the file ends.
+  void require_one_side(const Box3d& wanted) const {
+    if (!geographic_) return;
+    Box3d places;
+    for (const double i : {0.0, 1.0})
+      for (const double j : {0.0, 1.0})
+        places.extendBy(mapping_.to_file(wanted.min + wanted.size() * Vec3d(i, j, 0)));
+    if (places.size().x > 180)
+      throw misplaced(file_, "ends at a meridian that the surroundings of the network cross",
+                      "shift its longitudes, e.g. with gdalwarp -te 0 -90 360 90");
+  }
+
+  Error does_not_cover(const Box3d& stations) const {
+    const auto place = [&](const std::string& system, const Box3d& box) {
+      return extent(box) + (system.empty() ? "" : " of " + system);
+    };
+    Box3d there;
+    for (const Vec3d& p : {stations.min, stations.max}) there.extendBy(mapping_.to_file(p));
+    const std::string in_file =
+        mapping_.identity ? "" : fmt::format(", which is {} of the file", extent(there));
+    return misplaced(file_,
+                     fmt::format("does not cover the network: it lies in {}, but the stations in "
+                                 "{}{}",
+                                 extent(whole_file()), place(to_, stations), in_file),
+                     "compare the coordinate systems and the fixed points of both");
   }
 
   void require_cover(const Box3d& cover, const Box3d& stations) const {
@@ -183,7 +270,7 @@ class Placement {
     const Vec3d slack(1e-6, 1e-6, 0);
     const Box3d wide(cover.min - slack, cover.max + slack);
     if (!wide.intersects(stations.min) || !wide.intersects(stations.max))
-      throw does_not_cover(cover, stations);
+      throw does_not_cover(stations);
   }
 
   void fill_holes(PlacedHeights& placed) const {
@@ -223,15 +310,18 @@ class Placement {
       height = static_cast<float>(static_cast<double>(height) + shift);
     cell_ = placed.cell;
     const Vec3d at = network::to_scene(middle - origin_);
-    return {field::Heightmap(placed.columns, placed.rows, std::move(placed.heights), size.x, size.y,
-                             options_.sampling),
-            Vec3d(at.x, 0, at.z), Vec3d(size.x, 0, size.y), -bottom};
+    field::Ground out{field::Heightmap(placed.columns, placed.rows, std::move(placed.heights),
+                                       size.x, size.y, options_.sampling),
+                      Vec3d(at.x, 0, at.z), Vec3d(size.x, 0, size.y), -bottom};
+    // One steep cell must not change how far noise displaces the ground everywhere.
+    return with_local_slopes(std::move(out), placed.columns, placed.rows, kReach * placed.cell);
   }
 
   const TerrainOptions& options_;
   ElevationFile file_;
   survey::Geodesy geodesy_;
-  std::string from_, to_;  ///< The systems; both are empty if the coordinates are the same.
+  std::string from_, to_;    ///< The systems; both are empty if the coordinates are the same.
+  bool geographic_ = false;  ///< The file has longitudes and latitudes.
   Mapping mapping_;
   Vec3d origin_{0.0};
   double lowest_ = kInfinity;

@@ -144,6 +144,63 @@ TEST_F(Terrains, LongitudesAndLatitudesBecomeMetres) {
   EXPECT_NEAR(field_.bounds().size().z, 99 * 11.1, 8);
 }
 
+/// The whole Earth in cells of a quarter of a degree, from a longitude to the east.
+GeoTiff earth(double west) {
+  return {.columns = 1440,
+          .rows = 720,
+          .epsg = 4326,
+          .geographic = true,
+          .transform = std::array<double, 6>{west, 0.25, 0, 90, 0, -0.25},
+          .height = [](int column, int row) { return static_cast<float>(column + 2 * row); }};
+}
+
+TEST_F(Terrains, FilesOfTheWholeEarthAreCutAroundTheNetwork) {
+  for (const double west : {-180.0, 0.0}) {
+    const std::filesystem::path file = write("earth.tif", earth(west));
+    const auto network = network_at({kKnown[0].utm, kKnown[2].utm}, "UTM33N");
+    const TerrainNode& node = build({.file = file, .around = network, .margin = 100});
+    EXPECT_LT(field_.bounds().size().x, 700);
+    const double height = (14.2 - west) / 0.25 - 0.5 + 2 * ((90 - 45.5) / 0.25 - 0.5);
+    EXPECT_NEAR(height_at(node, *network, kKnown[0].utm), height, 0.01) << west;
+    // The west of Greenwich, whose longitudes are 350 to 360 in one of the files.
+    const Vec3d lisbon(487500, 4285000, 0);  // UTM29N; 38.71 N 9.14 W
+    const auto far = network_at({lisbon}, "UTM29N");
+    const double there = std::fmod(360 - 9.144 - west, 360) / 0.25 + 2 * (90 - 38.713) / 0.25 - 1.5;
+    EXPECT_NEAR(height_at(build({.file = file, .around = far}), *far, lisbon), there, 0.1) << west;
+    EXPECT_NE(fault_of({.file = file}).find("too much of the Earth"), std::string::npos);
+  }
+  // Both sides of the meridian at which the file ends.
+  const auto fiji = network_at({{819000, 8130000, 0}, {822000, 8130000, 0}}, "UTM60S");
+  const std::string fault =
+      fault_of({.file = write("earth.tif", earth(-180)), .around = fiji, .margin = 5000});
+  EXPECT_NE(fault.find("ends at a meridian"), std::string::npos) << fault;
+  EXPECT_EQ(fault_of({.file = write("earth.tif", earth(0)), .around = fiji, .margin = 5000}), "");
+}
+
+TEST_F(Terrains, DegreesWithoutASystemAreReported) {
+  GeoTiff file{.columns = 50,
+               .rows = 50,
+               .transform = std::array<double, 6>{14.19, 4e-4, 0, 45.51, 0, -4e-4}};
+  const std::vector<TerrainWarning> warnings =
+      build({.file = write("degrees.tif", file)}).source().warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].message.find("look like degrees"), std::string::npos);
+  EXPECT_NE(warnings[0].hint.find("EPSG:4326"), std::string::npos);
+  const auto network = network_at({kKnown[0].utm}, "UTM33N");
+  try {
+    terrain({.file = folder_.file("degrees.tif"), .around = network});
+    ADD_FAILURE() << "expected an error";
+  } catch (const Error& error) {
+    EXPECT_NE(error.hint().find("EPSG:4326"), std::string::npos) << error.hint();
+  }
+  EXPECT_TRUE(build({.file = folder_.file("degrees.tif"), .system = "EPSG:4326"})
+                  .source()
+                  .warnings.empty());
+  // A scan in metres.
+  file.transform = std::array<double, 6>{0, 0.5, 0, 20, 0, -0.5};
+  EXPECT_TRUE(build({.file = write("metres.tif", file)}).source().warnings.empty());
+}
+
 TEST_F(Terrains, WithoutANetworkTheMiddleIsTheOrigin) {
   const TerrainNode& node = build({.file = write("plane.tif", plane_file()), .base = 30});
   const Box3d box = field_.bounds();
@@ -214,15 +271,43 @@ TEST_F(Terrains, GradientsAndIntervalsAreBounds) {
   const TerrainNode& node = build({.file = write("rough.tif", file), .base = 5});
   for (int i = 0; i < 400; ++i) {
     const Vec3d p(60 - i * 0.31, -9 + (i % 37), -40 + i * 0.2), q = p + Vec3d(0.7, -0.4, 0.9);
-    EXPECT_LE(std::fabs(field_.value(p) - field_.value(q)), (p - q).length() + 1e-9);
+    const double lipschitz = field_.lipschitz();
+    EXPECT_LE(std::fabs(field_.value(p) - field_.value(q)), lipschitz * (p - q).length() + 1e-9);
     const auto slab = [](double a, double b) { return Interval(std::min(a, b), std::max(a, b)); };
     const Interval all =
         node.eval(field::Point<Interval>{slab(p.x, q.x), slab(p.y, q.y), slab(p.z, q.z)});
     EXPECT_TRUE(all.lo <= field_.value(p) && field_.value(p) <= all.hi);
     const field::Gradient g = field_.gradient(p);
-    EXPECT_LE(g.gradient.length(), 1 + 1e-9);
+    EXPECT_LE(g.gradient.length(), lipschitz + 1e-9);
     const double step = 1e-6;
     EXPECT_NEAR((field_.value(p + Vec3d(0, step, 0)) - g.value) / step, g.gradient.y, 1e-3);
+  }
+}
+
+// Noise moves level ground and slopes by its amount, even if there is a cliff somewhere else.
+TEST_F(Terrains, ACliffDoesNotStretchDisplacements) {
+  GeoTiff file = plane_file();
+  file.columns = file.rows = 40;
+  file.epsg = 0;
+  // Level ground in the west, a slope of 45 degrees in the middle, a peak in the east.
+  file.height = [](int column, int row) {
+    if (column == 35 && row == 35) return 900.0f;
+    return 10.0f * static_cast<float>(std::clamp(column, 10, 20));
+  };
+  const TerrainNode& node = build({.file = write("cliff.tif", file)});
+  EXPECT_GT(field_.lipschitz(), 20);
+  for (const double x : {-160.0, -45.0})
+    for (const double above : {-3.0, -0.1, 0.2, 2.0}) {
+      const double ground = node.source().height(x, 35), cosine = x < -100 ? 1 : std::sqrt(0.5);
+      EXPECT_NEAR(field_.value({x, ground + above, 35}), above * cosine, 1e-3) << x;
+      EXPECT_NEAR(field_.gradient({x, ground + above, 35}).gradient.length(), 1, 1e-3) << x;
+    }
+  // Far above and next to the block, the value is at least its growth times the distance.
+  for (const Vec3d& p : {Vec3d(0, 500, 0), Vec3d(400, -200, 0), Vec3d(500, 400, -700)}) {
+    const Box3d box = field_.bounds();
+    const Vec3d in(std::clamp(p.x, box.min.x, box.max.x), std::clamp(p.y, box.min.y, box.max.y),
+                   std::clamp(p.z, box.min.z, box.max.z));
+    EXPECT_GE(field_.value(p), field_.node()->traits().growth_rate() * (p - in).length() - 1e-9);
   }
 }
 
