@@ -10,6 +10,7 @@
 #include <vug/passages/curves/curve.h>
 #include <vug/passages/curves/frames.h>
 #include <vug/passages/distance_to_wall.h>
+#include <vug/passages/survey_line.h>
 
 #include <fmt/format.h>
 
@@ -22,6 +23,7 @@ namespace {
 
 constexpr int kMostSplays = 1000;
 constexpr double kMostLegs = 1e6;
+constexpr double kMostShift = 3;  ///< Metres by which stations are moved into the air.
 
 void require_valid(const SimulationOptions& o) {
   const auto require = [](bool valid, const char* name, double value, const char* expected) {
@@ -36,6 +38,19 @@ void require_valid(const SimulationOptions& o) {
   require(o.reach > 0 && std::isfinite(o.reach), "reach", o.reach,
           "it must be above 0 and finite, in metres");
 }
+
+/// The line of the survey along a chain of the network.
+struct Line {
+  std::vector<int> stations;  ///< One more than legs.
+  std::vector<int> legs;      ///< The legs of the network of which these are parts.
+  bool start_meets = false;   ///< See Chain.
+  bool end_meets = false;
+
+  void add(int leg, int station) {
+    legs.push_back(leg);
+    stations.push_back(station);
+  }
+};
 
 /// A station at which walls are measured, and the directions across the passage.
 struct Setup {
@@ -55,12 +70,15 @@ class Simulation {
   SimulatedSurvey run() {
     const std::vector<Chain> all = chains(source_);
     require_few_legs(all);
-    for (const Chain& chain : all) add_chain(chain);
-    if (measured_.legs.empty())
+    for (const Chain& chain : all) lines_.push_back(line_of(chain));
+    if (lines_.empty())
       throw Error(ErrorCode::bad_input, "the network has no legs underground", {},
                   "a survey needs at least one leg that does not run over the surface");
-    passages_are_negative_ = most_are_negative();
-    parallel_for(setups_.size(), [&](size_t i) { measure(setups_[i]); });
+    const Air air(field_, most_are_negative());
+    move_into(air);
+    for (Line& line : lines_) bend_around_rock(air, line);
+    for (const Line& line : lines_) add_legs(line);
+    parallel_for(setups_.size(), [&](size_t i) { measure(air, setups_[i]); });
     SimulatedSurvey out{network::to_survey(measured_), 0};
     out.survey.tubes = tubes();
     for (survey::Leg& leg : out.survey.legs) set_readings(out.survey, leg);
@@ -103,41 +121,68 @@ class Simulation {
     return static_cast<int>(measured_.stations.size()) - 1;
   }
 
-  void add_chain(const Chain& chain) {
-    std::vector<int> path{station_of(chain.stations[0])};
+  /// The stations along a chain, at most the longest leg apart.
+  Line line_of(const Chain& chain) {
+    Line line{{station_of(chain.stations[0])}, {}, chain.start_meets, chain.end_meets};
     for (size_t i = 0; i < chain.legs.size(); ++i) {
       const int end = station_of(chain.stations[i + 1]);
-      const Vec3d from = position(path.back()), step = position(end) - from;
+      const Vec3d from = position(line.stations.back()), step = position(end) - from;
       const double pieces = legs_for(step.length());
       for (double k = 1; k < pieces; ++k)
-        extend(path, chain.legs[i], add_station({.position = from + step * (k / pieces)}));
-      extend(path, chain.legs[i], end);
+        line.add(chain.legs[i], add_station({.position = from + step * (k / pieces)}));
+      line.add(chain.legs[i], end);
     }
-    add_setups(chain, path);
+    return line;
   }
 
-  void extend(std::vector<int>& path, int source_leg, int station) {
-    network::Leg leg = source_.legs[static_cast<size_t>(source_leg)];
-    leg.from = path.back();
-    leg.to = station;
-    measured_.legs.push_back(std::move(leg));
-    path.push_back(station);
+  /// Moves stations in the rock, or too near to a wall, into the air.
+  void move_into(const Air& air) {
+    parallel_for(measured_.stations.size(), [&](size_t i) {
+      Vec3d& p = measured_.stations[i].position;
+      p = air.nearest(p, kMostShift).value_or(p);
+    });
+  }
+
+  /// Adds stations where rock hides the end of a leg from its start.
+  void bend_around_rock(const Air& air, Line& line) {
+    std::vector<std::vector<Vec3d>> bends(line.legs.size());
+    parallel_for(bends.size(), [&](size_t i) {
+      const Vec3d &from = position(line.stations[i]), &to = position(line.stations[i + 1]);
+      if (air.contains(from) && air.contains(to)) bends[i] = air.bends(from, to, kMostShift);
+    });
+    Line bent{{line.stations[0]}, {}, line.start_meets, line.end_meets};
+    for (size_t i = 0; i < bends.size(); ++i) {
+      for (const Vec3d& p : bends[i]) bent.add(line.legs[i], add_station({.position = p}));
+      bent.add(line.legs[i], line.stations[i + 1]);
+    }
+    line = std::move(bent);
+  }
+
+  void add_legs(const Line& line) {
+    for (size_t i = 0; i < line.legs.size(); ++i) {
+      network::Leg leg = source_.legs[static_cast<size_t>(line.legs[i])];
+      leg.from = line.stations[i];
+      leg.to = line.stations[i + 1];
+      measured_.legs.push_back(std::move(leg));
+    }
+    add_setups(line);
   }
 
   /// Walls are measured once at each station, along the passage that does not end there.
-  void add_setups(const Chain& chain, const std::vector<int>& path) {
+  void add_setups(const Line& line) {
+    const std::vector<int>& path = line.stations;
     Curve curve(path.size());
     std::vector<Vec3d> points;
     for (size_t i = 0; i < path.size(); ++i)
       points.push_back(curve[i].position = position(path[i]));
     const std::vector<Frame> across = frames(points, tangents(curve));
-    const bool omit_last = chain.end_meets || path.front() == path.back();
+    const bool omit_last = line.end_meets || path.front() == path.back();
     std::vector<int> tube;
-    for (size_t i = chain.start_meets; i + omit_last < path.size(); ++i) {
+    for (size_t i = line.start_meets; i + omit_last < path.size(); ++i) {
       setups_.push_back({path[i], across[i]});
       tube.push_back(path[i]);
     }
-    paths_.push_back(std::move(tube));
+    tubes_.push_back(std::move(tube));
   }
 
   const Vec3d& position(int station) const {
@@ -146,14 +191,15 @@ class Simulation {
 
   bool most_are_negative() const {
     size_t negative = 0;
-    for (const Setup& setup : setups_) negative += field_.value(position(setup.station)) < 0;
-    return 2 * negative >= setups_.size();
+    for (const network::Station& station : measured_.stations)
+      negative += field_.value(station.position) < 0;
+    return 2 * negative >= measured_.stations.size();
   }
 
-  void measure(const Setup& setup) {
+  void measure(const Air& air, const Setup& setup) {
     network::Station& station = measured_.stations[static_cast<size_t>(setup.station)];
     const Vec3d& p = station.position;
-    if ((field_.value(p) < 0) != passages_are_negative_) return;
+    if (!air.contains(p)) return;
     const auto distance = [&](const Vec3d& direction) {
       return distance_to_wall(field_, p, direction, options_.reach);
     };
@@ -176,9 +222,9 @@ class Simulation {
   /// The cross-sections along each chain, interrupted at stations in the rock.
   std::vector<survey::Tube> tubes() const {
     std::vector<survey::Tube> out;
-    for (const std::vector<int>& path : paths_) {
+    for (const std::vector<int>& stations : tubes_) {
       survey::Tube tube;
-      for (const int station : path) {
+      for (const int station : stations) {
         if (const auto& s = measured_.stations[static_cast<size_t>(station)].section)
           tube.push_back({station, s->left, s->right, s->up, s->down});
         else if (!tube.empty())
@@ -202,10 +248,10 @@ class Simulation {
   const network::Network& source_;
   const SimulationOptions& options_;
   network::Network measured_;
-  std::vector<int> index_;               ///< In measured_, or -1, of each station of the source.
-  std::vector<std::vector<int>> paths_;  ///< The stations of each chain that have a setup.
+  std::vector<int> index_;  ///< In measured_, or -1, of each station of the source.
+  std::vector<Line> lines_;
+  std::vector<std::vector<int>> tubes_;  ///< The stations of each line that have a setup.
   std::vector<Setup> setups_;
-  bool passages_are_negative_ = true;
 };
 
 }  // namespace
