@@ -27,6 +27,10 @@ std::vector<int> chain_indices(const Chain& chain, const Curve& curve) {
   return indices;
 }
 
+network::CrossSection section_about_axis(double width, double height) {
+  return {0.5 * width, 0.5 * width, 0.5 * height, 0.5 * height};
+}
+
 class AxisNetwork {
  public:
   explicit AxisNetwork(const Network& network) : legs_(network), out_(network) {
@@ -63,6 +67,7 @@ class AxisNetwork {
       const size_t same =
           first.emplace(std::tuple(p.x + 0.0, p.y + 0.0, p.z + 0.0), i).first->second;
       out_.stations[i].position = out_.stations[same].position;
+      out_.stations[i].section = out_.stations[same].section;
     }
     return std::move(out_);
   }
@@ -78,27 +83,40 @@ class AxisNetwork {
                                           legs_.stations[at(chain, i)].position)
                                              .length());
     const double scale = on_legs.back() > 0 ? along.back() / on_legs.back() : 0;
-    out_.stations[at(chain, first)].position = curve.front().position;
-    out_.stations[at(chain, last)].position = curve.back().position;
+    set_end(chain, first, curve.front());
+    set_end(chain, last, curve.back());
     int from = chain.stations[first];
     size_t next = 1;  // The next point of the curve.
     for (size_t i = first; i < last; ++i) {
       const double end = on_legs[i + 1 - first] * scale;
       for (; next + 1 < curve.size() && along[next] < end; ++next) {
         const int to = static_cast<int>(out_.stations.size());
-        out_.stations.push_back({.position = curve[next].position});
+        out_.stations.push_back(
+            {.position = curve[next].position,
+             .section = section_about_axis(curve[next].width, curve[next].height)});
         add_leg(chain, i, from, to);
         from = to;
       }
       if (i + 1 < last) {
         const double span = along[next] - along[next - 1];
         const double t = span > 0 ? std::clamp((end - along[next - 1]) / span, 0.0, 1.0) : 0;
-        out_.stations[at(chain, i + 1)].position =
-            curve[next - 1].position + (curve[next].position - curve[next - 1].position) * t;
+        const CurvePoint &a = curve[next - 1], &b = curve[next];
+        network::Station& station = out_.stations[at(chain, i + 1)];
+        station.position = a.position + (b.position - a.position) * t;
+        station.section = section_about_axis(a.width + (b.width - a.width) * t,
+                                             a.height + (b.height - a.height) * t);
       }
       add_leg(chain, i, from, chain.stations[i + 1]);
       from = chain.stations[i + 1];
     }
+  }
+
+  /// A station has the size of the passage that goes on, not of one that ends there.
+  void set_end(const Chain& chain, size_t i, const CurvePoint& point) {
+    network::Station& station = out_.stations[at(chain, i)];
+    station.position = point.position;
+    if (!chain.meets_at(i) || !station.section)
+      station.section = section_about_axis(point.width, point.height);
   }
 
   static size_t at(const Chain& chain, size_t i) { return static_cast<size_t>(chain.stations[i]); }

@@ -39,10 +39,11 @@ class Courses {
 
 }  // namespace
 
-NetworkPtr PointLine::course() const {
-  if (!middle || of->legs.empty()) return of;
+NetworkPtr PassageLine::axes() const {
   static Courses courses;
   return courses.of(*this);
 }
+
+NetworkPtr PointLine::course() const { return !middle || of->legs.empty() ? of : axes(); }
 
 }  // namespace vug::shot

@@ -44,6 +44,9 @@ struct PassageLine {
     out.splays = splays;
     return out;
   }
+
+  /// passages::on_axes of the network with the options, which is computed once.
+  NetworkPtr axes() const;
 };
 
 /// The parameters of points on a network.

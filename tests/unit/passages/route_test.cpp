@@ -4,6 +4,7 @@
 
 #include <vug/base/error.h>
 #include <vug/passages/lines/route.h>
+#include <vug/passages/on_axes.h>
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ PassageOptions without_curves() {
 TEST(Route, TakesTheShorterWayAroundALoop) {
   const auto loop = network_of({{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 30}, {-5, 0, 0}},
                                {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 0}});
-  const Route route(loop, without_curves(), 4, 2);
+  const Route route(on_axes(loop, without_curves()), 4, 2);
   EXPECT_NEAR(route.length(), 25, 1e-9);
   EXPECT_LT((route.point(0) - Vec3d(-5, 0, 0)).length(), 1e-9);
   EXPECT_LT((route.point(7) - Vec3d(2, 0, 0)).length(), 1e-9);
@@ -36,8 +37,9 @@ TEST(Route, StaysInTheAirOfRandomCaves) {
   for (const uint64_t seed : {1, 2, 3, 4, 5, 6}) {
     const network::Network cave = random_cave(seed, 40);
     const field::Field air = passages(cave);
+    const network::Network course = on_axes(cave);
     for (const int to : {9, 25, 40}) {
-      const Route route(cave, {}, 0, to);
+      const Route route(course, 0, to);
       int outside = 0;
       for (int i = 0; i <= 400; ++i)
         outside += air.value(route.point(route.length() * i / 400)) > 0;
@@ -48,7 +50,7 @@ TEST(Route, StaysInTheAirOfRandomCaves) {
 
 TEST(Route, MovesEvenly) {
   const network::Network cave = random_cave(3, 40);
-  const Route route(cave, {}, 0, 40);
+  const Route route(on_axes(cave), 0, 40);
   const double step = 0.05;
   for (double s = 0; s + step < route.length(); s += step)
     ASSERT_LE((route.point(s + step) - route.point(s)).length(), 1.6 * step) << s;
@@ -56,9 +58,9 @@ TEST(Route, MovesEvenly) {
 
 TEST(Route, RefusesCavesThatAreNotConnected) {
   const auto two = network_of({{0, 0, 0}, {10, 0, 0}, {0, 9, 0}, {10, 9, 0}}, {{0, 1}, {2, 3}});
-  EXPECT_THROW(Route(two, {}, 0, 3), Error);
-  EXPECT_THROW(Route(network_of({{0, 0, 0}, {1, 0, 0}}, {}), {}, 0, 1), Error);
-  const Route nowhere(two, {}, 0, 0);
+  EXPECT_THROW(Route(on_axes(two), 0, 3), Error);
+  EXPECT_THROW(Route(on_axes(network_of({{0, 0, 0}, {1, 0, 0}}, {})), 0, 1), Error);
+  const Route nowhere(on_axes(two), 0, 0);
   EXPECT_EQ(nowhere.length(), 0);
   EXPECT_LT((nowhere.point(3) - Vec3d(0, 0, 0)).length(), 1e-9);
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <vug/network/network.h>
-#include <vug/passages/passages.h>
 
 #include <vector>
 
@@ -12,10 +11,10 @@ namespace vug::passages {
 /// A way through the passages, in scene space.
 class Route {
  public:
-  /// The shortest way along the axes from one station to another, given by their indices. Stations
-  /// that are not on an axis start at its nearest point. Throws Error(bad_input) if no passage
-  /// joins them, and as `passages` does for the network.
-  Route(const network::Network& network, const PassageOptions& options, int from, int to);
+  /// The shortest way from one station to another, given by their indices, along the legs of a
+  /// network that `on_axes` returned. Stations without legs start at the nearest station with one.
+  /// Throws Error(bad_input) if no passage joins them, or the network is invalid.
+  Route(const network::Network& course, int from, int to);
 
   /// Metres along the axes; above 0 unless both stations are at one place.
   double length() const { return along_.back(); }
@@ -25,7 +24,7 @@ class Route {
   Vec3d point(double s) const;
 
  private:
-  Vec3d on_axes(double s) const;
+  Vec3d on_legs(double s) const;
   double half_size(double s) const;
   size_t piece(double s) const;
 

@@ -32,7 +32,7 @@ struct RoutePoint : PassageLine {
 };
 
 Vec3d point_on_route(const RoutePoint& p) {
-  const passages::Route route(*p.of, p.options(), network::find_station(*p.of, p.from),
+  const passages::Route route(*p.axes(), network::find_station(*p.of, p.from),
                               network::find_station(*p.of, p.to));
   const double fraction = p.at < 0 ? 0 : p.at > 1 ? 1 : p.at;
   return route.point(fraction * route.length() + p.ahead) + Vec3d(0, p.up, 0);
