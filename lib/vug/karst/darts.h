@@ -2,7 +2,7 @@
 // Internal to karst: dart throwing, which accepts points that keep a distance from each other.
 #pragma once
 
-#include <vug/karst/cell.h>
+#include <vug/base/cell.h>
 
 #include <vector>
 

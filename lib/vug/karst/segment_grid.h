@@ -2,7 +2,7 @@
 // Distances between straight legs, and a grid that finds the near ones.
 #pragma once
 
-#include <vug/karst/cell.h>
+#include <vug/base/cell.h>
 
 #include <algorithm>
 #include <vector>
@@ -64,7 +64,7 @@ class SegmentGrid {
         low[axis] = std::min(start[axis], end[axis]) - margin;
         high[axis] = std::max(start[axis], end[axis]) + margin;
       }
-      karst::for_each_cell(cell_at(low, side_), cell_at(high, side_), visit);
+      vug::for_each_cell(cell_at(low, side_), cell_at(high, side_), visit);
     }
   }
 

@@ -102,6 +102,7 @@ const Placement& Growth::apply(const ProductionStep& step, RandomKey key, int no
   if (!placement.effective && !placement.refused)
     diagnostics_.warning(step.where, to_string(step.operation) + " with '" + placement.shape +
                                          "' has no effect: " + placement.note);
+  if (adds(placement)) boxes_.add(static_cast<int>(placements_.size()), placement.field.bounds());
   placements_.push_back(std::move(placement));
   return placements_.back();
 }
@@ -163,7 +164,7 @@ bool Growth::is_refused(const ProductionStep& step, Placement& placement) const 
   const Limits& limits = step.limits;
   if (limits.within && limits.within->value(placement.middle()) > 0)
     placement.note = "its middle would be outside of 'within'";
-  else if (is_too_near(placement.field, placements_, placement.owner, limits.apart))
+  else if (is_too_near(placement.field, {placements_, boxes_}, placement.owner, limits.apart))
     placement.note = "it would be too near to another shape";
   else
     return false;
@@ -189,7 +190,7 @@ void Growth::glue(const ProductionStep& step, Shape shape, RandomKey key, Placem
     const Transform glued =
         turned(glue_transform(own->bond, bond), own->bond.point, placement.heading, heading);
     placement.heading = heading;
-    placement.owner = owner_at(placements_, own->bond.point, 1e-3 * size_of(field_));
+    placement.owner = owner_at({placements_, boxes_}, own->bond.point, 1e-3 * size_of(field_));
     placement.glued = true;
     placement.base_bond = own->bond;
     placement.base_bond_id = own->id;

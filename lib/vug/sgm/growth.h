@@ -2,6 +2,7 @@
 // The base shape under a sequence of productions, with the default overlap of each operation.
 #pragma once
 
+#include <vug/base/box_index.h>
 #include <vug/base/diagnostics.h>
 #include <vug/sgm/bond_pool.h>
 #include <vug/sgm/geology.h>
@@ -102,6 +103,7 @@ class Growth {
   } waiting_;
   BondPool bonds_;
   std::vector<Placement> placements_;
+  BoxIndex boxes_;  ///< Boxes of the placements whose shapes the base contains.
   Diagnostics diagnostics_;
 };
 

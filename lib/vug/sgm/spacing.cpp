@@ -2,16 +2,10 @@
 #include <vug/sgm/probe.h>
 #include <vug/sgm/spacing.h>
 
-#include <cmath>
+#include <algorithm>
 
 namespace vug::sgm {
 namespace {
-
-/// Whether the solid contains the shape: cuts remove theirs.
-bool adds(const Placement& placement) {
-  return placement.effective &&
-         (placement.operation == Operation::unite || placement.operation == Operation::morph);
-}
 
 /// The middle of the shape and the points of its surface in 26 directions from there.
 std::vector<Vec3d> test_points(const field::Field& shape) {
@@ -32,27 +26,36 @@ std::vector<Vec3d> test_points(const field::Field& shape) {
 
 }  // namespace
 
-int owner_at(const std::vector<Placement>& placements, const Vec3d& point, double tolerance) {
-  for (size_t i = placements.size(); i-- > 0;)
-    if (adds(placements[i]) && placements[i].field.value(point) < tolerance)
-      return static_cast<int>(i);
-  return -1;
+bool adds(const Placement& placement) {
+  return placement.effective &&
+         (placement.operation == Operation::unite || placement.operation == Operation::morph);
 }
 
-bool is_too_near(const field::Field& shape, const std::vector<Placement>& placements, int owner,
-                 double apart) {
+int owner_at(const PlacedShapes& placed, const Vec3d& point, double tolerance) {
+  int owner = -1;
+  placed.boxes.any_meeting(grown(Box3d(point), tolerance), [&](int index) {
+    if (index > owner &&
+        placed.placements[static_cast<size_t>(index)].field.value(point) < tolerance)
+      owner = index;
+    return false;
+  });
+  return owner;
+}
+
+bool is_too_near(const field::Field& shape, const PlacedShapes& placed, int owner, double apart) {
   if (!(apart > 0) || !is_finite(shape.bounds())) return false;
   const std::vector<Vec3d> points = test_points(shape);
-  const int grandparent = owner < 0 ? -1 : placements[static_cast<size_t>(owner)].owner;
-  for (size_t i = 0; i < placements.size(); ++i) {
-    const Placement& other = placements[i];
-    const int index = static_cast<int>(i);
-    if (!adds(other) || index == owner || index == grandparent) continue;
-    if (owner >= 0 && other.owner == owner) continue;
-    for (const Vec3d& point : points)
-      if (other.field.value(point) < apart) return true;
-  }
-  return false;
+  Box3d box;
+  for (const Vec3d& point : points) box.extendBy(point);
+  const auto& all = placed.placements;
+  const int grandparent = owner < 0 ? -1 : all[static_cast<size_t>(owner)].owner;
+  return placed.boxes.any_meeting(grown(box, apart), [&](int index) {
+    const Placement& other = all[static_cast<size_t>(index)];
+    if (index == owner || index == grandparent || (owner >= 0 && other.owner == owner))
+      return false;
+    return std::any_of(points.begin(), points.end(),
+                       [&](const Vec3d& point) { return other.field.value(point) < apart; });
+  });
 }
 
 }  // namespace vug::sgm

@@ -6,14 +6,22 @@
 
 namespace vug::sgm {
 
+/// Placements, and the boxes of those whose shapes the solid contains.
+struct PlacedShapes {
+  const std::vector<Placement>& placements;
+  const BoxIndex& boxes;
+};
+
+/// Whether the solid contains the shape: cuts remove theirs.
+bool adds(const Placement& placement);
+
 /// The index of the placement on whose surface the point lies, the last one of several; -1: none.
 /// `tolerance` in metres.
-int owner_at(const std::vector<Placement>& placements, const Vec3d& point, double tolerance);
+int owner_at(const PlacedShapes& placed, const Vec3d& point, double tolerance);
 
 /// Whether the middle of the shape, or one of 26 points of its surface, is nearer than `apart`
 /// metres to an earlier shape other than the owner of its bond, the owner's own owner and the
 /// shapes that are glued to the owner.
-bool is_too_near(const field::Field& shape, const std::vector<Placement>& placements, int owner,
-                 double apart);
+bool is_too_near(const field::Field& shape, const PlacedShapes& placed, int owner, double apart);
 
 }  // namespace vug::sgm

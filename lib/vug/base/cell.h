@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <unordered_map>
 
-namespace vug::karst {
+namespace vug {
 
 using Cell = std::array<int64_t, 3>;
 
@@ -38,4 +38,4 @@ void for_each_cell(const Cell& low, const Cell& high, const Visit& visit) {
       for (int64_t z = low[2]; z <= high[2]; ++z) visit(Cell{x, y, z});
 }
 
-}  // namespace vug::karst
+}  // namespace vug
