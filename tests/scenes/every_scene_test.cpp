@@ -2,6 +2,7 @@
 // Builds every scene of data/scenes, compares its meshes with known facts, and checks the
 // guarantees for all scenes: closed surfaces on the field without intersecting triangles, valid
 // level sets.
+#include "../unit/scan/external_data.h"
 #include "facts.h"
 
 #include <vug/base/scratch_folder.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 
 namespace vug::session {
 namespace {
@@ -119,6 +121,22 @@ bool has_mesh(const shot::Shot& shot, const std::string& name) {
                      [&](const shot::MeshPtr& plan) { return plan->name == name; });
 }
 
+/// The overrides in the facts of a scene: "defines", and "external", files of the external test
+/// data by parameter. Nothing if one of these files is missing.
+std::optional<std::vector<scene::Override>> overrides_of(const json& facts) {
+  std::vector<scene::Override> overrides;
+  const json defines = facts.value("defines", json::object());
+  for (const auto& [name, value] : defines.items())
+    overrides.push_back({name, value.get<std::string>()});
+  const json external = facts.value("external", json::object());
+  for (const auto& [name, value] : external.items()) {
+    const fs::path file = external_data() / value.get<std::string>();
+    if (!fs::exists(file)) return {};
+    overrides.push_back({name, '"' + fs::canonical(file).generic_string() + '"'});
+  }
+  return overrides;
+}
+
 class EveryScene : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EveryScene, IsAsKnown) {
@@ -126,11 +144,9 @@ TEST_P(EveryScene, IsAsKnown) {
   ASSERT_TRUE(scenes.contains(GetParam()))
       << "add the figures to tests/data/scene_facts.json for " << GetParam();
   const json& facts = scenes.at(GetParam());
-  std::vector<scene::Override> overrides;
-  const json defines = facts.value("defines", json::object());
-  for (const auto& [name, value] : defines.items())
-    overrides.push_back({name, value.get<std::string>()});
-  const loading::Loaded loaded = load_scene(GetParam(), overrides);
+  const auto overrides = overrides_of(facts);
+  if (!overrides) GTEST_SKIP() << "set VUG_EXTERNAL_DATA to a folder with " << facts.at("external");
+  const loading::Loaded loaded = load_scene(GetParam(), *overrides);
   ASSERT_TRUE(loaded.usable());
   expect_words(loaded.shot, facts);
   ASSERT_TRUE(facts.contains("words") || !shot::shown_meshes(loaded.shot).empty());

@@ -22,11 +22,13 @@ loading::Loaded load_scene(const std::string& name,
                            const std::vector<scene::Override>& overrides = {},
                            std::optional<uint64_t> seed = {});
 
-/// The file: {"scenes": {NAME: {"defines": {...}, "meshes": {MESH: FACTS}}}, "shared": {MESH:
-/// FACTS}}. FACTS hold components, genus, area, volume, bounds and, where 1 % is not right,
-/// "tolerance", a share. A count may be a range [least, most]. "residual" is how far vertices may
-/// lie from the exact field (rms, voxels); 0.01 unless a scene is built far coarser than it is
-/// meant to be. "attributes" are ranges that the means over the vertices lie in, by name.
+/// The file: {"scenes": {NAME: {"defines": {...}, "external": {...}, "meshes": {MESH: FACTS}}},
+/// "shared": {MESH: FACTS}}. "external" gives parameters that are files of the external test data;
+/// without the data, the scene is skipped. FACTS hold components, genus, area, volume, bounds and,
+/// where 1 % is not right, "tolerance", a share. A count may be a range [least, most]. "residual"
+/// is how far vertices may lie from the exact field (rms, voxels); 0.01 unless a scene is built far
+/// coarser than it is meant to be. "attributes" are ranges that the means over the vertices lie in,
+/// by name.
 const nlohmann::json& scene_facts();
 
 /// Fails the test if the report differs from the facts, and prints the report.
