@@ -2,12 +2,14 @@
 // Vaults and piles of blocks: beam theory, contact, overlap, slope and bulk.
 #include <vug/base/error.h>
 #include <vug/base/rng.h>
+#include <vug/passages/breakdown/broken_block.h>
 #include <vug/passages/breakdown/pile.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace vug::passages {
 namespace {
@@ -137,6 +139,45 @@ TEST(Pile, IsTheSameForTheSameSeed) {
   EXPECT_NE(one.blocks.front().centre, other.blocks.front().centre);
 }
 
+/// The value of a convex polytope at a point.
+double value_of(const Polytope& part, const Vec3d& p) {
+  double out = -kInfinity;
+  for (const HalfSpace& face : part.faces) out = std::max(out, face.normal.dot(p) - face.offset);
+  return out;
+}
+
+// Each block loses a part of its edges and corners, but none of the points at which it rests.
+TEST(Pile, BrokenBlocksStillTouch) {
+  const Vault above =
+      vault({.at = {0, 12, 0}, .span = 14, .length = 14, .spacing = 1.5, .strength = 1.5});
+  const Pile made = pile(above, {.broken = 1, .seed = 2}), sharp = pile(above, {.broken = 0});
+  ASSERT_EQ(made.broken.size(), made.blocks.size());
+  for (const Polytope& part : sharp.broken) EXPECT_EQ(part.faces.size(), 6u);
+  const std::vector<std::vector<Vec3d>> contacts = contact_points(made.blocks, 0);
+  RandomStream random(RandomKey(4));
+  double kept = 0, all = 0;
+  std::set<size_t> counts;
+  for (size_t i = 0; i < made.blocks.size(); ++i) {
+    const OrientedBox& block = made.blocks[i];
+    EXPECT_FALSE(contacts[i].empty()) << "block " << i << " floats";
+    for (const Vec3d& p : contacts[i]) EXPECT_NEAR(value_of(made.broken[i], p), 0, 1e-4) << i;
+    counts.insert(made.broken[i].faces.size());
+    for (int k = 0; k < 50; ++k) {
+      const Vec3d p =
+          block.corner(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      all += block.volume();
+      if (value_of(made.broken[i], p) < 0) kept += block.volume();
+    }
+  }
+  EXPECT_GT(counts.size(), 5u) << "blocks differ";
+  EXPECT_LT(kept / all, 0.95);
+  EXPECT_GT(kept / all, 0.7);
+  const Pile again = pile(above, {.broken = 1, .seed = 2});
+  for (size_t i = 0; i < made.broken.size(); ++i)
+    for (size_t k = 0; k < made.broken[i].faces.size(); ++k)
+      EXPECT_EQ(again.broken[i].faces[k].offset, made.broken[i].faces[k].offset);
+}
+
 TEST(Breakdown, RefusesBadOptions) {
   const double nan = std::nan("");
   EXPECT_THROW(vault({.span = nan}), Error);
@@ -147,6 +188,8 @@ TEST(Breakdown, RefusesBadOptions) {
   EXPECT_THROW(pile(above, {.floor = 11.5}), Error);
   EXPECT_THROW(pile(above, {.repose = nan}), Error);
   EXPECT_THROW(pile(above, {.bulk = 0}), Error);
+  EXPECT_THROW(pile(above, {.broken = nan}), Error);
+  EXPECT_THROW(pile(above, {.broken = 1.5}), Error);
   EXPECT_THROW(pile_body({}, 0, 2), Error);
 }
 

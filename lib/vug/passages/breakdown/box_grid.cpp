@@ -10,6 +10,7 @@ namespace {
 Pile without_blocks(const Pile& pile) {
   Pile out = pile;
   out.blocks.clear();
+  out.broken.clear();
   return out;
 }
 

@@ -17,9 +17,12 @@ class BoxGrid {
   /// `largest`: the diagonal of the largest block, metres.
   explicit BoxGrid(double largest) : cell_(largest) {}
 
-  void add(const OrientedBox& block) { cells_[cell_of(block.centre)].push_back(block); }
+  void add(const OrientedBox& block) {
+    cells_[cell_of(block.centre)].emplace_back(block, count_++);
+  }
 
-  /// Calls visit(block) for all blocks that can overlap this one in plan.
+  /// Calls visit(block, index) for all blocks that can overlap this one in plan; the index counts
+  /// the blocks in the order in which they were added.
   template <class Visit>
   void for_each_near(const OrientedBox& block, const Visit& visit) const {
     const auto [x, z] = cell_of(block.centre);
@@ -28,11 +31,11 @@ class BoxGrid {
       for (int j = z - 1; j <= z + 1; ++j) {
         const auto found = cells_.find({i, j});
         if (found == cells_.end()) continue;
-        for (const OrientedBox& other : found->second) {
+        for (const auto& [other, index] : found->second) {
           const Box3d its = other.bounds();
           if (its.min.x < box.max.x && its.max.x > box.min.x && its.min.z < box.max.z &&
               its.max.z > box.min.z)
-            visit(other);
+            visit(other, index);
         }
       }
   }
@@ -41,7 +44,8 @@ class BoxGrid {
   std::pair<int, int> cell_of(const Vec3d& p) const;
 
   double cell_;
-  std::map<std::pair<int, int>, std::vector<OrientedBox>> cells_;
+  size_t count_ = 0;
+  std::map<std::pair<int, int>, std::vector<std::pair<OrientedBox, size_t>>> cells_;
 };
 
 /// The height above the floor of the highest block in each column of a grid over the cone.

@@ -3,6 +3,7 @@
 #include <vug/base/maths.h>
 #include <vug/base/rng.h>
 #include <vug/passages/breakdown/box_grid.h>
+#include <vug/passages/breakdown/broken_block.h>
 #include <vug/passages/breakdown/pile.h>
 
 #include <fmt/format.h>
@@ -32,6 +33,10 @@ void require_pile_options(const PileOptions& o) {
   if (!(o.bulk >= 1.05 && o.bulk <= 3))
     throw Error(ErrorCode::bad_input, fmt::format("invalid bulk {:g}: must be 1.05 to 3", o.bulk),
                 {}, "fallen rock takes 1.4 times its volume");
+  if (!(o.broken >= 0 && o.broken <= 1))
+    throw Error(ErrorCode::bad_input,
+                fmt::format("invalid depth {:g} of breaks: must be 0 to 1", o.broken), {},
+                "use 0 for blocks with sharp edges");
 }
 
 /// The height of a cone with a ridge of this half length that has the volume.
@@ -76,7 +81,13 @@ class Builder {
     return true;
   }
 
-  Pile finish() { return std::move(pile_); }
+  Pile finish(double broken, RandomKey key) {
+    const std::vector<std::vector<Vec3d>> contacts = contact_points(pile_.blocks, floor_);
+    for (size_t i = 0; i < pile_.blocks.size(); ++i)
+      pile_.broken.push_back(
+          broken_block(pile_.blocks[i], contacts[i], broken, RandomStream(key.at(i))));
+    return std::move(pile_);
+  }
 
  private:
   /// The place where the pile lacks most of the cone below the block.
@@ -110,7 +121,7 @@ class Builder {
   /// The block where it first touches the ground or another block.
   OrientedBox landed(OrientedBox block) const {
     double height = floor_ + block.extent({0, 1, 0});
-    grid_.for_each_near(block, [&](const OrientedBox& other) {
+    grid_.for_each_near(block, [&](const OrientedBox& other, size_t) {
       height = std::max(height, landing_height(block, other));
     });
     block.centre.y = height;
@@ -130,7 +141,8 @@ class Builder {
       next.centre.x += 0.3 * step * size * random_.normal();
       next.centre.z += 0.3 * step * size * random_.normal();
       const Vec3d moved = next.centre - from;
-      if (std::hypot(moved.x, moved.z) > size || pile_.cone(next.centre) < 0.4 * size) continue;
+      if (Vec3d(moved.x, 0, moved.z).length() > size || pile_.cone(next.centre) < 0.4 * size)
+        continue;
       next = landed(next);
       if (next.centre.y < rest.centre.y - kLeastDescent)
         rest = next;
@@ -149,11 +161,12 @@ class Builder {
 
 }  // namespace
 
-double Pile::cone(const Vec3d& p) const {
+Vec3d Pile::from_ridge(const Vec3d& p) const {
   const Vec3d offset(p.x - foot.x, 0, p.z - foot.z);
-  const double at = std::clamp(offset.dot(along), -ridge, ridge);
-  return height - slope * (offset - along * at).length();
+  return offset - along * std::clamp(offset.dot(along), -ridge, ridge);
 }
+
+double Pile::cone(const Vec3d& p) const { return height - slope * from_ridge(p).length(); }
 
 double Pile::volume() const {
   double largest = 0.01;
@@ -206,7 +219,7 @@ Pile pile(const Vault& vault, const PileOptions& options) {
     if (builder.volume() >= wanted) break;
     builder.add(block);
   }
-  return builder.finish();
+  return builder.finish(options.broken, RandomKey(options.seed).at("breaks"));
 }
 
 }  // namespace vug::passages

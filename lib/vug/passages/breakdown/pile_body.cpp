@@ -23,9 +23,7 @@ struct Rubble {
   double fines = 1;
 
   field::Gradient sample(const Vec3d& p) const {
-    const Vec3d offset(p.x - cone.foot.x, 0, p.z - cone.foot.z);
-    const double at = std::clamp(offset.dot(cone.along), -cone.ridge, cone.ridge);
-    const Vec3d away = offset - cone.along * at;
+    const Vec3d away = cone.from_ridge(p);
     const double distance = away.length(), slope = fines * cone.slope;
     const double scale = 1 / std::sqrt(1 + slope * slope);
     const double above = (p.y - floor - fines * cone.height + slope * distance) * scale;
@@ -61,12 +59,11 @@ void require_fines(double fines) {
 field::Field pile_body(const Pile& pile, double floor, double fines) {
   require_fines(fines);
   if (pile.blocks.empty()) return field::empty();
-  std::vector<Polytope> parts;
-  for (const OrientedBox& block : pile.blocks) parts.push_back(block.polytope());
-  field::Field blocks = polytopes("breakdown", std::move(parts));
+  field::Field blocks = polytopes("breakdown", pile.broken);
   if (fines == 0) return blocks;
   Rubble rubble{pile, floor, fines};
   rubble.cone.blocks.clear();
+  rubble.cone.broken.clear();
   field::Traits traits = rubble_traits(pile, fines);
   return field::unite({std::move(blocks), field::Field(std::make_shared<field::OpaqueNode<Rubble>>(
                                               "rubble", traits, std::move(rubble)))});

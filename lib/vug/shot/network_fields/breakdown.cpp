@@ -11,6 +11,7 @@ struct Breakdown : VaultParams {
   double floor = 0;
   double repose = passages::PileOptions().repose;
   double bulk = passages::PileOptions().bulk;
+  double broken = passages::PileOptions().broken;
   double fines = 0.8;
 
   static void describe(Schema<Breakdown>& s) {
@@ -26,6 +27,9 @@ struct Breakdown : VaultParams {
                {.doc = "volume of the pile with its gaps, by that of the vault",
                 .min = 1.05,
                 .max = 3})
+        .param(
+            "broken", &Breakdown::broken,
+            {.doc = "depth of the breaks of edges and corners; 0: sharp boxes", .min = 0, .max = 1})
         .param("fines", &Breakdown::fines,
                {.doc = "height of the fine rubble between the blocks, by that of the pile; 0: none",
                 .min = 0,
@@ -34,10 +38,13 @@ struct Breakdown : VaultParams {
 };
 
 field::Field blocks(const Breakdown& p) {
-  return passages::breakdown_body(
-      p.vault(),
-      {.floor = p.floor, .repose = p.repose, .bulk = p.bulk, .seed = static_cast<uint64_t>(p.seed)},
-      p.fines);
+  return passages::breakdown_body(p.vault(),
+                                  {.floor = p.floor,
+                                   .repose = p.repose,
+                                   .bulk = p.bulk,
+                                   .broken = p.broken,
+                                   .seed = static_cast<uint64_t>(p.seed)},
+                                  p.fines);
 }
 
 }  // namespace
