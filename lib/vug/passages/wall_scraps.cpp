@@ -42,14 +42,14 @@ std::vector<survey::Scrap> wall_scraps(const mesh::Mesh& surface, const survey::
   for (uint32_t c = 0; c < triangles.size(); ++c)
     for (const uint32_t t : triangles[c]) {
       std::array<int, 3> corners{};
-      for (int k = 0; k < 3; ++k) {
+      for (size_t k = 0; k < 3; ++k) {
         const uint32_t vertex = surface.triangles[t][k];
         if (owner[vertex] != c) {
           owner[vertex] = c;
           index[vertex] = static_cast<int>(scraps[c].points.size());
           scraps[c].points.push_back(network::to_survey(Vec3d(surface.positions[vertex])) + origin);
         }
-        corners[static_cast<size_t>(k)] = index[vertex];
+        corners[k] = index[vertex];
       }
       scraps[c].triangles.push_back(corners);
     }
