@@ -5,7 +5,7 @@
 #include <vug/karst/rock.h>
 #include <vug/karst/sample_graph.h>
 
-#include <cmath>
+#include <algorithm>
 
 namespace vug::karst {
 namespace {
@@ -14,15 +14,13 @@ constexpr size_t kGrain = 256;
 constexpr double kThroughAir = 1000;  ///< Factor of the cost of a leg that leaves the rock.
 constexpr double kShortest = 1e-3;    ///< Metres; so that no cost is 0.
 
-/// 1 + the weights of the rock in the middle of a leg.
-double rock_factor(const Vec3d& middle, const Vec3d& direction, const Rock& rock,
-                   const CostOptions& o) {
+/// 1 + the weights of the rock in the middle of a leg, which follows joints and faults by 0 to 1.
+double rock_factor(const Vec3d& middle, double alignment, const Rock& rock, const CostOptions& o) {
   const Geology& g = rock.geology();
   double factor = 1;
   if (!g.beds.empty())
     factor += o.bed * (1 - smooth_falloff(rock.bed_distance(middle), o.bed_reach));
-  if (!rock.joints().empty() || !g.faults.empty())
-    factor += o.fracture * (1 - rock.alignment(middle, direction));
+  if (!rock.joints().empty() || !g.faults.empty()) factor += o.fracture * (1 - alignment);
   if (rock.has_permeability()) factor += o.permeability * (1 - rock.permeability(middle));
   if (!g.ghost_rock.empty() && !rock.in_ghost_rock(middle)) factor += o.ghost_rock;
   return factor;
@@ -31,7 +29,8 @@ double rock_factor(const Vec3d& middle, const Vec3d& direction, const Rock& rock
 }  // namespace
 
 std::vector<double> edge_costs(const SampleGraph& graph, const Rock& rock,
-                               const KarstOptions& options) {
+                               const KarstOptions& options,
+                               const std::vector<std::array<int, 2>>& joint_edges) {
   const CostOptions& o = options.cost;
   const RandomKey key = RandomKey(options.seed).at("heterogeneity");
   double total = 0;
@@ -46,9 +45,14 @@ std::vector<double> edge_costs(const SampleGraph& graph, const Rock& rock,
         const Vec3d& from = graph.points[static_cast<size_t>(a)];
         const Vec3d& to = graph.points[static_cast<size_t>(b)];
         const double length = std::max(kShortest, (to - from).length());
-        const Vec3d middle = (from + to) * 0.5;
+        const Vec3d middle = (from + to) * 0.5, direction = (to - from) / length;
+        const double along_joint =
+            joint_edges.empty() ? rock.joint_alignment(middle, direction)
+            : std::binary_search(joint_edges.begin(), joint_edges.end(), graph.edges[e]) ? 1.0
+                                                                                         : 0.0;
+        const double alignment = std::max(along_joint, rock.fault_alignment(middle, direction));
         double cost = length * maths::pow(length / mean_length, o.shortness) *
-                      rock_factor(middle, (to - from) / length, rock, o);
+                      rock_factor(middle, alignment, rock, o);
         if (o.heterogeneity > 0)
           cost *= maths::exp(o.heterogeneity * RandomStream(key.at(e)).normal());
         if (rock.geology().solid && !rock.contains(middle)) cost *= kThroughAir;

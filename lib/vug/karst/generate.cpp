@@ -24,8 +24,8 @@ network::Network generate(const Geology& geology, const KarstOptions& options) {
   const Rock rock(geology, options.seed);
   const KeyPoints keys = key_points(rock, options);
   const Samples samples = draw_samples(rock, keys, options);
-  SampleGraph graph = build_graph(samples.points, options.samples.neighbours);
-  graph.cost = edge_costs(graph, rock, options);
+  SampleGraph graph = build_graph(samples.points, options.samples.neighbours, samples.joint_edges);
+  graph.cost = edge_costs(graph, rock, options, samples.joint_edges);
   graph = separated(std::move(graph), samples.random, options.samples.separation);
   const FlowCost cost(graph, rock, options.cost);
   Plan plan(graph);

@@ -12,6 +12,9 @@ struct SampleOptions {
   int count = 5000;           ///< Number of samples.
   double on_beds = 0.5;       ///< Fraction on inception horizons.
   double on_fractures = 0.1;  ///< Fraction on joints and their crossings.
+  /// Samples on joints are on joints of finite length with directions of their own, at their
+  /// crossings and along them, and passages run along these joints.
+  bool joint_network = false;
   double in_permeable = 0.1;  ///< Fraction in permeable balls and ghost rock.
   int neighbours = 24;        ///< Number of nearest samples to which a sample is joined.
   /// Metres between passages that do not meet. Samples keep kMeeting times it.

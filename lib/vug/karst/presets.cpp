@@ -45,17 +45,19 @@ Preset maze_rectilinear() {
   Preset p{"maze_rectilinear", "Passages along crossing joints of one bed.", {}, {}};
   p.geology.bounds = box(250, -20, 20);
   p.geology.beds = {layer(0, 1, 200)};
-  p.geology.fractures = {joints(20, 22, 20), joints(105, 26, 20), joints(65, 60, 20)};
+  p.geology.fractures = {joints(20, 11, 18), joints(105, 13, 18), joints(65, 30, 18)};
   p.geology.water_tables = {layer(10, 0, 0)};
-  p.options.samples = {.on_beds = 0.4, .on_fractures = 0.5, .in_permeable = 0};
+  p.options.samples = {.on_beds = 0, .on_fractures = 1, .joint_network = true, .in_permeable = 0};
+  p.options.cost.fracture = 40;        // The rock between joints is tight,
+  p.options.cost.heterogeneity = 0.4;  // and joints are open in parts.
   p.options.growth.sinks = 2;
-  p.options.growth.waypoints = 30;
+  p.options.growth.waypoints = 40;
   p.options.growth.gamma = 1.5;
-  p.options.growth.dead_end_length = 12.5;
-  p.options.growth.dead_end_spread = 1.2;
-  p.options.shape.leg_length = 7;
-  p.options.shape.wander = 0.37;
-  p.options.shape.zigzag = 0.3;
+  p.options.growth.dead_end_length = 14;
+  p.options.growth.dead_end_spread = 1.4;
+  p.options.growth.clustering = 0.92;
+  p.options.shape.leg_length = 12;  // Passages are straight from one joint to the next.
+  p.options.shape.wander = 0.05;
   p.options.shape.looping = 0;
   return p;
 }
@@ -110,12 +112,13 @@ Preset conduit() {
   p.geology.water_tables = {layer(-30, 1, 90)};
   p.options.samples.count = 6000;
   p.options.growth.sinks = 6;
-  p.options.growth.dead_ends = 40;
+  p.options.growth.dead_ends = 34;
   p.options.growth.dead_end_length = 10;
   p.options.growth.dead_end_spread = 1.4;
   p.options.growth.clustering = 0.85;
   p.options.growth.cluster_radius = 30;
-  p.options.growth.loops = 0.11;
+  p.options.growth.loops = 0.13;
+  p.options.growth.loop_most = 250;  // Flood routes bypass long reaches of the main passage.
   p.options.growth.at_junctions = 0.12;
   p.options.shape.wander = 0.11;
   p.options.shape.zigzag = 0.25;

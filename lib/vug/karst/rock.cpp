@@ -42,7 +42,7 @@ bool Rock::in_ghost_rock(const Vec3d& point) const {
                      [&](const field::Field& body) { return body.value(point) <= 0; });
 }
 
-double Rock::alignment(const Vec3d& middle, const Vec3d& direction) const {
+double Rock::joint_alignment(const Vec3d& middle, const Vec3d& direction) const {
   double best = 0;
   for (const Joints& joints : joints_) {
     const double across = direction.dot(joints.normal()) / joints.family().spread;
@@ -51,6 +51,11 @@ double Rock::alignment(const Vec3d& middle, const Vec3d& direction) const {
     const double near = smooth_falloff(joints.distance(middle), joints.family().spacing / 4);
     best = std::max(best, aligned * (0.5 + 0.5 * near));
   }
+  return best;
+}
+
+double Rock::fault_alignment(const Vec3d& middle, const Vec3d& direction) const {
+  double best = 0;
   for (size_t i = 0; i < fault_normals_.size(); ++i) {
     const Fault& fault = geology_.faults[i];
     const double distance = std::abs((middle - fault.point).dot(fault_normals_[i]));

@@ -31,8 +31,10 @@ class Rock {
   double permeability(const Vec3d& point) const;
   bool has_permeability() const;
   bool in_ghost_rock(const Vec3d& point) const;
-  /// 0 to 1: how well a leg through `middle` in a unit `direction` follows a joint or a fault.
-  double alignment(const Vec3d& middle, const Vec3d& direction) const;
+  /// 0 to 1: how well a leg through `middle` in a unit `direction` follows a joint.
+  double joint_alignment(const Vec3d& middle, const Vec3d& direction) const;
+  /// The same for faults.
+  double fault_alignment(const Vec3d& middle, const Vec3d& direction) const;
   /// The height of the water table of a tier above or below a point; without tables the middle of
   /// the bounds.
   double table_height(int tier, const Vec3d& point) const;

@@ -70,7 +70,8 @@ void fill_arcs(SampleGraph& graph) {
               [](const Arc& a, const Arc& b) { return a.to < b.to; });
 }
 
-SampleGraph build_graph(std::vector<Vec3d> points, int neighbours) {
+SampleGraph build_graph(std::vector<Vec3d> points, int neighbours,
+                        const std::vector<std::array<int, 2>>& more) {
   SampleGraph graph;
   graph.points = std::move(points);
   const PointGrid grid(graph.points, 4);
@@ -82,6 +83,7 @@ SampleGraph build_graph(std::vector<Vec3d> points, int neighbours) {
     for (const int other : near[i])
       graph.edges.push_back(
           {std::min(static_cast<int>(i), other), std::max(static_cast<int>(i), other)});
+  graph.edges.insert(graph.edges.end(), more.begin(), more.end());
   sort_edges(graph.edges);
   join_components(graph.points, graph.edges);
   sort_edges(graph.edges);

@@ -35,7 +35,9 @@ struct SampleGraph {
   }
 };
 
-SampleGraph build_graph(std::vector<Vec3d> points, int neighbours);
+/// `more`: edges to add to those between neighbours, the smaller index first.
+SampleGraph build_graph(std::vector<Vec3d> points, int neighbours,
+                        const std::vector<std::array<int, 2>>& more = {});
 
 /// Computes `first` and `arcs` from the edges.
 void fill_arcs(SampleGraph& graph);
@@ -43,8 +45,9 @@ void fill_arcs(SampleGraph& graph);
 /// The cost of each edge in metres of unfavourable rock: the length times 1 plus the weights for
 /// distance from beds, directions across joints, and rock that is not permeable, times a random
 /// factor (paris2021karst, section 4, with the terms of gouy2024karstnsim). Legs through air have
-/// a thousandfold cost.
+/// a thousandfold cost. If there are edges along joints (sorted), only these follow joints.
 std::vector<double> edge_costs(const SampleGraph& graph, const Rock& rock,
-                               const KarstOptions& options);
+                               const KarstOptions& options,
+                               const std::vector<std::array<int, 2>>& joint_edges = {});
 
 }  // namespace vug::karst

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/maths.h>
 #include <vug/karst/darts.h>
+#include <vug/karst/joint_samples.h>
+#include <vug/karst/joint_traces.h>
 #include <vug/karst/samples.h>
 #include <vug/karst/separation.h>
 
@@ -89,13 +91,18 @@ class DartThrower {
     Darts kind(distance);
     for (int64_t left = int64_t{count} * kDartsPerSample; left > 0 && count > 0; --left) {
       const Point point = draw();
-      if (!point || !rock_.contains(*point) || !kind.is_free(*point) || !all_.is_free(*point))
-        continue;
+      if (!point || !kind.is_free(*point) || add(*point) < 0) continue;
       kind.add(*point);
-      all_.add(*point);
-      points_.push_back(*point);
       --count;
     }
+  }
+
+  /// The index of a point that is in the rock and keeps the distance of all kinds, else -1.
+  int add(const Vec3d& point) {
+    if (!rock_.contains(point) || !all_.is_free(point)) return -1;
+    all_.add(point);
+    points_.push_back(point);
+    return static_cast<int>(points_.size()) - 1;
   }
 
  private:
@@ -137,9 +144,21 @@ Samples draw_samples(const Rock& rock, const KeyPoints& keys, const KarstOptions
   DartThrower darts(rock, kMeeting * o.separation, points);
   // Samples on joints are the first, because those on beds would leave few places on them.
   const int on_joints = share(o.on_fractures, !rock.joints().empty());
-  // Points on joints are on lines, so only repeated points are rejected.
-  darts.run(on_joints, 0.2 * flat_distance(on_joints, std::max<size_t>(1, g.beds.size())),
-            [&] { return source.on_joint(); });
+  if (o.joint_network) {
+    const std::vector<SegmentPiece> traces =
+        joint_traces(g, kTracesApart * o.separation, static_cast<size_t>(o.count),
+                     RandomKey(options.seed).at("joint traces"));
+    int left = on_joints;
+    samples.joint_edges = sample_joints(traces, g, options.shape.leg_length, [&](const Vec3d& p) {
+      const int sample = left > 0 ? darts.add(p) : -1;
+      left -= sample >= 0;
+      return sample;
+    });
+  } else {
+    // Points on joints are on lines, so only repeated points are rejected.
+    darts.run(on_joints, 0.2 * flat_distance(on_joints, std::max<size_t>(1, g.beds.size())),
+              [&] { return source.on_joint(); });
+  }
   const int on_beds = share(o.on_beds, !g.beds.empty());
   darts.run(on_beds, flat_distance(on_beds, g.beds.size()), [&] { return source.on_bed(); });
   double ball_volume = 0;

@@ -4,6 +4,9 @@
 
 #include <vug/karst/key_points.h>
 
+#include <array>
+#include <vector>
+
 namespace vug::karst {
 
 /// The key points, in the order sinks, springs, entrances, waypoints, and after them the samples.
@@ -14,6 +17,8 @@ struct Samples {
   int entrances = 0;
   int waypoints = 0;
   int random = 0;  ///< Index of the first point that is not a key point.
+  /// Pairs of samples that follow each other on a joint, sorted; empty without a joint network.
+  std::vector<std::array<int, 2>> joint_edges;
 };
 
 /// Random samples on beds, on joints, in permeable rock and in the rest of the rock, each at least

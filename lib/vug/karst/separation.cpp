@@ -12,6 +12,7 @@ namespace {
 
 /// Distance of edges that may conflict, in separations: that of coincident key points.
 constexpr double kReach = kMeeting;
+constexpr int kRounds = 4;  ///< Selections of edges until no key point is cut off.
 
 class EdgeSelection {
  public:
@@ -21,10 +22,12 @@ class EdgeSelection {
         separation_(separation),
         grid_(side, kReach * separation) {}
 
+  void add(int edge) { grid_.add(edge, segment(edge)); }
+
   bool add_if_separate(int edge) {
-    const SegmentPiece piece = segment(edge);
-    if (grid_.any_near(piece, [&](int other) { return conflict(edge, other); })) return false;
-    grid_.add(edge, piece);
+    const auto conflicts = [&](int other) { return conflict(edge, other); };
+    if (grid_.any_near(segment(edge), conflicts)) return false;
+    add(edge);
     return true;
   }
 
@@ -68,6 +71,41 @@ class EdgeSelection {
   SegmentGrid grid_;
 };
 
+/// The first edges in the order that join all parts with key points, over other parts if necessary.
+/// Parts without key points to which no such way leads remain dry.
+std::vector<int> joins(const SampleGraph& graph, int key_points, const std::vector<int>& order,
+                       DisjointSets<int> parts) {
+  DisjointSets<int> joined = parts;
+  std::vector<int> tree;
+  for (const int edge : order) {
+    const auto& [a, b] = graph.edges[static_cast<size_t>(edge)];
+    if (joined.join(a, b)) tree.push_back(edge);
+  }
+  std::vector<int> degree(graph.points.size(), 0);
+  std::vector<bool> needed(graph.points.size(), false);
+  for (int i = 0; i < key_points; ++i) needed[static_cast<size_t>(parts.root(i))] = true;
+  const auto part = [&](int edge, int end) {
+    const auto& ends = graph.edges[static_cast<size_t>(edge)];
+    return static_cast<size_t>(parts.root(ends[static_cast<size_t>(end)]));
+  };
+  for (const int edge : tree)
+    for (const int end : {0, 1}) ++degree[part(edge, end)];
+  for (bool removed = true; removed;) {
+    const auto is_dry = [&](int edge) {
+      for (const int end : {0, 1})
+        if (degree[part(edge, end)] == 1 && !needed[part(edge, end)]) return true;
+      return false;
+    };
+    removed = false;
+    std::erase_if(tree, [&](int edge) {
+      if (!is_dry(edge)) return false;
+      for (const int end : {0, 1}) --degree[part(edge, end)];
+      return removed = true;
+    });
+  }
+  return tree;
+}
+
 }  // namespace
 
 std::vector<int> stations_of_points(const std::vector<Vec3d>& points, int key_points,
@@ -95,17 +133,24 @@ SampleGraph separated(SampleGraph graph, int key_points, double separation) {
   double total = 0;
   for (size_t e = 0; e < count; ++e) total += graph.length(static_cast<int>(e));
   const double side = std::max(separation, total / static_cast<double>(std::max<size_t>(1, count)));
-  EdgeSelection selection(graph, key_points, separation, side);
-  std::vector<bool> kept(count, false);
-  DisjointSets<int> parts(graph.points.size());
-  for (const int edge : order) {
-    const auto e = static_cast<size_t>(edge);
-    kept[e] = selection.add_if_separate(edge);
-    if (kept[e]) parts.join(graph.edges[e][0], graph.edges[e][1]);
-  }
-  for (const int edge : order) {
-    const auto e = static_cast<size_t>(edge);
-    if (!kept[e] && parts.join(graph.edges[e][0], graph.edges[e][1])) kept[e] = true;
+  // Edges without which key points would be cut off come first, so that others keep away from them.
+  std::vector<bool> kept;
+  std::vector<int> first;
+  for (int round = 0; round < kRounds; ++round) {
+    EdgeSelection selection(graph, key_points, separation, side);
+    DisjointSets<int> parts(graph.points.size());
+    kept.assign(count, false);
+    for (const int edge : first) selection.add(edge);
+    for (const int edge : first) kept[static_cast<size_t>(edge)] = true;
+    for (const int edge : order) {
+      const auto e = static_cast<size_t>(edge);
+      kept[e] = kept[e] || selection.add_if_separate(edge);
+      if (kept[e]) parts.join(graph.edges[e][0], graph.edges[e][1]);
+    }
+    const std::vector<int> missing = joins(graph, key_points, order, parts);
+    for (const int edge : missing) kept[static_cast<size_t>(edge)] = true;
+    if (missing.empty()) break;
+    first.insert(first.end(), missing.begin(), missing.end());
   }
   size_t end = 0;
   for (size_t e = 0; e < count; ++e) {

@@ -14,8 +14,8 @@ inline constexpr double kMeeting = 1.8;
 
 /// The graph without edges that come closer than `separation` metres to a cheaper one, or leave a
 /// station in nearly the same direction, so that any set of edges is a set of passages without
-/// crossings. An edge that is the only way to a part of the graph remains even so. The first
-/// `key_points` points may lie close to each other, and count as one station where they do.
+/// crossings. An edge that is the only way between two of the first `key_points` points remains
+/// even so. These points may lie close to each other, and count as one station where they do.
 SampleGraph separated(SampleGraph graph, int key_points, double separation);
 
 /// For each point the first of the key points within the distance, or the point itself.

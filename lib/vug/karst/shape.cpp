@@ -106,9 +106,10 @@ void flatten(std::vector<Vec3d>& points, double part) {
 /// The horizontal distance from the first point to each one.
 std::vector<double> stations_along(const std::vector<Vec3d>& points) {
   std::vector<double> along{0};
-  for (size_t i = 1; i < points.size(); ++i)
-    along.push_back(along.back() +
-                    std::hypot(points[i].x - points[i - 1].x, points[i].z - points[i - 1].z));
+  for (size_t i = 1; i < points.size(); ++i) {
+    const Vec3d way = points[i] - points[i - 1];
+    along.push_back(along.back() + std::sqrt(way.x * way.x + way.z * way.z));
+  }
   return along;
 }
 

@@ -34,7 +34,8 @@ double orientation_entropy(const Network& network, const PlacedGraph& cave) {
                                               .to = cave.stations[static_cast<size_t>(b)]});
     const double azimuth = folded_azimuth(vector);
     if (std::isnan(azimuth)) continue;
-    weights[bin_of(azimuth / kPi, kOrientationBins)] += std::hypot(vector.x, vector.z);
+    weights[bin_of(azimuth / kPi, kOrientationBins)] +=
+        std::sqrt(vector.x * vector.x + vector.z * vector.z);
   }
   return entropy(weights);
 }

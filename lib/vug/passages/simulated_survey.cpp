@@ -240,7 +240,7 @@ class Simulation {
                          survey.stations[static_cast<size_t>(leg.from)].position;
     leg.style = survey::Style::normal;
     leg.length = vector.length();
-    leg.plan_length = std::hypot(vector.x, vector.y);
+    leg.plan_length = std::sqrt(vector.x * vector.x + vector.y * vector.y);
     leg.vertical_length = std::abs(vector.z);
   }
 

@@ -117,7 +117,7 @@ TEST(Separation, LegsThatAreCloseAreNeighbours) {
   }
 }
 
-TEST(Separation, KeepsTheCheaperOfCrossingEdgesAndAllPartsTogether) {
+TEST(Separation, KeepsTheCheaperOfCrossingEdgesAndKeyPointsTogether) {
   SampleGraph graph;
   graph.points = {Vec3d(0, 0, 0), Vec3d(20, 0, 0), Vec3d(20, 0, 20), Vec3d(0, 0, 20)};
   graph.edges = {{0, 1}, {0, 2}, {1, 2}, {1, 3}, {2, 3}};
@@ -126,10 +126,11 @@ TEST(Separation, KeepsTheCheaperOfCrossingEdgesAndAllPartsTogether) {
   EXPECT_EQ(kept.edges, (std::vector<std::array<int, 2>>{{0, 1}, {1, 2}, {1, 3}, {2, 3}}));
   EXPECT_EQ(kept.cost, (std::vector<double>{1, 1, 7, 1}));
   EXPECT_EQ(kept.first.back(), 8);
-  // Edges that are the only ways to their points remain.
+  // Edges that are the only ways to key points remain, others do not.
   graph.edges = {{0, 1}, {0, 2}, {1, 3}};
   graph.cost = {1, 2, 3};
-  EXPECT_EQ(separated(graph, 0, 2).edges.size(), 3U);
+  EXPECT_EQ(separated(graph, 4, 2).edges.size(), 3U);
+  EXPECT_EQ(separated(graph, 3, 2).edges, (std::vector<std::array<int, 2>>{{0, 1}, {0, 2}}));
 }
 
 TEST(Separation, MergesNearlyParallelEdgesAtAStation) {
