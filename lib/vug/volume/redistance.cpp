@@ -48,7 +48,7 @@ LevelSet with_distances(const LevelSet& level_set, const BlockDistances& distanc
   // Voxels within the half-width of the surface are at most one step farther from a change of sign.
   const double half_width = level_set.background() / level_set.voxel();
   const int steps = static_cast<int>(std::ceil(half_width - 1e-3)) + 1;
-  tree.topologyUnion(surface_mask(from.tree(), steps));
+  tree.topologyUnion(surface_mask(tree, steps));
   std::vector<FloatLeaf*> leaves;
   tree.getNodes(leaves);
   progress.begin("exact distances", leaves.size());

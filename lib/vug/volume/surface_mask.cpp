@@ -6,82 +6,96 @@
 
 #include <immintrin.h>
 
-#include <vector>
-
 namespace vug::volume {
 namespace {
 
 using Tree = openvdb::FloatTree;
-using openvdb::Coord;
-using openvdb::Index;
+using Leaf = Tree::LeafNodeType;
 using MaskLeaf = openvdb::MaskTree::LeafNodeType;
-using Bits = openvdb::MaskTree::LeafNodeType::NodeMaskType;
 
-constexpr uint64_t kFirstZ = 0x0101010101010101, kLastZ = kFirstZ << 7;
+constexpr size_t kGrain = 64;  // Leaves for each task.
 
-uint64_t word(const Bits& bits, int x) { return bits.getWord<uint64_t>(static_cast<Index>(x)); }
-
-/// One bit for each voxel below zero.
-Bits inside_of(const Tree::LeafNodeType& leaf) {
-  Bits bits;
+/// The voxels below zero.
+LeafBits inside_of(const Leaf& leaf) {
+  LeafBits bits{};
   const float* values = leaf.buffer().data();
-  for (Index x = 0; x < 8; ++x) {
-    uint64_t all = 0;
-    for (Index y = 0; y < 8; ++y) {
+  for (size_t x = 0; x < 8; ++x)
+    for (size_t y = 0; y < 8; ++y) {
       const __m256 run = _mm256_loadu_ps(values + 64 * x + 8 * y);
       const int below = _mm256_movemask_ps(_mm256_cmp_ps(run, _mm256_setzero_ps(), _CMP_LT_OQ));
-      all |= static_cast<uint64_t>(below) << (8 * y);
+      bits[x] |= static_cast<uint64_t>(below) << (8 * y);
     }
-    bits.getWord<uint64_t>(x) = all;
-  }
   return bits;
+}
+
+/// The bits that differ from one of their six neighbours; `before` and `after` are the leaves next
+/// to this one along each axis.
+LeafBits changes(const LeafBits& here, const std::array<LeafBits, 3>& before,
+                 const std::array<LeafBits, 3>& after) {
+  constexpr uint64_t kFirstZ = 0x0101010101010101, kLastZ = kFirstZ << 7;
+  LeafBits out;
+  for (size_t x = 0; x < 8; ++x) {
+    const uint64_t own = here[x];
+    out[x] = own ^ (x > 0 ? here[x - 1] : before[0][7]);
+    out[x] |= own ^ (x < 7 ? here[x + 1] : after[0][0]);
+    out[x] |= own ^ (own << 8 | before[1][x] >> 56);
+    out[x] |= own ^ (own >> 8 | after[1][x] << 56);
+    out[x] |= own ^ ((own & ~kLastZ) << 1 | (before[2][x] & kLastZ) >> 7);
+    out[x] |= own ^ ((own & ~kFirstZ) >> 1 | (after[2][x] & kFirstZ) << 7);
+  }
+  return out;
 }
 
 }  // namespace
 
-openvdb::MaskTree surface_marks(const Tree& tree) {
-  openvdb::MaskTree sides(tree, false, true, openvdb::TopologyCopy()), marks(sides);
-  std::vector<const Tree::LeafNodeType*> leaves;
-  std::vector<MaskLeaf*> inside, marked;
-  tree.getNodes(leaves);
-  sides.getNodes(inside);
-  marks.getNodes(marked);
+SurfaceMarks surface_marks(Tree& tree) {
+  SurfaceMarks out;
+  tree.getNodes(out.leaves);
+  out.bits.resize(out.leaves.size());
+  std::vector<LeafBits> inside(out.leaves.size());
   parallel_for(
-      leaves.size(), [&](size_t n) { inside[n]->setValueMask(inside_of(*leaves[n])); }, 64);
+      inside.size(),
+      [&](size_t n) {
+        out.leaves[n]->setTransientData(static_cast<openvdb::Index32>(n));
+        inside[n] = inside_of(*out.leaves[n]);
+      },
+      kGrain);
+  parallel_for(
+      inside.size(),
+      [&](size_t n) {
+        const Leaf& leaf = *out.leaves[n];
+        const openvdb::tree::ValueAccessor<const Tree, false> at(tree);
+        const auto beside = [&](size_t axis, int by) {
+          openvdb::Coord origin = leaf.origin();
+          origin[axis] += by;
+          if (const Leaf* other = at.probeConstLeaf(origin)) return inside[other->transientData()];
+          LeafBits all;
+          all.fill(at.getValue(origin) < 0 ? ~uint64_t{0} : 0);
+          return all;
+        };
+        out.bits[n] = changes(inside[n], {beside(0, -8), beside(1, -8), beside(2, -8)},
+                              {beside(0, 8), beside(1, 8), beside(2, 8)});
+        for (size_t x = 0; x < 8; ++x)
+          out.bits[n][x] &= leaf.getValueMask().getWord<uint64_t>(static_cast<openvdb::Index>(x));
+      },
+      kGrain);
+  return out;
+}
+
+openvdb::MaskTree surface_mask(Tree& level_set, int voxels) {
+  const SurfaceMarks marks = surface_marks(level_set);
+  openvdb::MaskTree mask(level_set, false, true, openvdb::TopologyCopy());
+  std::vector<MaskLeaf*> leaves;
+  mask.getNodes(leaves);
   parallel_for(
       leaves.size(),
       [&](size_t n) {
-        const openvdb::tree::ValueAccessor<const openvdb::MaskTree, false> side(sides);
-        const openvdb::tree::ValueAccessor<const Tree, false> value(tree);
-        const auto beside = [&](int axis, int by) {
-          Coord at = leaves[n]->origin();
-          at[static_cast<size_t>(axis)] += by;
-          if (const MaskLeaf* leaf = side.probeConstLeaf(at)) return leaf->getValueMask();
-          return Bits(value.getValue(at) < 0);
-        };
-        const Bits here = inside[n]->getValueMask();
-        const Bits before[3] = {beside(0, -8), beside(1, -8), beside(2, -8)};
-        const Bits after[3] = {beside(0, 8), beside(1, 8), beside(2, 8)};
-        Bits bits;
-        for (int x = 0; x < 8; ++x) {
-          const uint64_t own = word(here, x);
-          uint64_t changes = own ^ (x > 0 ? word(here, x - 1) : word(before[0], 7));
-          changes |= own ^ (x < 7 ? word(here, x + 1) : word(after[0], 0));
-          changes |= own ^ (own << 8 | word(before[1], x) >> 56);
-          changes |= own ^ (own >> 8 | word(after[1], x) << 56);
-          changes |= own ^ ((own & ~kLastZ) << 1 | (word(before[2], x) & kLastZ) >> 7);
-          changes |= own ^ ((own & ~kFirstZ) >> 1 | (word(after[2], x) & kFirstZ) << 7);
-          bits.getWord<uint64_t>(static_cast<Index>(x)) =
-              changes & leaves[n]->getValueMask().getWord<uint64_t>(static_cast<Index>(x));
-        }
-        marked[n]->setValueMask(bits);
+        MaskLeaf::NodeMaskType bits;
+        for (size_t x = 0; x < 8; ++x)
+          bits.getWord<uint64_t>(static_cast<openvdb::Index>(x)) = marks.bits[n][x];
+        leaves[n]->setValueMask(bits);
       },
-      64);
-  return marks;
-}
-
-openvdb::MaskTree surface_mask(const Tree& level_set, int voxels) {
-  openvdb::MaskTree mask = surface_marks(level_set);
+      kGrain);
   openvdb::tools::dilateActiveValues(mask, voxels, openvdb::tools::NN_FACE_EDGE_VERTEX,
                                      openvdb::tools::IGNORE_TILES);
   return mask;

@@ -4,13 +4,25 @@
 
 #include <openvdb/openvdb.h>
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 namespace vug::volume {
 
-/// The voxels next to a change of sign; the mask has the leaves of the level set.
-openvdb::MaskTree surface_marks(const openvdb::FloatTree& level_set);
+/// One bit for each voxel of a leaf: a word for each x, bit 8 y + z. The order of OpenVDB's masks.
+using LeafBits = std::array<uint64_t, 8>;
 
-/// The voxels next to a change of sign, and those within `voxels` lattice steps (along axes and
-/// diagonals) of one.
-openvdb::MaskTree surface_mask(const openvdb::FloatTree& level_set, int voxels);
+/// The active voxels next to a change of sign, for each leaf of the level set. The transient data
+/// of a leaf is its index.
+struct SurfaceMarks {
+  std::vector<openvdb::FloatTree::LeafNodeType*> leaves;
+  std::vector<LeafBits> bits;
+};
+SurfaceMarks surface_marks(openvdb::FloatTree& level_set);
+
+/// The active voxels next to a change of sign, and those within `voxels` lattice steps (along axes
+/// and diagonals) of one.
+openvdb::MaskTree surface_mask(openvdb::FloatTree& level_set, int voxels);
 
 }  // namespace vug::volume

@@ -7,96 +7,84 @@
 
 #include <openvdb/tools/Prune.h>
 
-#include <algorithm>
+#include <type_traits>
 #include <vector>
 
 namespace vug::volume {
 namespace {
 
 using Leaf = openvdb::FloatTree::LeafNodeType;
-using MaskLeaf = openvdb::MaskTree::LeafNodeType;
 
 /// The most steps for which the leaves around a leaf suffice.
 constexpr int kMostSteps = 8;
 
-uint32_t shifted(uint32_t bits, int by) { return by >= 0 ? bits << by : bits >> -by; }
-
-/// Marks within `reach` lattice steps of a leaf's voxels, gathered from it and its 26 neighbours.
+/// Marks within `kReach` lattice steps of a leaf's voxels, gathered from it and its 26 neighbours.
+template <int kReach>
 class Neighbourhood {
  public:
-  Neighbourhood(const openvdb::tree::ValueAccessor<const openvdb::MaskTree, false>& marks,
-                const openvdb::Coord& origin, int reach)
-      : reach_(reach) {
-    for (int n = 0; n < 27; ++n) {
-      const int x = n / 9 - 1, y = n / 3 % 3 - 1, z = n % 3 - 1;
-      const MaskLeaf* leaf = marks.probeConstLeaf(origin.offsetBy(8 * x, 8 * y, 8 * z));
-      if (leaf && !leaf->isEmpty()) add(*leaf, x, y, z);
-    }
+  void add(const LeafBits& bits, int x, int y, int z) {
+    for (int i = first(x); i < last(x); ++i)
+      for (int k = first(y); k < last(y); ++k) {
+        const auto run = static_cast<uint32_t>(bits[static_cast<size_t>(i)] >> (8 * k) & 0xff);
+        const uint32_t moved = z < 0 ? run >> (8 - kReach) : run << (8 * z + kReach);
+        rows_[8 * x + i + kReach][8 * y + k + kReach] |= static_cast<Row>(moved);
+      }
   }
-  /// The dilated marks of the leaf, one word for each x.
-  void dilate(uint64_t* words) {
-    if (!any_) return std::fill(words, words + 8, uint64_t{0});
-    const int size = 8 + 2 * reach_;
-    for (int x = 0; x < size; ++x) {
-      uint32_t along_z[kSize];
-      for (int y = 0; y < size; ++y) {
-        along_z[y] = 0;
-        for (int step = -reach_; step <= reach_; ++step) along_z[y] |= shifted(rows_[x][y], step);
-      }
-      for (int y = 0; y < 8; ++y) {
-        uint32_t all = 0;
-        for (int step = 0; step <= 2 * reach_; ++step) all |= along_z[y + step];
-        rows_[x][y] = all >> 8 & 0xff;  // Only the leaf's own z.
-      }
-    }
-    for (int x = 0; x < 8; ++x) {
-      words[x] = 0;
-      for (int y = 0; y < 8; ++y) {
-        uint64_t all = 0;
-        for (int step = 0; step <= 2 * reach_; ++step) all |= rows_[x + step][y];
-        words[x] |= all << (8 * y);
-      }
-    }
+
+  /// The dilated marks of the leaf. Rows end up in the place of the first of their window.
+  LeafBits dilated() {
+    each_window([&](int by) {
+      for (auto& slice : rows_)
+        for (Row& row : slice) row = static_cast<Row>(row | row >> by);
+    });
+    each_window([&](int by) {
+      for (int x = 0; x + by < kSize; ++x)
+        for (int y = 0; y < kSize; ++y) rows_[x][y] |= rows_[x + by][y];
+    });
+    each_window([&](int by) {
+      for (int x = 0; x < 8; ++x)
+        for (int y = 0; y + by < kSize; ++y) rows_[x][y] |= rows_[x][y + by];
+    });
+    LeafBits out{};
+    for (size_t x = 0; x < 8; ++x)
+      for (size_t y = 0; y < 8; ++y) out[x] |= uint64_t{rows_[x][y] & 0xffu} << (8 * y);
+    return out;
   }
 
  private:
-  static constexpr int kSize = 8 + 2 * kMostSteps;
+  static constexpr int kSize = 8 + 2 * kReach, kWindow = 1 + 2 * kReach;
+  using Row = std::conditional_t<kSize <= 16, uint16_t, uint32_t>;
 
-  void add(const MaskLeaf& leaf, int x, int y, int z) {
-    any_ = true;
-    for (int i = 0; i < 8; ++i) {
-      const int at_x = 8 * x + i + reach_;
-      if (at_x < 0 || at_x >= 8 + 2 * reach_) continue;
-      const uint64_t word = leaf.getValueMask().getWord<uint64_t>(static_cast<openvdb::Index>(i));
-      for (int k = 0; k < 8; ++k) {
-        const int at_y = 8 * y + k + reach_;
-        if (at_y < 0 || at_y >= 8 + 2 * reach_) continue;
-        rows_[at_x][at_y] |= shifted(static_cast<uint32_t>(word >> (8 * k) & 0xff), 8 * z + 8);
-      }
-    }
+  /// The part of the leaf at -1, 0 or 1 along an axis that is in reach.
+  static constexpr int first(int leaf) { return leaf < 0 ? 8 - kReach : 0; }
+  static constexpr int last(int leaf) { return leaf > 0 ? kReach : 8; }
+
+  /// A window is the union of windows of half its size, or of two that overlap.
+  template <class Unite>
+  static void each_window(const Unite& unite) {
+    int size = 1;
+    for (; 2 * size <= kWindow; size *= 2) unite(size);
+    unite(kWindow - size);
   }
 
-  int reach_;
-  bool any_ = false;
-  uint32_t rows_[kSize][kSize] = {};  // By x and y from -reach; bit 8 is z = 0.
+  Row rows_[kSize][kSize] = {};  // By x and y; bit 0 is z = -kReach.
 };
 
-/// Deactivates the voxels whose bit is not in `near(leaf, words)`.
+/// Deactivates the voxels whose bit is not in `near(index of the leaf)`.
 template <class Near>
-void keep(openvdb::FloatGrid& grid, const Near& near) {
+void keep(openvdb::FloatGrid& grid, const std::vector<Leaf*>& leaves, const Near& near) {
   const float background = grid.background();
-  std::vector<Leaf*> leaves;
-  grid.tree().getNodes(leaves);
   parallel_for(
       leaves.size(),
       [&](size_t n) {
-        uint64_t words[8];
-        near(*leaves[n], words);
-        for (openvdb::Index x = 0; x < 8; ++x) {
-          uint64_t gone = leaves[n]->getValueMask().getWord<uint64_t>(x) & ~words[x];
-          for (; gone; gone &= gone - 1) {
-            const auto at = 64 * x + static_cast<openvdb::Index>(__builtin_ctzll(gone));
-            leaves[n]->setValueOff(at, leaves[n]->getValue(at) < 0 ? -background : background);
+        Leaf& leaf = *leaves[n];
+        const LeafBits kept = near(n);
+        for (size_t x = 0; x < 8; ++x) {
+          const uint64_t on = leaf.getValueMask().getWord<uint64_t>(static_cast<openvdb::Index>(x));
+          for (uint64_t gone = on & ~kept[x]; gone; gone &= gone - 1) {
+            const auto at = static_cast<openvdb::Index>(64 * x) +
+                            static_cast<openvdb::Index>(__builtin_ctzll(gone));
+            leaf.setValueOff(at, leaf.getValue(at) < 0 ? -background : background);
           }
         }
       },
@@ -104,25 +92,51 @@ void keep(openvdb::FloatGrid& grid, const Near& near) {
   openvdb::tools::pruneLevelSet(grid.tree());
 }
 
+template <int kReach>
+void trim_near(openvdb::FloatGrid& grid) {
+  const openvdb::FloatTree& tree = grid.tree();
+  const SurfaceMarks marks = surface_marks(grid.tree());
+  keep(grid, marks.leaves, [&](size_t n) {
+    const openvdb::tree::ValueAccessor<const openvdb::FloatTree, false> at(tree);
+    Neighbourhood<kReach> around;
+    around.add(marks.bits[n], 0, 0, 0);
+    for (int side = 0; side < 27; ++side) {
+      const int x = side / 9 - 1, y = side / 3 % 3 - 1, z = side % 3 - 1;
+      if (side == 13) continue;  // The leaf itself.
+      if (const Leaf* leaf =
+              at.probeConstLeaf(marks.leaves[n]->origin().offsetBy(8 * x, 8 * y, 8 * z)))
+        around.add(marks.bits[leaf->transientData()], x, y, z);
+    }
+    return around.dilated();
+  });
+}
+
+void trim_far(openvdb::FloatGrid& grid, int voxels) {
+  const openvdb::MaskTree mask = surface_mask(grid.tree(), voxels);
+  std::vector<Leaf*> leaves;
+  grid.tree().getNodes(leaves);
+  keep(grid, leaves, [&](size_t n) {
+    LeafBits bits{};
+    if (const auto* near = mask.probeConstLeaf(leaves[n]->origin()))
+      for (size_t x = 0; x < 8; ++x)
+        bits[x] = near->getValueMask().getWord<uint64_t>(static_cast<openvdb::Index>(x));
+    return bits;
+  });
+}
+
+template <int kReach = 1>
+void trim(openvdb::FloatGrid& grid, int voxels) {
+  if (voxels == kReach) return trim_near<kReach>(grid);
+  if constexpr (kReach < kMostSteps)
+    trim<kReach + 1>(grid, voxels);
+  else
+    trim_far(grid, voxels);
+}
+
 }  // namespace
 
 void trim_band(openvdb::GridBase& level_set, int voxels) {
-  auto& grid = static_cast<openvdb::FloatGrid&>(level_set);
-  openvdb::FloatTree& tree = grid.tree();
-  if (voxels > kMostSteps) {
-    const openvdb::MaskTree mask = surface_mask(tree, voxels);
-    return keep(grid, [&](const Leaf& leaf, uint64_t* words) {
-      const MaskLeaf* near = mask.probeConstLeaf(leaf.origin());
-      for (int x = 0; x < 8; ++x)
-        words[x] =
-            near ? near->getValueMask().getWord<uint64_t>(static_cast<openvdb::Index>(x)) : 0;
-    });
-  }
-  const openvdb::MaskTree marks = surface_marks(tree);
-  keep(grid, [&](const Leaf& leaf, uint64_t* words) {
-    const openvdb::tree::ValueAccessor<const openvdb::MaskTree, false> at(marks);
-    Neighbourhood(at, leaf.origin(), voxels).dilate(words);
-  });
+  trim(static_cast<openvdb::FloatGrid&>(level_set), voxels);
 }
 
 }  // namespace vug::volume
