@@ -20,44 +20,75 @@ inline int ellipse_steps(double ratio) {
 /// The point of the ellipse nearest to (x, y) is (a^2 x / (s + g), b^2 y / s) for a >= b, with
 /// g = a^2 - b^2 and s the largest root of |(a x / (s + g), b y / s)| = 1 (eberly2013ellipsoid).
 /// The reciprocal of that length is concave and nearly linear in s, so Halley's method converges
-/// cubically from the lower bound max(b y, a x - g), until the next step has no effect. The value n
-/// . p - h(n), with h the support function of the ellipse, is a lower bound of the distance for any
-/// unit normal n, and its error is quadratic in that of n.
+/// cubically from a lower bound, until the next step has no effect. s is convex in g, so its
+/// tangent at the circle, g = 0, is a lower bound, and max(b y, a x - g) is another one.
+template <class S>
+class EllipseRoot {
+ public:
+  EllipseRoot() = default;
+  inline __attribute__((always_inline))
+  EllipseRoot(const S& half_u, const S& half_v, const S& u, const S& v)
+      : u_(u), v_(v), upright_(half_u < half_v) {
+    using field::abs, field::max, field::min, field::select, field::sqrt, field::square;
+    const S across(abs(u)), up(abs(v));
+    b_ = min(half_u, half_v);
+    const S unit = S(1.0) / b_;
+    a_ = max(half_u, half_v) * unit;
+    x_ = select(upright_, up, across) * unit;
+    y_ = select(upright_, across, up) * unit;
+    const S g = gap(), xx = square(a_ * x_), q = xx + square(raised());
+    s_ = max(least(), sqrt(q) - g * xx / q);
+  }
+
+  /// One step; returns whether another one has an effect.
+  inline __attribute__((always_inline)) bool step() {
+    using field::abs, field::max, field::sqrt, field::square;
+    const S ax = a_ * x_, by = raised(), more = s_ + gap();
+    const S inverse = S(1.0) / (s_ * more), i1 = s_ * inverse, i2 = more * inverse;
+    const S qx = square(ax * i1), qy = square(by * i2), q2 = qx + qy, off = sqrt(q2) - S(1.0);
+    const S d1 = qx * i1 + qy * i2, d2 = qx * i1 * i1 + qy * i2 * i2, d11 = d1 * d1;
+    const S below = max(d11 + S(1.5) * off * (d11 - d2 * q2), S(0.2) * d11);
+    const S change = off * q2 * d1 / max(below, S(kDouble ? 1e-300 : 1e-37));
+    s_ = max(s_ + change, least());
+    if constexpr (kDouble)
+      return !(std::fabs(change) < 1e-5 * s_);
+    else  // The error of s is of the third order in the step, that of the value of the sixth.
+      return any(abs(change) > S(0.05) * s_);
+  }
+
+  /// n . p - h(n), with n the normal at the nearest point and h the support function of the
+  /// ellipse: a lower bound of the distance for any unit vector n, with an error that is quadratic
+  /// in that of n.
+  inline __attribute__((always_inline)) PlaneDistance<S> distance() const {
+    using field::max, field::select, field::sign, field::sqrt, field::square;
+    const S more = s_ + gap(), inverse = S(1.0) / (s_ * more);
+    const S nx = x_ * s_ * inverse, ny = raised() * more * inverse;
+    const S size = S(1.0) / max(sqrt(square(nx) + square(ny)), S(1e-18));
+    const S mx = nx * size, my = ny * size;
+    const S value = (mx * x_ + my * y_ - sqrt(square(a_ * mx) + square(my))) * b_;
+    return {value, select(upright_, my, mx) * sign(u_), select(upright_, mx, my) * sign(v_)};
+  }
+
+ private:
+  static constexpr bool kDouble = std::is_same_v<S, double>;
+  S gap() const { return (a_ - S(1.0)) * (a_ + S(1.0)); }
+  /// A point on the longer axis lies next to it instead.
+  S raised() const { return field::max(y_, S(kDouble ? 1e-18 : 1e-9)); }
+  S least() const { return field::max(raised(), a_ * x_ - gap()); }
+
+  S u_, v_, b_;
+  S a_, x_, y_, s_;  // In units of b_; x along the longer axis.
+  decltype(S() < S()) upright_;
+};
+
 template <class S>
 inline __attribute__((always_inline)) PlaneDistance<S> ellipse_distance(const S& half_u,
                                                                         const S& half_v, const S& u,
                                                                         const S& v, int steps) {
-  using field::abs, field::max, field::min, field::select, field::sign, field::sqrt, field::square;
-  constexpr bool kDouble = std::is_same_v<S, double>;
-  const auto upright = half_u < half_v;
-  const S across(abs(u)), up(abs(v));
-  const S b = min(half_u, half_v), unit = S(1.0) / b;
-  // In units of b. A point on the longer axis lies next to it instead.
-  const S a = max(half_u, half_v) * unit;
-  const S x = select(upright, up, across) * unit, y = select(upright, across, up) * unit;
-  const S ax = a * x, by = max(y, S(kDouble ? 1e-18 : 1e-9)), g = (a - S(1.0)) * (a + S(1.0));
-  const S least = max(by, ax - g);
-  S s = least;
-  for (int i = 0; i < (kDouble ? 60 : steps); ++i) {
-    const S inverse = S(1.0) / (s * (s + g));
-    const S i1 = s * inverse, i2 = (s + g) * inverse;
-    const S qx = square(ax * i1), qy = square(by * i2), q2 = qx + qy, off = sqrt(q2) - S(1.0);
-    const S d1 = qx * i1 + qy * i2, d2 = qx * i1 * i1 + qy * i2 * i2, d11 = d1 * d1;
-    const S below = max(d11 + S(1.5) * off * (d11 - d2 * q2), S(0.2) * d11);
-    const S step = off * q2 * d1 / max(below, S(kDouble ? 1e-300 : 1e-37));
-    s = max(s + step, least);
-    if constexpr (kDouble) {
-      if (std::fabs(step) < 1e-7 * s) break;
-    } else if (!any(abs(step) > S(0.05) * s)) {
-      break;  // The error of s is of the third order in the step, that of the value of the sixth.
-    }
+  EllipseRoot<S> root(half_u, half_v, u, v);
+  for (int i = 0; i < (std::is_same_v<S, double> ? 60 : steps) && root.step(); ++i) {
   }
-  const S inverse = S(1.0) / (s * (s + g));
-  const S nx = x * s * inverse, ny = by * (s + g) * inverse;
-  const S size = S(1.0) / max(sqrt(square(nx) + square(ny)), S(1e-18));
-  const S mx = nx * size, my = ny * size;
-  const S value = (mx * x + my * y - sqrt(square(a * mx) + square(my))) * b;
-  return {value, select(upright, my, mx) * sign(u), select(upright, mx, my) * sign(v)};
+  return root.distance();
 }
 
 }  // namespace vug::passages

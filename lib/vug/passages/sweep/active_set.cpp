@@ -5,11 +5,23 @@
 
 namespace vug::passages {
 
+namespace {
+
+std::vector<Capsule> capsules_of(const std::vector<Segment>& segments) {
+  std::vector<Capsule> out;
+  out.reserve(segments.size());
+  for (const Segment& segment : segments) out.push_back(segment.capsule());
+  return out;
+}
+
+}  // namespace
+
 SweepParts::SweepParts(Sweep parts)
     : sweep(std::move(parts)),
+      capsules(capsules_of(sweep.segments)),
       arms_of_segment(sweep.segments.size()),
       joints_of_arm(sweep.arms.size()),
-      bvh(sweep.segments) {
+      bvh(sweep.segments, capsules) {
   for (uint32_t arm = 0; arm < sweep.arms.size(); ++arm)
     for (size_t i = sweep.arms[arm].first; i < sweep.arms[arm].last; ++i)
       arms_of_segment[i].push_back(arm);

@@ -18,6 +18,7 @@ struct SweepParts {
   SweepParts& operator=(const SweepParts&) = delete;
 
   Sweep sweep;
+  std::vector<Capsule> capsules;  ///< One for each segment.
   std::vector<std::vector<uint32_t>> arms_of_segment;
   std::vector<std::vector<uint32_t>> joints_of_arm;
   double widest_joint = 0;

@@ -2,8 +2,8 @@
 // Internal to passages/: the minimum over the segments of an active set at a batch of points.
 #pragma once
 
-#include <vug/field/node.h>
 #include <vug/passages/sweep/active_set.h>
+#include <vug/passages/sweep/batch_box.h>
 
 #include <algorithm>
 
@@ -12,30 +12,10 @@ namespace vug::passages {
 inline const Pack& value_of(const Pack& x) { return x; }
 inline const Pack& value_of(const Dual<Pack>& x) { return x.v; }
 
-/// A ball around all points of a batch.
-inline field::Ball ball_around(const Point<Pack>* points, size_t count) {
-  Pack low[3] = {points[0].x, points[0].y, points[0].z}, high[3] = {low[0], low[1], low[2]};
-  for (size_t i = 1; i < count; ++i) {
-    const Pack at[3] = {points[i].x, points[i].y, points[i].z};
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = min(low[axis], at[axis]);
-      high[axis] = max(high[axis], at[axis]);
-    }
-  }
-  Vec3d least, most;
-  for (int axis = 0; axis < 3; ++axis) {
-    float lanes[Pack::kLanes];
-    low[axis].store(lanes);
-    least[axis] = static_cast<double>(*std::min_element(lanes, lanes + Pack::kLanes));
-    high[axis].store(lanes);
-    most[axis] = static_cast<double>(*std::max_element(lanes, lanes + Pack::kLanes));
-  }
-  return {0.5 * (least + most), 0.5 * (most - least).length()};
-}
-
-/// The minimum of a batch. The segment that is nearest to its middle is the first; others are left
-/// out if their lower bound is above all values so far. Packs of points at which a segment cannot
-/// be the minimum, nor within the radius of a joint above it, are left out of its evaluation.
+/// The minimum of a batch. The segment that is nearest to its middle is the first; the others
+/// follow in the order of their lower bounds, until these are above all values so far. Packs of
+/// points at which a segment cannot be the minimum, nor within the radius of a joint above it, are
+/// left out of its evaluation.
 template <class T>
 class BatchMinimum {
  public:
@@ -48,10 +28,11 @@ class BatchMinimum {
         scratch_(scratch),
         frame_(scratch),
         near_(frame_.template take<Point<Pack>>(count_)),
+        least_(frame_.template take<Pack>(count_)),
         values_(frame_.template take<T>(count_)),
         arms_(frame_.template take<T>(count_ * set.arms)),
         index_(frame_.template take<uint32_t>(count_)),
-        lower_(frame_.template take<double>(set.segments.size())) {
+        others_(frame_.template take<Bound>(set.segments.size())) {
     for (size_t k = 0; k < count_ * set.arms; ++k) arms_[k] = T(kFar);
     for (const Joint& joint : set.joints) reach_ = std::max(reach_, joint.radius);
   }
@@ -64,13 +45,17 @@ class BatchMinimum {
       values_[k] = out[k];
     }
     combine(first, count_, out);
-    const double most = highest(out) + reach_;
-    for (size_t i = 0; i < set_.segments.size(); ++i) {
-      if (i == first || lower_[i] > most) continue;
-      const size_t kept = keep_near(segment(i), out);
+    double most = highest_of(out) + reach_;
+    const auto end = std::partition(others_, others_ + set_.segments.size(), [&](const Bound& b) {
+      return b.segment != first && b.least <= most;
+    });
+    std::sort(others_, end);
+    for (const Bound* other = others_; other != end && other->least <= most; ++other) {
+      const size_t kept = keep_near(segment(other->segment), out);
       if (kept == 0) continue;
-      segment(i).fill(near_, static_cast<int>(kept), values_, scratch_);
-      combine(i, kept, out);
+      segment(other->segment).fill(near_, static_cast<int>(kept), values_, scratch_);
+      combine(other->segment, kept, out);
+      most = highest_of(out) + reach_;
     }
     for (const Joint& joint : set_.joints) {
       const field::Blend blend{field::Profile::smooth, joint.radius};
@@ -80,34 +65,49 @@ class BatchMinimum {
   }
 
  private:
-  /// Fills `lower_` for a ball around the points; returns the segment nearest to its centre.
+  /// A lower bound of a segment's values at the points; the order is total.
+  struct Bound {
+    double least;
+    uint32_t segment;
+    auto operator<=>(const Bound&) const = default;
+  };
+
+  /// Fills `others_`; returns the segment nearest to the middle. The plane across the offset of the
+  /// middle from the axis bounds the distances of a box from the axis.
   size_t find_lower_bounds() {
-    const field::Ball ball = ball_around(points_, count_);
-    size_t nearest = 0;
-    for (size_t i = 0; i < set_.segments.size(); ++i) {
-      lower_[i] = segment(i).least(segment(i).distance_to_axis(ball.centre));
-      if (lower_[i] < lower_[nearest]) nearest = i;
+    const BatchBox box = box_around(points_, count_);
+    const double rounding = 1e-5 * (1 + box.centre.length() * 0.1 + box.half.length());
+    double nearest = kInfinity;
+    size_t first = 0;
+    for (uint32_t i = 0; i < set_.segments.size(); ++i) {
+      const Capsule& capsule = parts_.capsules[set_.segments[i]];
+      const Vec3d offset = capsule.offset(box.centre);
+      const double distance = offset.length(), least = capsule.least_at(distance);
+      if (least < nearest) {
+        nearest = least;
+        first = i;
+      }
+      const double depth = std::fabs(offset.x) * box.half.x + std::fabs(offset.y) * box.half.y +
+                           std::fabs(offset.z) * box.half.z;
+      others_[i] = {capsule.least_at(distance - depth / std::max(distance, 1e-30)) - rounding, i};
     }
-    const double rounding = 1e-5 * (1 + ball.centre.length() * 0.1 + ball.radius);
-    for (size_t i = 0; i < set_.segments.size(); ++i) lower_[i] -= ball.radius + rounding;
-    return nearest;
+    return first;
   }
 
-  double highest(const T* out) const {
+  double highest_of(const T* out) const {
     Pack most = value_of(out[0]);
     for (size_t k = 1; k < count_; ++k) most = max(most, value_of(out[k]));
-    float lanes[Pack::kLanes];
-    most.store(lanes);
-    return static_cast<double>(*std::max_element(lanes, lanes + Pack::kLanes));
+    return static_cast<double>(highest(most));
   }
 
   const Segment& segment(size_t i) const { return parts_.sweep.segments[set_.segments[i]]; }
 
   size_t keep_near(const Segment& segment, const T* out) {
     const Pack margin(reach_ + 1e-4 * segment.reach());
+    segment.least(points_, count_, least_);
     size_t kept = 0;
     for (size_t k = 0; k < count_; ++k) {
-      if (!any(segment.least(points_[k]) < value_of(out[k]) + margin)) continue;
+      if (!any(least_[k] < value_of(out[k]) + margin)) continue;
       near_[kept] = points_[k];
       index_[kept++] = static_cast<uint32_t>(k);
     }
@@ -131,10 +131,11 @@ class BatchMinimum {
   field::Scratch& scratch_;
   field::Scratch::Frame frame_;
   Point<Pack>* near_;
+  Pack* least_;
   T* values_;
   T* arms_;
   uint32_t* index_;
-  double* lower_;  // A lower bound of each segment's values.
+  Bound* others_;
   double reach_ = 0;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/passages/sections/ellipse.h>
-#include <vug/passages/sweep/ellipse_loft.h>
+#include <vug/passages/sweep/ellipse_loft_sample.h>
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace vug::passages {
 namespace {
@@ -50,6 +50,38 @@ std::optional<EllipseLoft> EllipseLoft::between(Vec3d from_a, Vec3d from_b, Vec3
   };
   out.steps_ = ellipse_steps(std::max(ratio(out.a0_, out.b0_), ratio(a, b)));
   return out;
+}
+
+void EllipseLoft::samples(const Pack* u, const Pack* v, const Pack* t, int count, Sample<Pack>* out,
+                          field::Scratch& scratch) const {
+  const EllipseLoft loft = *this;  // Packs may alias members, but not a local copy.
+  if (round_) {
+    for (int i = 0; i < count; ++i)
+      ::new (out + i) Sample<Pack>(loft.sample_circle(u[i], v[i], t[i]));
+    return;
+  }
+  field::Scratch::Frame frame(scratch);
+  const auto size = static_cast<size_t>(count);
+  auto* at = frame.take<Slice<Pack>>(size);
+  auto* roots = frame.take<EllipseRoot<Pack>>(size);
+  int* open = frame.take<int>(size);
+  for (int i = 0; i < count; ++i) {
+    ::new (at + i) Slice<Pack>(loft.slice(u[i], v[i], t[i]));
+    ::new (roots + i) EllipseRoot<Pack>(at[i].a, at[i].b, at[i].x, at[i].y);
+    open[i] = i;
+  }
+  int left = count;
+  for (int step = 0; step < steps_ && left > 0; ++step) {
+    int still = 0;
+    for (int i = 0; i < left; ++i) {
+      const int k = open[i];
+      open[still] = k;
+      still += roots[k].step();
+    }
+    left = still;
+  }
+  for (int i = 0; i < count; ++i)
+    ::new (out + i) Sample<Pack>(loft.finish(at[i], roots[i].distance()));
 }
 
 double EllipseLoft::slope() const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <vug/field/numbers/scalar.h>
+#include <vug/field/scratch.h>
 #include <vug/passages/section.h>
 
 namespace vug::passages {
@@ -26,6 +27,10 @@ class EllipseLoft {
 
   template <class S>
   Sample<S> sample(const S& u, const S& v, const S& t) const;
+  /// `count` samples, whose equations are solved side by side: each step of one waits for the
+  /// divisions of the step before.
+  void samples(const Pack* u, const Pack* v, const Pack* t, int count, Sample<Pack>* out,
+               field::Scratch& scratch) const;
 
   const Vec3d& first() const { return first_; }
   const Vec3d& second() const { return second_; }
@@ -37,6 +42,15 @@ class EllipseLoft {
   double bulge() const;
 
  private:
+  template <class S>
+  struct Slice;
+  template <class S>
+  Slice<S> slice(const S& u, const S& v, const S& t) const;
+  template <class S>
+  Sample<S> finish(const Slice<S>& at, const PlaneDistance<S>& d) const;
+  template <class S>
+  Sample<S> sample_circle(const S& u, const S& v, const S& t) const;
+
   Vec3d first_, second_;  // Unit vectors.
   double a0_ = 1, a1_ = 0, b0_ = 1, b1_ = 0;
   double turn_ = 0, cosine_ = 1, sine_ = 0;

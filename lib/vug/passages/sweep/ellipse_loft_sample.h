@@ -7,30 +7,53 @@
 
 namespace vug::passages {
 
+/// The ellipse at a point's t and the point in its frame, which is the normalised interpolation of
+/// both frames.
+template <class S>
+struct EllipseLoft::Slice {
+  S a, b, x, y, cosine, sine, speed;
+};
+
+template <class S>
+inline __attribute__((always_inline)) EllipseLoft::Slice<S> EllipseLoft::slice(const S& u,
+                                                                               const S& v,
+                                                                               const S& t) const {
+  using field::sqrt, field::square;
+  Slice<S> out{S(a0_) + t * S(a1_), S(b0_) + t * S(b1_), u, v, S(1.0), S(0.0), S(0.0)};
+  if (turn_ == 0) return out;
+  const S c = S(1.0) + t * S(cosine_ - 1), s = t * S(sine_);
+  const S inverse = S(1.0) / (square(c) + square(s)), size = sqrt(inverse);
+  out.cosine = c * size;
+  out.sine = s * size;
+  out.speed = S(sine_) * inverse;
+  out.x = out.cosine * u + out.sine * v;
+  out.y = out.cosine * v - out.sine * u;
+  return out;
+}
+
+template <class S>
+inline __attribute__((always_inline)) EllipseLoft::Sample<S> EllipseLoft::finish(
+    const Slice<S>& at, const PlaneDistance<S>& d) const {
+  using field::square;
+  const S support = d.du * at.x + d.dv * at.y - d.value;
+  const S growth = (at.a * S(a1_) * square(d.du) + at.b * S(b1_) * square(d.dv)) / support;
+  return {d.value, at.cosine * d.du - at.sine * d.dv, at.cosine * d.dv + at.sine * d.du,
+          (d.du * at.y - d.dv * at.x) * at.speed - growth};
+}
+
+template <class S>
+inline __attribute__((always_inline)) EllipseLoft::Sample<S> EllipseLoft::sample_circle(
+    const S& u, const S& v, const S& t) const {
+  using field::max, field::sqrt, field::square;
+  const S radius = sqrt(square(u) + square(v)), inverse = S(1.0) / max(radius, S(1e-18));
+  return {radius - (S(a0_) + t * S(a1_)), u * inverse, v * inverse, S(-a1_)};
+}
+
 template <class S>
 EllipseLoft::Sample<S> EllipseLoft::sample(const S& u, const S& v, const S& t) const {
-  using field::max, field::sqrt, field::square;
-  const S a = S(a0_) + t * S(a1_);
-  if (round_) {
-    const S radius = sqrt(square(u) + square(v)), inverse = S(1.0) / max(radius, S(1e-18));
-    return {radius - a, u * inverse, v * inverse, S(-a1_)};
-  }
-  const S b = S(b0_) + t * S(b1_);
-  S x = u, y = v, cosine(1.0), sine(0.0), speed(0.0);
-  if (turn_ != 0) {  // The frame is the normalised interpolation of both frames.
-    const S c = S(1.0) + t * S(cosine_ - 1), s = t * S(sine_);
-    const S inverse = S(1.0) / (square(c) + square(s)), size = sqrt(inverse);
-    cosine = c * size;
-    sine = s * size;
-    speed = S(sine_) * inverse;
-    x = cosine * u + sine * v;
-    y = cosine * v - sine * u;
-  }
-  const PlaneDistance<S> d = ellipse_distance(a, b, x, y, steps_);
-  const S support = d.du * x + d.dv * y - d.value;
-  const S growth = (a * S(a1_) * square(d.du) + b * S(b1_) * square(d.dv)) / support;
-  return {d.value, cosine * d.du - sine * d.dv, cosine * d.dv + sine * d.du,
-          (d.du * y - d.dv * x) * speed - growth};
+  if (round_) return sample_circle(u, v, t);
+  const Slice<S> at = slice(u, v, t);
+  return finish(at, ellipse_distance(at.a, at.b, at.x, at.y, steps_));
 }
 
 }  // namespace vug::passages

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <type_traits>
 
 namespace vug::passages {
@@ -120,28 +121,84 @@ T Segment::finish(const T& from, const T& to, const T& s) const {
   return select(beyond > T(0.0), cap, plane) * T(scale_);
 }
 
-/// The value and gradient with a loft; the formula is that of `finish`.
+/// The constants of a segment with a loft as numbers of type S, converted once for a batch: packs
+/// may alias everything, so the compiler would convert them again for each point.
 template <class S>
-inline __attribute__((always_inline)) Dual<S> Segment::lofted(const Point<S>& p) const {
-  using field::clamp, field::max, field::select, field::sqrt, field::square;
-  const Point<S> offset = offset_from(p, start_);
-  const S s = along_axis(offset, along_), zero(0.0);
-  const S t = clamp(s * S(1 / length_), zero, S(1.0));
-  const auto d =
-      loft_->sample(along_axis(offset, loft_->first()), along_axis(offset, loft_->second()), t);
-  const S beyond = max(zero - s, s - S(length_));
-  const auto past = beyond > zero;
-  const S depth = select(s < zero, S(from_.depth), S(to_.depth));
-  const S height = max(d.value + depth, zero), cap = sqrt(square(height) + square(beyond));
-  const S inverse = S(scale_) / max(cap, S(1e-18));
-  const S value = select(past, cap - depth, d.value) * S(scale_);
-  const S across = select(past, height * inverse, S(scale_));
-  const S on =
-      select(past, select(s < zero, zero - beyond, beyond) * inverse, d.dt * S(scale_ / length_));
-  const S u = d.du * across, v = d.dv * across;
-  const Vec3d &a = loft_->first(), &b = loft_->second();
-  return {value, u * S(a.x) + v * S(b.x) + on * S(along_.x),
-          u * S(a.y) + v * S(b.y) + on * S(along_.y), u * S(a.z) + v * S(b.z) + on * S(along_.z)};
+struct Segment::LoftFrame {
+  explicit LoftFrame(const Segment& segment)
+      : start(field::constant<S>(segment.start_)),
+        along(field::constant<S>(segment.along_)),
+        first(field::constant<S>(segment.loft_->first())),
+        second(field::constant<S>(segment.loft_->second())),
+        length(segment.length_),
+        per_length(1 / segment.length_),
+        scale(segment.scale_),
+        from_depth(segment.from_.depth),
+        to_depth(segment.to_.depth) {}
+
+  /// Coordinates in the plane, along the axis, and s / L clamped.
+  struct Coordinates {
+    S u, v, s, t;
+  };
+  Coordinates coordinates(const Point<S>& p) const {
+    const Point<S> offset = p - start;
+    const S s = dot(offset, along);
+    return {dot(offset, first), dot(offset, second), s,
+            field::clamp(s * per_length, S(0.0), S(1.0))};
+  }
+
+  /// The value and gradient; the formula is that of Segment::finish.
+  Dual<S> finish(const EllipseLoft::Sample<S>& d, const S& s) const {
+    using field::max, field::select, field::sqrt, field::square;
+    const S zero(0.0), beyond = max(zero - s, s - length);
+    const auto past = beyond > zero;
+    const S depth = select(s < zero, from_depth, to_depth);
+    const S height = max(d.value + depth, zero), cap = sqrt(square(height) + square(beyond));
+    const S inverse = scale / max(cap, S(1e-18));
+    const S value = select(past, cap - depth, d.value) * scale;
+    const S across = select(past, height * inverse, scale);
+    const S on =
+        select(past, select(s < zero, zero - beyond, beyond) * inverse, d.dt * scale * per_length);
+    const S u = d.du * across, v = d.dv * across;
+    return {value, u * first.x + v * second.x + on * along.x,
+            u * first.y + v * second.y + on * along.y, u * first.z + v * second.z + on * along.z};
+  }
+
+  Point<S> start, along, first, second;
+  S length, per_length, scale, from_depth, to_depth;
+};
+
+Dual<double> Segment::lofted(const Point<double>& p) const {
+  const LoftFrame<double> frame(*this);
+  const auto at = frame.coordinates(p);
+  return frame.finish(loft_->sample(at.u, at.v, at.t), at.s);
+}
+
+template <class T>
+void Segment::fill_lofted(const Point<Pack>* points, int count, T* out,
+                          field::Scratch& scratch) const {
+  const LoftFrame<Pack> loft(*this);
+  field::Scratch::Frame frame(scratch);
+  const auto size = static_cast<size_t>(count);
+  Pack* u = frame.take<Pack>(size);
+  Pack* v = frame.take<Pack>(size);
+  Pack* s = frame.take<Pack>(size);
+  Pack* t = frame.take<Pack>(size);
+  auto* d = frame.take<EllipseLoft::Sample<Pack>>(size);
+  for (int i = 0; i < count; ++i) {
+    const auto at = loft.coordinates(points[i]);
+    u[i] = at.u;
+    v[i] = at.v;
+    s[i] = at.s;
+    t[i] = at.t;
+  }
+  loft_->samples(u, v, t, count, d, scratch);
+  for (int i = 0; i < count; ++i) {
+    if constexpr (std::is_same_v<T, Pack>)
+      out[i] = loft.finish(d[i], s[i]).v;
+    else
+      ::new (out + i) T(loft.finish(d[i], s[i]));
+  }
 }
 
 template <class T>
@@ -178,15 +235,7 @@ void Segment::sample(const Plane& plane, const Point<Pack>* points, int count, D
 
 template <class T>
 void Segment::fill(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const {
-  if (loft_) {
-    for (int i = 0; i < count; ++i) {
-      if constexpr (std::is_same_v<T, Pack>)
-        out[i] = lofted(points[i]).v;
-      else
-        out[i] = lofted(points[i]);
-    }
-    return;
-  }
+  if (loft_) return fill_lofted(points, count, out, scratch);
   using D = std::conditional_t<std::is_same_v<T, Pack>, Pack, PlaneDistance<Pack>>;
   field::Scratch::Frame frame(scratch);
   D* from = frame.template take<D>(static_cast<size_t>(count));
@@ -207,23 +256,20 @@ template Dual<double> Segment::at(const Point<Dual<double>>&) const;
 template void Segment::fill(const Point<Pack>*, int, Pack*, field::Scratch&) const;
 template void Segment::fill(const Point<Pack>*, int, Dual<Pack>*, field::Scratch&) const;
 
-double Segment::distance_to_axis(const Vec3d& p) const {
-  const Vec3d offset = p - start_;
-  const double s = std::clamp(offset.dot(along_), 0.0, length_);
-  return (offset - along_ * s).length();
-}
-
 /// With D >= d - reach and D >= -depth, d being the distance from the line of the axis, the formula
 /// of `finish` is at least |(max(d - reach + depth, 0), e)| - depth, which decreases with the
 /// depth.
-Pack Segment::least(const Point<Pack>& p) const {
+void Segment::least(const Point<Pack>* points, size_t count, Pack* out) const {
   using field::max, field::sqrt, field::square;
-  const Point<Pack> offset = offset_from(p, start_);
-  const Pack s = along_axis(offset, along_), zero(0.0);
-  const Pack beyond = max(max(zero - s, s - Pack(length_)), zero);
-  const Pack aside = field::length(offset - field::constant<Pack>(along_) * s);
-  const Pack height = max(aside - Pack(reach_ - depth_), zero);
-  return (sqrt(square(height) + square(beyond)) - Pack(depth_)) * Pack(scale_);
+  const Point<Pack> start = field::constant<Pack>(start_), along = field::constant<Pack>(along_);
+  const Pack length(length_), flat(reach_ - depth_), depth(depth_), scale(scale_), zero(0.0);
+  for (size_t i = 0; i < count; ++i) {
+    const Point<Pack> offset = points[i] - start;
+    const Pack s = dot(offset, along);
+    const Pack beyond = max(max(zero - s, s - length), zero);
+    const Pack height = max(field::length(offset - along * s) - flat, zero);
+    out[i] = (sqrt(square(height) + square(beyond)) - depth) * scale;
+  }
 }
 
 Box3d Segment::bounds() const {

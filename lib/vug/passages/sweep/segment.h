@@ -6,6 +6,7 @@
 #include <vug/field/point.h>
 #include <vug/field/scratch.h>
 #include <vug/passages/section.h>
+#include <vug/passages/sweep/capsule.h>
 #include <vug/passages/sweep/ellipse_loft.h>
 
 namespace vug::passages {
@@ -42,15 +43,9 @@ class Segment {
   template <class T>  // Pack or Dual<Pack>
   void fill(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const;
 
-  double distance_to_axis(const Vec3d& p) const;
-  /// A lower bound of the value at a point, from its distance to the axis; see
-  /// SectionTraits::reach.
-  double least(double distance_to_axis) const {
-    const double away = distance_to_axis - reach_;
-    return away > 0 ? scale_ * away : away;
-  }
-  /// A higher lower bound, for a batch of points.
-  Pack least(const Point<Pack>& p) const;
+  Capsule capsule() const { return {start_, along_, length_, reach_, scale_}; }
+  /// Higher lower bounds than those of the capsule, for a batch of points.
+  void least(const Point<Pack>* points, size_t count, Pack* out) const;
 
   const Vec3d& start() const { return start_; }
   Vec3d end() const { return start_ + along_ * length_; }
@@ -75,7 +70,10 @@ class Segment {
   template <class T>
   static T across(const Plane& plane, const Point<T>& offset);
   template <class S>
-  Dual<S> lofted(const Point<S>& p) const;
+  struct LoftFrame;
+  Dual<double> lofted(const Point<double>& p) const;
+  template <class T>
+  void fill_lofted(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const;
   template <class D>
   void sample(const Plane& plane, const Point<Pack>* points, int count, D* out,
               field::Scratch& scratch) const;

@@ -15,8 +15,8 @@ constexpr size_t kStack = 128;
 
 }  // namespace
 
-SegmentBvh::SegmentBvh(const std::vector<Segment>& segments)
-    : segments_(segments), order_(segments.size()) {
+SegmentBvh::SegmentBvh(const std::vector<Segment>& segments, const std::vector<Capsule>& capsules)
+    : segments_(segments), capsules_(capsules), order_(segments.size()) {
   std::iota(order_.begin(), order_.end(), 0u);
   nodes_.reserve(2 * segments.size());
   nodes_.emplace_back();
@@ -64,9 +64,8 @@ SegmentBvh::Nearest SegmentBvh::nearest(const Vec3d& p) const {
       nodes_, best.value, [&](const Node& node) { return node.least(p); },
       [&](const Node& leaf) {
         for (uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
-          const Segment& segment = segments_[order_[i]];
-          if (segment.least(segment.distance_to_axis(p)) >= best.value) continue;
-          const double value = segment.value(field::point(p));
+          if (capsules_[order_[i]].least(p) >= best.value) continue;
+          const double value = segments_[order_[i]].value(field::point(p));
           if (value < best.value) best = {value, order_[i]};
         }
       });
@@ -87,8 +86,7 @@ bool SegmentBvh::collect(const Vec3d& p, double limit, size_t most,
       continue;
     }
     for (uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const Segment& segment = segments_[order_[i]];
-      if (segment.least(segment.distance_to_axis(p)) > limit) continue;
+      if (capsules_[order_[i]].least(p) > limit) continue;
       if (out.size() - before == most) return false;
       out.push_back(order_[i]);
     }

@@ -12,8 +12,8 @@ namespace vug::passages {
 
 class SegmentBvh {
  public:
-  /// Refers to the segments, which must outlive it.
-  explicit SegmentBvh(const std::vector<Segment>& segments);
+  /// Refers to the segments and their capsules, which must outlive it.
+  SegmentBvh(const std::vector<Segment>& segments, const std::vector<Capsule>& capsules);
 
   /// The least value of any segment at a point, and the segment that has it.
   struct Nearest {
@@ -38,6 +38,7 @@ class SegmentBvh {
   void build(uint32_t node, uint32_t first, uint32_t count);
 
   const std::vector<Segment>& segments_;
+  const std::vector<Capsule>& capsules_;
   std::vector<Node> nodes_;
   std::vector<uint32_t> order_;
 };

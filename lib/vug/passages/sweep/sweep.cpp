@@ -64,11 +64,14 @@ class SweepNode final : public field::EvaluationModes<SweepNode> {
 
   template <class T>
   T at(const Point<T>& p) const {
-    if (!whole_) return evaluate(*parts_, active_, p);
+    return whole_ ? at(p, parts_->bvh.nearest(centre_of(p))) : evaluate(*parts_, active_, p);
+  }
+  /// The value of the whole, given the segment with the least value at the point.
+  template <class T>
+  T at(const Point<T>& p, const SegmentBvh::Nearest& nearest) const {
     thread_local ActiveSet near;
     const Vec3d centre = centre_of(p);
     near.segments.clear();
-    const SegmentBvh::Nearest nearest = parts_->bvh.nearest(centre);
     if (parts_->widest_joint > 0) {
       collect({centre, 0}, nearest.value, parts_->sweep.segments.size(), near.segments);
       link(*parts_, near);
@@ -121,7 +124,7 @@ template <class T>
 void SweepNode::fill_near(const Point<Pack>* points, int count, T* out,
                           field::Scratch& scratch) const {
   constexpr size_t kFew = 24;
-  const Ball ball = ball_around(points, static_cast<size_t>(count));
+  const Ball ball = box_around(points, static_cast<size_t>(count)).ball();
   ActiveSet near;
   const size_t most = count > 1 ? kFew : parts_->sweep.segments.size();
   if (!collect(ball, parts_->bvh.nearest(ball.centre).value, most, near.segments)) {
@@ -139,14 +142,17 @@ field::Restriction SweepNode::restrict_to(const Ball& ball) const {
   const auto& segments = parts_->sweep.segments;
   thread_local std::vector<uint32_t> listed;
   listed.clear();
-  if (whole_ && !collect(ball, parts_->bvh.nearest(ball.centre).value, kMostActive, listed))
-    return {centre_form(at(centre), ball), nullptr};
+  if (whole_) {
+    const SegmentBvh::Nearest at_centre = parts_->bvh.nearest(ball.centre);
+    if (!collect(ball, at_centre.value, kMostActive, listed))
+      return {centre_form(at(centre, at_centre), ball), nullptr};
+  }
   const std::vector<uint32_t>& candidates = whole_ ? listed : active_.segments;
   thread_local std::vector<double> lower;
   lower.clear();
   size_t nearest = 0;
   for (const uint32_t i : candidates) {
-    lower.push_back(segments[i].least(segments[i].distance_to_axis(ball.centre)));
+    lower.push_back(parts_->capsules[i].least(ball.centre));
     if (lower.back() < lower[nearest]) nearest = lower.size() - 1;
   }
   const Known known{candidates[nearest], segments[candidates[nearest]].value(centre)};
