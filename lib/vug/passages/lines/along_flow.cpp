@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/passages/lines/along_flow.h>
 #include <vug/passages/lines/line_bvh.h>
-#include <vug/passages/sweep/batch_minimum.h>
+#include <vug/passages/sweep/batch_box.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +92,7 @@ class AlongFlow final : public field::EvaluationModes<AlongFlow> {
   }
   template <class T>
   void fill(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const {
-    const Ball ball = ball_around(points, static_cast<size_t>(count));
+    const Ball ball = box_around(points, static_cast<size_t>(count)).ball();
     const std::vector<uint32_t> near = near_lines(ball.centre, ball.radius);
     if (near.size() > kFewLines && count > 1) {
       fill(points, count / 2, out, scratch);
