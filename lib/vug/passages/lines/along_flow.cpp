@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/passages/lines/along_flow.h>
 #include <vug/passages/lines/line_bvh.h>
+#include <vug/passages/sweep/active_set.h>
 #include <vug/passages/sweep/batch_box.h>
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 namespace vug::passages {
 namespace {
 
-using field::Ball;
+using field::Ball, field::Dual;
 
 constexpr double kLeastWeight = 16;  // The negative logarithm of the least weight.
 constexpr size_t kFewLines = 12;     // Larger batches with more lines are divided.
