@@ -48,7 +48,7 @@ class BoxIndex {
         for (const auto& [cell, entries] : grid) look(entries);
       } else {
         for_each_cell(cell_at(box.min - margin, side), cell_at(box.max + margin, side),
-                      [&](const Cell& cell) {
+                      [&, &grid = grid](const Cell& cell) {
                         if (const auto at = grid.find(cell); at != grid.end()) look(at->second);
                       });
       }
