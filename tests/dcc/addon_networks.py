@@ -157,7 +157,7 @@ def faults():
     thing = bpy.data.objects.new("Point", data)
     bpy.context.collection.objects.link(thing)
     bpy.context.view_layer.objects.active = thing
-    refused(bpy.ops.vug.export_network, "there are no legs", filepath=f"{folder}/point.svx")
+    refused(bpy.ops.vug.export_network, "the network has no legs", filepath=f"{folder}/point.svx")
     refused(bpy.ops.vug.export_network, "must end in .svx", filepath=f"{folder}/point.obj")
     assert not os.path.exists("point.svx")
     bpy.data.objects.remove(thing)

@@ -9,7 +9,7 @@ from .networks import chains, components
 def require_usable(network):
     """Raises ValueError for a network that a survey cannot contain."""
     if not network.legs:
-        raise ValueError("there are no legs: a network needs two points that are joined")
+        raise ValueError("the network has no legs: connect at least two points with an edge")
     names = [station.name for station in network.stations]
     if len(set(names)) != len(names):
         raise ValueError("two stations have the same name")
