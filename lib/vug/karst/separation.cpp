@@ -140,8 +140,10 @@ SampleGraph separated(SampleGraph graph, int key_points, double separation) {
     EdgeSelection selection(graph, key_points, separation, side);
     DisjointSets<int> parts(graph.points.size());
     kept.assign(count, false);
-    for (const int edge : first) selection.add(edge);
-    for (const int edge : first) kept[static_cast<size_t>(edge)] = true;
+    for (const int edge : first) {
+      selection.add(edge);
+      kept[static_cast<size_t>(edge)] = true;
+    }
     for (const int edge : order) {
       const auto e = static_cast<size_t>(edge);
       kept[e] = kept[e] || selection.add_if_separate(edge);
