@@ -41,7 +41,7 @@ vug_family(cells    rules         rules                 RuleKind                
 vug_family(render   surface_aovs  surface_aovs          SurfaceAov                aov          film/surface_aov.h VALUES)
 vug_family(loading  declarations  declaration_kinds     DeclarationKind           declaration  reader.h)
 vug_family(mesh     formats       formats               Format                    format       format.h)
-vug_family(survey   formats       formats               Format                    format       format.h)
+vug_family(survey_files formats   formats               Format                    format       format.h NAMESPACE survey)
 vug_family(image    measures      measures              Measure                   measure      measure.h)
 vug_family(exchange formats       formats               Format                    format       format.h)
 vug_family(exchange programs      programs              Program                   program      program.h)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ten thousand legs of passages as a level set, compared with a thousand spheres (union_bench.cpp)
 // by the time for each active voxel. Prints a table; --rounds N sets the number of rounds, of which
-// the fastest counts.
+// the fastest counts, and --voxel METRES the voxels of the passages.
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
@@ -86,16 +86,18 @@ void report(const std::string& name, const field::Field& field, double voxel, in
 
 int main(int argc, char** argv) {
   int rounds = 3;
-  for (int i = 1; i + 1 < argc; ++i)
+  double voxel = 0.5;
+  for (int i = 1; i + 1 < argc; ++i) {
     if (!std::strcmp(argv[i], "--rounds")) rounds = std::max(1, std::atoi(argv[i + 1]));
+    if (!std::strcmp(argv[i], "--voxel")) voxel = std::max(0.05, std::atof(argv[i + 1]));
+  }
   report("1000 spheres", spheres(), 1, rounds);
   const network::Network network = cave(10000);
   passages::PassageOptions tubes;
   tubes.rules = {};
-  report("10000 legs, tubes", passages::passages(network, tubes), 0.5, rounds);
+  report("10000 legs, tubes", passages::passages(network, tubes), voxel, rounds);
   passages::PassageOptions straight = tubes;
   straight.smooth = false;
-  report("10000 legs, not smooth", passages::passages(network, straight), 0.5, rounds);
-  report("10000 legs, all rules", passages::passages(network), 0.5, rounds);
+  report("10000 legs, not smooth", passages::passages(network, straight), voxel, rounds);
   return 0;
 }

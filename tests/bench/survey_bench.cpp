@@ -4,7 +4,7 @@
 // be timed with it.
 #include <vug/base/atomic_file.h>
 #include <vug/survey/adjust.h>
-#include <vug/survey/format.h>
+#include <vug/survey_files/format.h>
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

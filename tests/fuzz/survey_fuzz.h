@@ -8,8 +8,8 @@
 
 #include <vug/base/utf8.h>
 #include <vug/survey/adjust.h>
-#include <vug/survey/format.h>
 #include <vug/survey/statistics.h>
+#include <vug/survey_files/format.h>
 
 #include <cmath>
 #include <cstdint>

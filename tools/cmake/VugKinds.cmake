@@ -2,26 +2,35 @@
 # Kinds and their families: vug_family declares a family, vug_kinds lists its kinds, and vug_registries generates the
 # functions that return them. Nothing here needs a target, so tests also run it as a script.
 
-# vug_family(MODULE FOLDER FUNCTION TYPE SUFFIX HEADER [SCENE] [VALUES])
+# vug_module_sources(MODULE files...)
+# Adds sources to a module if it is compiled here: it is not if it is outside VUG_SLICE, or in a script.
+function(vug_module_sources module)
+  if(TARGET vug_${module} AND (NOT VUG_SLICE OR module IN_LIST VUG_SLICE))
+    target_sources(vug_${module} PRIVATE ${ARGN})
+  endif()
+endfunction()
+
+# vug_family(MODULE FOLDER FUNCTION TYPE SUFFIX HEADER [SCENE] [VALUES] [NAMESPACE name])
 # The kinds in lib/vug/MODULE/FOLDER. FUNCTION() returns a vector of pointers to them, with one `const TYPE*` for each
 # NAME listed by vug_kinds, which NAME_SUFFIX() returns. HEADER in the module declares TYPE and FUNCTION; FUNCTION and
-# TYPE are names in the namespace vug::MODULE. With SCENE, scenes can call the kinds. With VALUES, the vector contains
-# the kinds themselves. A family without FOLDER (-) is computed by its FUNCTION.
+# TYPE are names in the namespace vug::MODULE, or vug::NAMESPACE. With SCENE, scenes can call the kinds. With VALUES, the
+# vector contains the kinds themselves. A family without FOLDER (-) is computed by its FUNCTION.
 function(vug_family module folder function type suffix header)
-  cmake_parse_arguments(ARG "SCENE;VALUES" "" "" ${ARGN})
+  cmake_parse_arguments(ARG "SCENE;VALUES" "NAMESPACE" "" ${ARGN})
+  if(NOT ARG_NAMESPACE)
+    set(ARG_NAMESPACE ${module})
+  endif()
   set_property(GLOBAL APPEND PROPERTY VUG_FAMILIES ${module}/${function})
   set_property(GLOBAL PROPERTY VUG_FAMILY_${module}/${function}
-    "${folder};${type};${suffix};vug/${module}/${header};${ARG_SCENE};${ARG_VALUES}")
+    "${folder};${type};${suffix};vug/${module}/${header};${ARG_SCENE};${ARG_VALUES};${ARG_NAMESPACE}")
 endfunction()
 
 # vug_kinds(MODULE FOLDER names...)
 # Compiles FOLDER/NAME.cpp for each kind and lists the names for vug_registries.
 function(vug_kinds module folder)
-  foreach(kind ${ARGN})
-    if(TARGET vug_${module} AND (NOT VUG_SLICE OR module IN_LIST VUG_SLICE))
-      target_sources(vug_${module} PRIVATE ${folder}/${kind}.cpp)
-    endif()
-  endforeach()
+  list(TRANSFORM ARGN PREPEND ${folder}/ OUTPUT_VARIABLE sources)
+  list(TRANSFORM sources APPEND .cpp)
+  vug_module_sources(${module} ${sources})
   set_property(GLOBAL PROPERTY VUG_KINDS_${module}/${folder} ${ARGN})
 endfunction()
 
@@ -51,11 +60,13 @@ function(vug_registries out)
     list(GET data 3 header)
     list(GET data 4 scene)
     list(GET data 5 values)
+    list(GET data 6 namespace)
     string(REGEX MATCH "[^/]+" module ${family})
     string(REGEX MATCH "[^/]+$" function ${family})
+    set(namespace_${module} ${namespace})
     if(scene)
       list(APPEND scene_headers "#include <${header}>\n")
-      string(APPEND scene_calls "  add_family(all, ${module}::${function}());\n")
+      string(APPEND scene_calls "  add_family(all, ${namespace}::${function}());\n")
     endif()
     if(NOT folder STREQUAL "-")
       set(returned "const ${type}&")
@@ -74,8 +85,8 @@ function(vug_registries out)
         string(APPEND elements "      ${address}${kind}_${suffix}(),\n")
         set(example ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../lib/vug/${module}/${folder}/${kind}.vug)
         if(EXISTS ${example})
-          vug_example("::vug::${module}::${kind}_${suffix}().info" ${example} ${header})
-          string(APPEND example_declarations "namespace vug::${module} {\n${returned} ${kind}_${suffix}();\n}\n")
+          vug_example("::vug::${namespace}::${kind}_${suffix}().info" ${example} ${header})
+          string(APPEND example_declarations "namespace vug::${namespace} {\n${returned} ${kind}_${suffix}();\n}\n")
         endif()
       endforeach()
       list(APPEND modules ${module})
@@ -91,9 +102,9 @@ function(vug_registries out)
     file(CONFIGURE OUTPUT ${out}/${module}/families.cpp CONTENT
       "// Generated from lib/families.cmake and lib/vug/${module}/CMakeLists.txt.
 ${headers}
-namespace vug::${module} {
+namespace vug::${namespace_${module}} {
 ${definitions_${module}}
-}  // namespace vug::${module}
+}  // namespace vug::${namespace_${module}}
 " @ONLY)
   endforeach()
   list(REMOVE_DUPLICATES scene_headers)
@@ -131,11 +142,7 @@ ${examples}  };
 }  // namespace vug::loading
 " @ONLY)
   foreach(module ${modules})
-    if(TARGET vug_${module} AND (NOT VUG_SLICE OR module IN_LIST VUG_SLICE))
-      target_sources(vug_${module} PRIVATE ${out}/${module}/families.cpp)
-    endif()
+    vug_module_sources(${module} ${out}/${module}/families.cpp)
   endforeach()
-  if(TARGET vug_loading AND (NOT VUG_SLICE OR loading IN_LIST VUG_SLICE))
-    target_sources(vug_loading PRIVATE ${out}/loading/scene_families.cpp ${out}/loading/examples.cpp)
-  endif()
+  vug_module_sources(loading ${out}/loading/scene_families.cpp ${out}/loading/examples.cpp)
 endfunction()

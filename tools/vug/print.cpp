@@ -19,7 +19,7 @@ std::string dumped(const Json& value, int indent) {
 constexpr size_t kEnds = 2;
 
 /// Prints one "key: value" per line, with nested parts indented.
-void print(const Json& value, int depth) {
+void print_lines(const Json& value, int depth) {
   const std::string indent(static_cast<size_t>(2 * depth), ' ');
   size_t row = 0;
   for (const auto& [key, part] : value.items()) {
@@ -33,7 +33,7 @@ void print(const Json& value, int depth) {
     const bool rows = part.is_object() || (part.is_array() && !part.empty() && part[0].is_object());
     if (rows) {
       fmt::print("{}{}\n", indent, label);
-      print(part, depth + 1);
+      print_lines(part, depth + 1);
     } else {
       const std::string text = part.is_string() ? part.get<std::string>() : dumped(part, -1);
       const size_t line = text.find('\n');
@@ -49,7 +49,7 @@ void print_report(const Json& report, bool json) {
   if (json)
     fmt::print("{}\n", dumped(report, 2));
   else
-    print(report, 0);
+    print_lines(report, 0);
 }
 
 }  // namespace vug::cli

@@ -13,7 +13,9 @@
 namespace vug::cli {
 namespace {
 
-std::string hash_of(const std::filesystem::path& file) { return digest(read_text(file)).hex(); }
+std::string hash_of_file(const std::filesystem::path& file) {
+  return digest(read_text(file)).hex();
+}
 
 std::string last_line(const std::string& text) {
   const size_t end = text.find_last_not_of('\n');
@@ -55,7 +57,7 @@ std::filesystem::path history_of(const std::filesystem::path& reference) {
 void require_recorded(const std::filesystem::path& reference) {
   const std::filesystem::path history = history_of(reference);
   if (!std::filesystem::exists(history)) return;
-  if (last_line(read_text(history)).find(hash_of(reference)) == std::string::npos)
+  if (last_line(read_text(history)).find(hash_of_file(reference)) == std::string::npos)
     throw Error(
         ErrorCode::bad_input,
         fmt::format("'{}' does not match the last entry of its history", reference.string()), {},
@@ -85,7 +87,7 @@ void replace_reference(const ImageCase& image_case, const std::filesystem::path&
   const std::filesystem::path history = history_of(image_case.reference);
   const std::string before = std::filesystem::exists(history) ? read_text(history) : "";
   write_text(history, fmt::format("{}vug {} {} {}\n", before, VUG_VERSION,
-                                  hash_of(image_case.reference), reason));
+                                  hash_of_file(image_case.reference), reason));
 }
 
 }  // namespace vug::cli

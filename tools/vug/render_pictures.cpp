@@ -24,8 +24,8 @@ RenderOptions options_of(const RenderOptions& options, const std::string& render
   return out;
 }
 
-void require_outputs(const RenderOptions& options, const loading::Loaded& loaded,
-                     const picture::PicturePlan& plan) {
+void require_picture_files(const RenderOptions& options, const loading::Loaded& loaded,
+                           const picture::PicturePlan& plan) {
   std::vector<std::filesystem::path> outputs;
   for (const std::string& path :
        {options.output, options.part, options.checkpoint, options.guiding})
@@ -40,7 +40,7 @@ void require_outputs(const RenderOptions& options, const loading::Loaded& loaded
   if (!options.products.empty())
     for (auto& path : delivery::product_paths(loaded.shot, options.products))
       outputs.push_back(std::move(path));
-  vug::require_outputs(outputs, loading::file_dependencies(loaded));
+  require_outputs(outputs, loading::file_dependencies(loaded));
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ void require_placement(const PlannedPicture& picture, const loading::Loaded& loa
 
 void check_pictures(const std::vector<PlannedPicture>& pictures, SceneAtFrame& scene,
                     Progress& progress) {
-  for (const auto& [options, plan] : pictures) require_outputs(options, scene.loaded, plan);
+  for (const auto& [options, plan] : pictures) require_picture_files(options, scene.loaded, plan);
   for (const PlannedPicture& each : pictures) {
     if (each.options.anyway) continue;
     scene.builder.compute_deferred(*each.plan.shown);

@@ -8,7 +8,7 @@
 #include <vug/base/pluralize.h>
 #include <vug/loading/data_folders.h>
 #include <vug/shot/queries.h>
-#include <vug/survey/format.h>
+#include <vug/survey_files/format.h>
 
 #include <cstdio>
 

@@ -2,7 +2,7 @@
 #include <vug/network/dat.h>
 #include <vug/network/from_survey.h>
 #include <vug/network/read_network.h>
-#include <vug/survey/read_survey.h>
+#include <vug/survey_files/read_survey.h>
 
 namespace vug::network {
 

@@ -2,9 +2,8 @@
 // Digest of a grid's content: little-endian bytes of the tree in its own sorted order.
 #include <vug/base/parallel.h>
 #include <vug/volume/grid_access.h>
+#include <vug/volume/openvdb_values.h>
 #include <vug/volume/points.h>
-
-#include <openvdb/openvdb.h>
 
 #include <sstream>
 #include <vector>

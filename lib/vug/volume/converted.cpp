@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/volume/converted.h>
 #include <vug/volume/grid_access.h>
+#include <vug/volume/openvdb_values.h>
 
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/ChangeBackground.h>
 #include <openvdb/tools/ValueTransformer.h>
 

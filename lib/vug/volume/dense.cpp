@@ -2,9 +2,9 @@
 #include <vug/base/error.h>
 #include <vug/volume/dense.h>
 #include <vug/volume/grid_access.h>
+#include <vug/volume/openvdb_values.h>
 
 #include <fmt/format.h>
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>
 
 namespace vug::volume {

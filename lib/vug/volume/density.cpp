@@ -2,9 +2,9 @@
 #include <vug/base/error.h>
 #include <vug/volume/density.h>
 #include <vug/volume/grid_access.h>
+#include <vug/volume/openvdb_values.h>
 
 #include <fmt/format.h>
-#include <openvdb/openvdb.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #include <vug/base/error.h>
 #include <vug/volume/fog.h>
 #include <vug/volume/grid_access.h>
+#include <vug/volume/openvdb_values.h>
 
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetUtil.h>
 
 namespace vug::volume {

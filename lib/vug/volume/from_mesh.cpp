@@ -9,9 +9,9 @@
 #include <vug/volume/fitting_voxel.h>
 #include <vug/volume/from_mesh.h>
 #include <vug/volume/grid_access.h>
+#include <vug/volume/openvdb_values.h>
 
 #include <fmt/format.h>
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/ChangeBackground.h>
 #include <openvdb/tools/MeshToVolume.h>
 #include <openvdb/tools/Prune.h>
@@ -23,32 +23,30 @@
 namespace vug::volume {
 namespace {
 
-// NOLINTBEGIN(readability-identifier-naming): OpenVDB calls these names.
+/// The corners and triangles of a mesh as OpenVDB reads them, the corners in lattice units.
+struct LatticeMesh {
+  std::vector<openvdb::Vec3s> points;
+  std::vector<openvdb::Vec3I> triangles;
 
-/// The mesh adapter for OpenVDB, in lattice units.
-struct Triangles {
-  const mesh::Mesh& mesh;
-  double voxel;
-
-  size_t polygonCount() const { return mesh.triangles.size(); }
-  size_t pointCount() const { return mesh.positions.size(); }
-  size_t vertexCount(size_t) const { return 3; }
-  void getIndexSpacePoint(size_t n, size_t v, openvdb::Vec3d& at) const {
-    const Vec3f& p = mesh.positions[mesh.triangles[n][v]];
-    at = openvdb::Vec3d(static_cast<double>(p.x), static_cast<double>(p.y),
-                        static_cast<double>(p.z)) /
-         voxel;
+  LatticeMesh(const mesh::Mesh& mesh, double voxel) {
+    points.reserve(mesh.positions.size());
+    for (const Vec3f& p : mesh.positions) {
+      const Vec3d at = Vec3d(p) / voxel;
+      points.emplace_back(static_cast<float>(at.x), static_cast<float>(at.y),
+                          static_cast<float>(at.z));
+    }
+    triangles.reserve(mesh.triangles.size());
+    for (const auto& corners : mesh.triangles)
+      triangles.emplace_back(corners[0], corners[1], corners[2]);
   }
 };
 
-struct Interrupter {
+struct Interrupter final : openvdb::util::NullInterrupter {
+  explicit Interrupter(const Progress& watched) : progress(watched) {}
+  // NOLINTNEXTLINE(readability-identifier-naming): OpenVDB calls this name.
+  bool wasInterrupted(int) override { return progress.cancelled(); }
   const Progress& progress;
-  void start(const char* = nullptr) {}
-  void end() {}
-  bool wasInterrupted(int = -1) { return progress.cancelled(); }
 };
-
-// NOLINTEND(readability-identifier-naming)
 
 void require_closed(const mesh::Mesh& mesh) {
   const size_t open = mesh::inspect(mesh::welded(mesh)).boundary_edges;
@@ -138,6 +136,16 @@ void make_exact(Tree& tree, const mesh::Mesh& mesh, double voxel, float backgrou
   });
 }
 
+/// The compiled template of OpenVDB's library; any other would take a minute to compile.
+openvdb::FloatGrid::Ptr voxelized(openvdb::util::NullInterrupter& interrupter,
+                                  const LatticeMesh& mesh, const openvdb::math::Transform& lattice,
+                                  float band) {
+  using Adapter = openvdb::tools::QuadAndTriangleDataAdapter<openvdb::Vec3s, openvdb::Vec3I>;
+  return openvdb::tools::meshToVolume<openvdb::FloatGrid>(
+      interrupter, Adapter(mesh.points, mesh.triangles), lattice, band, band,
+      openvdb::tools::DISABLE_RENORMALIZATION, static_cast<openvdb::Int32Grid*>(nullptr));
+}
+
 }  // namespace
 
 double from_mesh_bytes(double area, const FromMeshOptions& options) {
@@ -156,10 +164,8 @@ LevelSet from_mesh(const mesh::Mesh& mesh, const FromMeshOptions& options, Progr
   progress.begin("level set of a mesh", 1);
   const auto lattice = openvdb::math::Transform::createLinearTransform(options.voxel);
   const auto band = static_cast<float>(options.half_width + 1);
-  Interrupter interrupter{progress};
-  const auto grid = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
-      interrupter, Triangles{mesh, options.voxel}, *lattice, band, band,
-      openvdb::tools::DISABLE_RENORMALIZATION);
+  Interrupter interrupter(progress);
+  const auto grid = voxelized(interrupter, LatticeMesh(mesh, options.voxel), *lattice, band);
   progress.check();
   const float background = mesh_background(options);
   if (grid->activeVoxelCount() > 0) make_exact(grid->tree(), mesh, options.voxel, background);

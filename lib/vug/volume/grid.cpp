@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/volume/grid.h>
 #include <vug/volume/grid_access.h>
+#include <vug/volume/openvdb_values.h>
 
 #include <log4cplus/logger.h>
-#include <openvdb/openvdb.h>
 
 #include <mutex>
 #include <optional>

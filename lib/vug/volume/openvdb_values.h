@@ -7,6 +7,12 @@
 
 #include <openvdb/openvdb.h>
 
+// Their virtual functions are compiled once, in openvdb_values.cpp.
+extern template class openvdb::Grid<openvdb::FloatTree>;
+extern template class openvdb::Grid<openvdb::Vec3STree>;
+extern template class openvdb::tree::Tree<openvdb::FloatTree::RootNodeType>;
+extern template class openvdb::tree::Tree<openvdb::Vec3STree::RootNodeType>;
+
 namespace vug::volume {
 
 /// The OpenVDB grid of a handle whose values are known to be floats, such as a level set.

@@ -4,10 +4,10 @@
 #include <vug/base/parallel.h>
 #include <vug/volume/grid_access.h>
 #include <vug/volume/io.h>
+#include <vug/volume/openvdb_values.h>
 #include <vug/volume/points.h>
 
 #include <fmt/format.h>
-#include <openvdb/openvdb.h>
 #include <openvdb/points/PointDataGrid.h>
 
 #include <algorithm>

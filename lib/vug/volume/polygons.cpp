@@ -2,9 +2,9 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/volume/grid_access.h>
+#include <vug/volume/openvdb_values.h>
 #include <vug/volume/polygons.h>
 
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/VolumeToMesh.h>
 
 #include <cmath>

@@ -5,10 +5,10 @@
 #include <vug/base/error.h>
 #include <vug/volume/grid_access.h>
 #include <vug/volume/io.h>
+#include <vug/volume/openvdb_values.h>
 #include <vug/volume/vdb_header.h>
 
 #include <fmt/format.h>
-#include <openvdb/openvdb.h>
 #include <sys/stat.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/volume/openvdb_values.h>
 #include <vug/volume/sign_cube.h>
 
-#include <openvdb/openvdb.h>
 #include <openvdb/tools/VolumeToMesh.h>
 
 #include <algorithm>

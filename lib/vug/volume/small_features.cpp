@@ -7,10 +7,9 @@
 #include <vug/volume/around_centre.h>
 #include <vug/volume/grid_access.h>
 #include <vug/volume/neighbourhood.h>
+#include <vug/volume/openvdb_values.h>
 #include <vug/volume/sign_cube.h>
 #include <vug/volume/small_features.h>
-
-#include <openvdb/openvdb.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/volume/openvdb_values.h>
 #include <vug/volume/tree_builder.h>
-
-#include <openvdb/openvdb.h>
 
 #include <algorithm>
 #include <array>

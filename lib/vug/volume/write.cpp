@@ -4,11 +4,11 @@
 #include <vug/base/error.h>
 #include <vug/volume/grid_access.h>
 #include <vug/volume/io.h>
+#include <vug/volume/openvdb_values.h>
 #include <vug/volume/vdb_header.h>
 
 #include <fmt/format.h>
 #include <openvdb/io/Compression.h>
-#include <openvdb/openvdb.h>
 #include <openvdb/points/PointDataGrid.h>
 #include <openvdb/tools/ChangeBackground.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A generated cave as a .svx file.
-#include "../survey/dumped.h"
-#include "../survey/programs.h"
+#include "../survey_files/dumped.h"
+#include "../survey_files/programs.h"
 #include "caves.h"
 
 #include <vug/base/atomic_file.h>
 #include <vug/base/scratch_folder.h>
 #include <vug/network/from_survey.h>
-#include <vug/survey/read_survey.h>
+#include <vug/survey_files/read_survey.h>
 
 #include <map>
 

@@ -13,7 +13,7 @@
 #include <vug/network/section_statistics.h>
 #include <vug/passages/distance_to_wall.h>
 #include <vug/passages/simulated_survey.h>
-#include <vug/survey/read_survey.h>
+#include <vug/survey_files/read_survey.h>
 
 #include <gtest/gtest.h>
 

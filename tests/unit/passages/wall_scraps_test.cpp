@@ -8,7 +8,7 @@
 #include <vug/passages/passages.h>
 #include <vug/passages/simulated_survey.h>
 #include <vug/passages/wall_scraps.h>
-#include <vug/survey/format.h>
+#include <vug/survey_files/format.h>
 
 #include <gtest/gtest.h>
 

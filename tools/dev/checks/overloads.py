@@ -10,7 +10,7 @@ import re
 
 from .tree import Finding
 
-FOLDERS = ("lib/vug/", "tests/unit/")  # The command line and the Python module are not built in this way.
+FOLDERS = ("lib/vug/", "tests/unit/", "tools/vug/")  # The Python module is not built in this way.
 NAMESPACE = re.compile(r"^namespace \{\n(.*?)^\}  // namespace\n", re.S | re.M)
 FUNCTION = re.compile(
     r"^(?!return|using|TEST|INSTANTIATE|BENCHMARK|MATCHER|VUG_|struct|class|template)"
@@ -29,7 +29,8 @@ def check(tree):
     for name in tree.select(".cpp"):
         if not name.startswith(FOLDERS):
             continue
-        module = "/".join(pathlib.PurePath(name).parts[:3])
+        parts = pathlib.PurePath(name).parts
+        module = "/".join(parts[:2] if parts[0] == "tools" else parts[:3])
         for line, function in internal_functions(tree.text(name)):
             places[module, function].setdefault(name, line)
     for (_, function), where in sorted(places.items()):

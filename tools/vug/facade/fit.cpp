@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct FacadeFitOptions {
   std::string photo, folder, name, grammar, classifier, likelihood, crop;
   std::vector<std::string> clouds;
   session::FacadePictureOptions picture;
@@ -46,7 +46,7 @@ struct Input {
   std::optional<scan::RangeImage> range;
 };
 
-Input read_input(const Options& options) {
+Input read_input(const FacadeFitOptions& options) {
   Input in;
   if (!options.clouds.empty()) {
     const scan::PointCloud cloud = scan::read_clouds({options.clouds.begin(), options.clouds.end()},
@@ -70,13 +70,13 @@ Input read_input(const Options& options) {
 }
 
 /// The file given by --grammar, found like that of a session; default: the paper's grammar.
-fs::path grammar_file(const Options& options) {
+fs::path grammar_file(const FacadeFitOptions& options) {
   if (fs::exists(options.grammar)) return options.grammar;
   return session::find_grammar_file({}, options.grammar.empty() ? "ripperda.vug" : options.grammar);
 }
 
 /// Whether the photo is the only evidence, without depth.
-bool is_photo_alone(const Options& options) {
+bool is_photo_alone(const FacadeFitOptions& options) {
   if (!options.clouds.empty() || !options.picture.depth.empty()) return false;
   const std::vector<std::string> channels = image::read_info(options.photo).channels;
   return std::none_of(channels.begin(), channels.end(), [](const std::string& channel) {
@@ -86,7 +86,7 @@ bool is_photo_alone(const Options& options) {
 
 /// The file of the pixel classifier: that of --looks, else the default one for a photo alone. Empty
 /// for none, and for a likelihood of colour clusters.
-fs::path looks_file(const Options& options) {
+fs::path looks_file(const FacadeFitOptions& options) {
   if (options.classifier == "none") return {};
   if (!options.classifier.empty()) return options.classifier;
   if (!options.likelihood.empty() || !is_photo_alone(options)) return {};
@@ -94,12 +94,12 @@ fs::path looks_file(const Options& options) {
 }
 
 /// Whether neither the options nor the input determine the size of the facade.
-bool has_assumed_size(const Options& options, const session::FacadePicture& picture) {
+bool has_assumed_size(const FacadeFitOptions& options, const session::FacadePicture& picture) {
   return options.fit.width == 0 && options.fit.height == 0 && picture.metres_wide == 0;
 }
 
 /// Prints the assumed size of the facade if no size is given.
-void print_assumed_size(const Options& options, const session::FacadePicture& picture) {
+void print_assumed_size(const FacadeFitOptions& options, const session::FacadePicture& picture) {
   const Vec2d size = session::facade_size(picture, options.fit);
   if (options.work.quiet || !has_assumed_size(options, picture)) return;
   clear_progress_bar();
@@ -108,10 +108,10 @@ void print_assumed_size(const Options& options, const session::FacadePicture& pi
 }
 
 /// The output files of that name in a folder.
-struct Outputs {
+struct FitFiles {
   fs::path grammar, scene, tree, drawing, carved, seen, range, labels, report, charts;
 
-  Outputs(const fs::path& folder, const std::string& name) {
+  FitFiles(const fs::path& folder, const std::string& name) {
     const auto file = [&](const char* ending) { return folder / (name + ending); };
     grammar = file(".vug"), scene = file("_scene.vug"), tree = file(".json");
     drawing = file(".svg"), carved = file(".vdb");
@@ -130,14 +130,15 @@ struct Outputs {
 };
 
 /// The part of the photo that is used, in its pixels.
-scan::PixelBox photo_box(const Options& options) {
+scan::PixelBox photo_box(const FacadeFitOptions& options) {
   if (options.picture.crop) return *options.picture.crop;
   const image::FileInfo photo = image::read_info(options.photo);
   return {0, 0, photo.width, photo.height};
 }
 
 /// The background of the drawing: the photo, or the picture of the scan.
-facade::SvgOptions background(const Options& options, const Outputs& to, const fs::path& folder) {
+facade::SvgOptions background(const FacadeFitOptions& options, const FitFiles& to,
+                              const fs::path& folder) {
   if (options.photo.empty()) return {.picture = to.seen.filename().string()};
   facade::SvgOptions out{.picture = relative_path_from(folder, options.photo)};
   if (!options.picture.crop) return out;
@@ -150,8 +151,8 @@ facade::SvgOptions background(const Options& options, const Outputs& to, const f
 }
 
 /// Writes all files but the carved volume. Paths of pictures are relative to `folder`.
-void write_results(const Options& options, const Input& in, const session::FacadeFit& fit,
-                   const Outputs& to, const fs::path& folder) {
+void write_results(const FacadeFitOptions& options, const Input& in, const session::FacadeFit& fit,
+                   const FitFiles& to, const fs::path& folder) {
   if (in.range) {
     scan::write_range(to.range, *in.range);
     image::write_png(to.seen, scan::picture_of(*in.range, scan::surface_map(*in.range)),
@@ -183,10 +184,10 @@ void warn_of_stale_carving(const fs::path& carved) {
 
 /// Writes all files in one transaction, so that a full disk leaves none of them. A carving that is
 /// cancelled or too large is omitted.
-void write(const Options& options, const Input& in, const session::FacadeFit& fit,
-           const Outputs& files, bool carve) {
+void write_fit(const FacadeFitOptions& options, const Input& in, const session::FacadeFit& fit,
+               const FitFiles& files, bool carve) {
   FileTransaction transaction(options.folder, options.name);
-  const Outputs staged(transaction.path(), options.name);
+  const FitFiles staged(transaction.path(), options.name);
   try {
     write_results(options, in, fit, staged, options.folder);
     if (carve)
@@ -205,7 +206,7 @@ void write(const Options& options, const Input& in, const session::FacadeFit& fi
   transaction.commit();
 }
 
-int run(Options options) {
+int run_facade_fit(FacadeFitOptions options) {
   if (options.photo.empty() && options.clouds.empty())
     throw Error(ErrorCode::bad_input, "no input given", {},
                 "pass a picture, or a scan with --cloud");
@@ -232,7 +233,7 @@ int run(Options options) {
   if (options.name != wanted && !options.work.quiet)
     fmt::print(stderr, "the output is named '{}', because '{}' is not a valid name in scenes\n",
                options.name, wanted);
-  const Outputs files(folder, options.name);
+  const FitFiles files(folder, options.name);
   std::vector<fs::path> outputs = {files.grammar, files.scene,  files.tree,
                                    files.drawing, files.report, files.charts};
   if (!options.no_carving) outputs.push_back(files.carved);
@@ -261,7 +262,7 @@ int run(Options options) {
   print_assumed_size(options, in.picture);
   const session::FacadeFit fit = session::fit_facade(in.picture, options.fit, progress);
   const bool stopped = fit.reading.report.stopped;
-  write(options, in, fit, files, !options.no_carving && !stopped);
+  write_fit(options, in, fit, files, !options.no_carving && !stopped);
   clear_progress_bar();
   if (stopped) fmt::print(stderr, "stopped: this is the best tree so far; it was not carved\n");
   if (stopped || options.no_carving) warn_of_stale_carving(files.carved);
@@ -280,7 +281,7 @@ Verb facade_fit_verb() {
   return {
       "fit", "Finds the most likely derivation tree of a facade grammar for a picture or scan.",
       [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
+        auto options = std::make_shared<FacadeFitOptions>();
         app.add_option("photo", options->photo,
                        "Rectified upright picture in any format, e.g. an EXR with a depth layer");
         app.add_option("--cloud", options->clouds,
@@ -327,7 +328,7 @@ Verb facade_fit_verb() {
         app.add_flag("--no-carving", options->no_carving, "Do not write the carved .vdb");
         options->work.add_to(app);
         return [options] {
-          return with_threads(options->work.threads, [&] { return run(*options); });
+          return with_threads(options->work.threads, [&] { return run_facade_fit(*options); });
         };
       }};
 }

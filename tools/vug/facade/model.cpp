@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct FacadeModelOptions {
   std::string session, output;
   std::string grammar, facade, photo, from;
   double width = 0, height = 0;
@@ -58,7 +58,7 @@ fs::path folder_of(const std::string& file) { return fs::absolute(file).parent_p
 
 /// A new session without edits. If only the width or the height is given, the other follows from
 /// the proportions of the photo.
-modeller::Session create_session(const Options& options) {
+modeller::Session create_session(const FacadeModelOptions& options) {
   const fs::path folder = options.output.empty() ? fs::current_path() : folder_of(options.output);
   modeller::SessionHeader header{.grammar = options.grammar, .facade = options.facade};
   // Paths in a session are relative to its folder.
@@ -87,7 +87,7 @@ void print_deviation(const modeller::TreeEdits& way) {
 }
 
 /// The grammar file that has the tree's name, which a session finds by itself.
-std::string grammar_file_of(const facade::Tree& tree, const Options& options) {
+std::string grammar_file_of(const facade::Tree& tree, const FacadeModelOptions& options) {
   std::string file = tree.name + ".vug";
   const fs::path folder = options.output.empty() ? fs::current_path() : folder_of(options.output);
   try {
@@ -102,7 +102,7 @@ std::string grammar_file_of(const facade::Tree& tree, const Options& options) {
 }
 
 /// A session whose edits reproduce the tree of a file.
-modeller::Session session_from_tree(Options options) {
+modeller::Session session_from_tree(FacadeModelOptions options) {
   if (options.width > 0 || options.height > 0)
     throw Error(ErrorCode::bad_input,
                 "--width and --height do not apply to a tree, which has a size", {},
@@ -117,7 +117,7 @@ modeller::Session session_from_tree(Options options) {
   return out;
 }
 
-modeller::Session read(const Options& options) {
+modeller::Session read(const FacadeModelOptions& options) {
   if (options.session.empty() && options.grammar.empty() && options.from.empty())
     throw Error(ErrorCode::bad_input, "no session given", {},
                 "pass a session, or create one with --grammar or --from");
@@ -133,7 +133,7 @@ modeller::Session read(const Options& options) {
 }
 
 /// Sets the checkpoint and reports the position of an earlier one of that name.
-void set_checkpoint(const Options& options, modeller::History& history) {
+void set_checkpoint(const FacadeModelOptions& options, modeller::History& history) {
   const auto had = history.checkpoints().find(options.checkpoint);
   if (had != history.checkpoints().end() && had->second != history.done() && !options.work.quiet)
     fmt::print(stderr, "the checkpoint '{}' was after {} and is now after {}\n", options.checkpoint,
@@ -141,7 +141,7 @@ void set_checkpoint(const Options& options, modeller::History& history) {
   history.set_checkpoint(options.checkpoint);
 }
 
-void edit(const Options& options, modeller::Session& session) {
+void edit(const FacadeModelOptions& options, modeller::Session& session) {
   modeller::History& history = session.history;
   const auto want = [](int steps, size_t had, const char* what) {
     if (had < static_cast<size_t>(steps))
@@ -163,7 +163,7 @@ void edit(const Options& options, modeller::Session& session) {
 }
 
 /// Writes the session to the output file, with paths relative to its folder.
-void save(const Options& options, modeller::Session session) {
+void save(const FacadeModelOptions& options, modeller::Session session) {
   const fs::path to = folder_of(options.output);
   if (!options.session.empty() && to != folder_of(options.session)) {
     const fs::path from = folder_of(options.session);
@@ -175,7 +175,7 @@ void save(const Options& options, modeller::Session session) {
   write_text(options.output, modeller::session_text(session));
 }
 
-void draw(const Options& options, const modeller::Session& session) {
+void draw(const FacadeModelOptions& options, const modeller::Session& session) {
   const fs::path to = folder_of(options.svg);
   facade::SvgOptions drawing;
   if (!options.overlay.empty())
@@ -189,7 +189,8 @@ void draw(const Options& options, const modeller::Session& session) {
 }
 
 /// Files that the session depends on.
-std::vector<fs::path> dependencies_of(const Options& options, const modeller::Session& session) {
+std::vector<fs::path> dependencies_of(const FacadeModelOptions& options,
+                                      const modeller::Session& session) {
   const fs::path folder =
       options.session.empty() && options.output.empty()
           ? fs::current_path()
@@ -212,7 +213,7 @@ void warn_of_thin_wall(const session::CarvingOptions& carving) {
              length(2 * carving.voxel));
 }
 
-int run(Options options) {
+int run_facade_model(FacadeModelOptions options) {
   if (!options.carve.empty() && extension_of(options.carve) != ".vdb")
     throw Error(ErrorCode::bad_input, fmt::format("'{}' does not end in .vdb", options.carve), {},
                 "for meshes, write a scene with --scene and run 'vug build'");
@@ -257,7 +258,7 @@ int run(Options options) {
   return kDone;
 }
 
-void add_edits(CLI::App& app, Options& options) {
+void add_edits(CLI::App& app, FacadeModelOptions& options) {
   const auto add = [&](const char* name, std::vector<std::string>& to, const char* doc) {
     app.add_option(name, to, doc)->take_all()->allow_extra_args(false);
   };
@@ -280,7 +281,7 @@ void add_edits(CLI::App& app, Options& options) {
 }
 
 /// Collects the edits of all options in the order of the command line.
-void order_edits(const CLI::App& app, Options& options) {
+void order_edits(const CLI::App& app, FacadeModelOptions& options) {
   size_t edit = 0, apply = 0, act = 0;
   for (const CLI::Option* each : app.parse_order()) {
     const std::string name = each->get_name();
@@ -293,57 +294,57 @@ void order_edits(const CLI::App& app, Options& options) {
 }  // namespace
 
 Verb facade_model_verb() {
-  return {"model", "Models a facade interactively: a session applies and retracts rules.",
-          [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
-            app.add_option("session", options->session, "Session to continue");
-            app.add_option("-o,--output", options->output, "Output file of the session");
-            auto* fresh = app.add_option_group("begin", "New session");
-            fresh->add_option("--grammar", options->grammar,
-                              "Grammar of kind facade, e.g. ripperda.vug");
-            fresh->add_option("--from", options->from,
-                              "Initial tree, as written by vug facade fit or vug tree --json");
-            fresh->add_option("--facade", options->facade, "Name of the grammar in the file");
-            fresh->add_option("--width", options->width, "Width of the facade")
-                ->transform(number_in(Dimension::length, 0.01, 1e5));
-            fresh
-                ->add_option("--height", options->height,
-                             "Height of the facade; default from the proportions of the photo")
-                ->transform(number_in(Dimension::length, 0.01, 1e5));
-            fresh->add_option("--photo", options->photo, "Upright picture of the modelled facade");
-            add_edits(app, *options);
-            app.add_option_function<std::string>(
-                   "--list", [options](const std::string& node) { options->list = node; },
-                   "List the rules of one node or of all: those that can be applied, and why "
-                   "others cannot")
-                ->expected(0, 1)
-                ->default_str(".");
-            app.add_flag("--tree", options->tree, "Print the tree as text; this is the default");
-            app.add_flag("--theta", options->theta,
-                         "Print the tree in the notation of Ripperda and Brenner");
-            app.add_flag("--json", options->json, "Print the tree as JSON");
-            app.add_option(
-                "--svg", options->svg,
-                "Write a drawing of the rectangles, over the photo if the session has one");
-            app.add_option("--overlay", options->overlay,
-                           "Picture that replaces the photo in the drawing");
-            app.add_option(
-                "--scene", options->scene,
-                "Write a grammar with all sizes to this .vug, whose name is that of the grammar");
-            app.add_option("--carve", options->carve,
-                           "Write a wall with the carved facade to this .vdb");
-            app.add_option("--voxel", options->carving.voxel,
-                           "Voxel size of the carved wall; default 4cm")
-                ->transform(number_in(Dimension::length, 1e-4, 10));
-            app.add_option("--thickness", options->carving.thickness,
-                           "Thickness of the wall; default 60cm")
-                ->transform(number_in(Dimension::length, 1e-3, 100));
-            options->work.add_to(app);
-            return [options, &app] {
-              order_edits(app, *options);
-              return with_threads(options->work.threads, [&] { return run(*options); });
-            };
-          }};
+  return {
+      "model", "Models a facade interactively: a session applies and retracts rules.",
+      [](CLI::App& app) {
+        auto options = std::make_shared<FacadeModelOptions>();
+        app.add_option("session", options->session, "Session to continue");
+        app.add_option("-o,--output", options->output, "Output file of the session");
+        auto* fresh = app.add_option_group("begin", "New session");
+        fresh->add_option("--grammar", options->grammar,
+                          "Grammar of kind facade, e.g. ripperda.vug");
+        fresh->add_option("--from", options->from,
+                          "Initial tree, as written by vug facade fit or vug tree --json");
+        fresh->add_option("--facade", options->facade, "Name of the grammar in the file");
+        fresh->add_option("--width", options->width, "Width of the facade")
+            ->transform(number_in(Dimension::length, 0.01, 1e5));
+        fresh
+            ->add_option("--height", options->height,
+                         "Height of the facade; default from the proportions of the photo")
+            ->transform(number_in(Dimension::length, 0.01, 1e5));
+        fresh->add_option("--photo", options->photo, "Upright picture of the modelled facade");
+        add_edits(app, *options);
+        app.add_option_function<std::string>(
+               "--list", [options](const std::string& node) { options->list = node; },
+               "List the rules of one node or of all: those that can be applied, and why "
+               "others cannot")
+            ->expected(0, 1)
+            ->default_str(".");
+        app.add_flag("--tree", options->tree, "Print the tree as text; this is the default");
+        app.add_flag("--theta", options->theta,
+                     "Print the tree in the notation of Ripperda and Brenner");
+        app.add_flag("--json", options->json, "Print the tree as JSON");
+        app.add_option("--svg", options->svg,
+                       "Write a drawing of the rectangles, over the photo if the session has one");
+        app.add_option("--overlay", options->overlay,
+                       "Picture that replaces the photo in the drawing");
+        app.add_option(
+            "--scene", options->scene,
+            "Write a grammar with all sizes to this .vug, whose name is that of the grammar");
+        app.add_option("--carve", options->carve,
+                       "Write a wall with the carved facade to this .vdb");
+        app.add_option("--voxel", options->carving.voxel,
+                       "Voxel size of the carved wall; default 4cm")
+            ->transform(number_in(Dimension::length, 1e-4, 10));
+        app.add_option("--thickness", options->carving.thickness,
+                       "Thickness of the wall; default 60cm")
+            ->transform(number_in(Dimension::length, 1e-3, 100));
+        options->work.add_to(app);
+        return [options, &app] {
+          order_edits(app, *options);
+          return with_threads(options->work.threads, [&] { return run_facade_model(*options); });
+        };
+      }};
 }
 
 }  // namespace vug::cli

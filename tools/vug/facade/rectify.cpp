@@ -17,7 +17,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct FacadeRectifyOptions {
   std::string photo, output, size, onto;
   std::vector<std::string> corners, at;
   scan::RectifyOptions rectify;
@@ -68,14 +68,14 @@ scan::FourPoints parse_points(const std::vector<std::string>& texts, Unit in, co
 }
 
 /// Writes the picture. An EXR contains the size of the facade if that is known.
-void write(const std::string& file, const scan::RectifiedPhoto& out, bool metres) {
+void write_rectified(const std::string& file, const scan::RectifiedPhoto& out, bool metres) {
   if (extension_of(file) != ".exr") return image::write_png(file, out.picture, image::plain_view());
   image::ExrOptions options;
   if (metres) options.metadata = scan::pixel_metadata(out.width / out.picture.width);
   image::write_exr(file, out.picture, options);
 }
 
-image::Image laid_over(const scan::RangeImage& range, const Options& options,
+image::Image laid_over(const scan::RangeImage& range, const FacadeRectifyOptions& options,
                        const image::Image& photo) {
   if (options.corners.empty()) return scan::overlay_photo(range, photo, options.rectify.memory);
   const scan::FourPoints corners = parse_points(options.corners, Unit::pixels, kInPhoto);
@@ -109,7 +109,7 @@ bool set_size(const std::string& text, scan::RectifyOptions& to) {
 
 /// Error(bad_input) for options that do not go together: a range image already has a size, and the
 /// position of the photo on it is given by points.
-void require_consistent(const Options& options) {
+void require_consistent(const FacadeRectifyOptions& options) {
   if (options.onto.empty()) return;
   for (const auto& [name, told] :
        {std::pair("--size", !options.size.empty()), {"--pixel", options.rectify.pixel > 0}})
@@ -124,7 +124,7 @@ void require_consistent(const Options& options) {
                 "write --corners in pixels of the photo");
 }
 
-int run(Options options) {
+int run_facade_rectify(FacadeRectifyOptions options) {
   const bool exr = extension_of(options.output) == ".exr";
   if (!exr) require_extension(options.output, ".png", "the output is an .exr or a .png");
   if (!options.onto.empty() && !exr)
@@ -153,7 +153,7 @@ int run(Options options) {
   }
   const scan::RectifiedPhoto out =
       scan::rectify(photo, parse_points(options.corners, Unit::pixels, kInPhoto), options.rectify);
-  write(options.output, out, metres);
+  write_rectified(options.output, out, metres);
   fmt::print("{} x {} pixels, {:.4g} x {:.4g}{}\n", out.picture.width, out.picture.height,
              out.width, out.height,
              options.size.empty() ? " (the ratio, from the perspective)"
@@ -167,7 +167,7 @@ int run(Options options) {
 Verb facade_rectify_verb() {
   return {
       "rectify", "Removes the perspective from a photo of a facade.", [](CLI::App& app) {
-        auto o = std::make_shared<Options>();
+        auto o = std::make_shared<FacadeRectifyOptions>();
         app.add_option("photo", o->photo, "Photo in any format")->required();
         app.add_option("-o,--output", o->output, "Output file, an .exr or .png")->required();
         app.add_option(
@@ -194,7 +194,8 @@ Verb facade_rectify_verb() {
             ->expected(1, 4)
             ->needs(onto);
         o->work.add_to(app);
-        return [o] { return with_threads(o->work.threads, [&] { return run(*o); }); };
+        return
+            [o] { return with_threads(o->work.threads, [&] { return run_facade_rectify(*o); }); };
       }};
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct FacadeScanOptions {
   std::vector<std::string> clouds;
   std::string output, windows = "raster", up = "z";
   std::vector<double> scanner;
@@ -35,10 +35,10 @@ struct Options {
 };
 
 /// The output files, which share the stem of the range image.
-struct Outputs {
+struct ScanFiles {
   fs::path range, picture, drawing, report;
 
-  explicit Outputs(const fs::path& exr)
+  explicit ScanFiles(const fs::path& exr)
       : range(exr),
         picture(fs::path(exr).replace_extension(".png")),
         drawing(fs::path(exr).replace_extension(".svg")),
@@ -46,10 +46,10 @@ struct Outputs {
 };
 
 /// Writes all output files in one transaction.
-void write(const fs::path& exr, const scan::RangeImage& range, const scan::SurfaceMap& map,
-           const std::vector<scan::Opening>& openings, const std::string& report) {
+void write_scan(const fs::path& exr, const scan::RangeImage& range, const scan::SurfaceMap& map,
+                const std::vector<scan::Opening>& openings, const std::string& report) {
   FileTransaction transaction(exr.parent_path(), exr.stem().string());
-  const Outputs outputs(transaction.path() / exr.filename());
+  const ScanFiles outputs(transaction.path() / exr.filename());
   scan::write_range(outputs.range, range);
   image::write_png(outputs.picture, scan::picture_of(range, map), image::plain_view());
   write_text(outputs.drawing,
@@ -58,11 +58,11 @@ void write(const fs::path& exr, const scan::RangeImage& range, const scan::Surfa
   transaction.commit();
 }
 
-int run(Options options) {
+int run_facade_scan(FacadeScanOptions options) {
   Progress& progress = terminal_progress(options.work.bar_mode());
   if (!options.output.empty()) {
     require_extension(options.output, ".exr", "the range image is an EXR");
-    const Outputs outputs(options.output);
+    const ScanFiles outputs(options.output);
     require_outputs({outputs.range, outputs.picture, outputs.drawing, outputs.report},
                     {options.clouds.begin(), options.clouds.end()});
   }
@@ -96,13 +96,13 @@ int run(Options options) {
   progress.check();
   print_quality_warnings(cloud, plane, range);
   const std::string report = scan::report_json(cloud, plane, range, map, openings);
-  if (!options.output.empty()) write(options.output, range, map, openings, report);
+  if (!options.output.empty()) write_scan(options.output, range, map, openings, report);
   clear_progress_bar();
   print_report(nlohmann::ordered_json::parse(report), options.json);
   return kDone;
 }
 
-void add_plane_options(CLI::App& app, Options& o) {
+void add_plane_options(CLI::App& app, FacadeScanOptions& o) {
   app.add_option("--up", o.up, "Up axis of the cloud: y or z; default z")
       ->check(one_of({"y", "z"}));
   app.add_option("--tolerance", o.plane.tolerance,
@@ -118,7 +118,7 @@ void add_plane_options(CLI::App& app, Options& o) {
   app.add_flag("--flip", o.plane.flip, "Swap the front side and the back side");
 }
 
-void add_range_options(CLI::App& app, Options& o) {
+void add_range_options(CLI::App& app, FacadeScanOptions& o) {
   app.add_option("--pixel", o.range.pixel, "Pixel size of the range image; default 1cm")
       ->transform(number_in(Dimension::length, 1e-6, 1e3));
   app.add_flag("--nearest", o.nearest,
@@ -135,7 +135,7 @@ void add_range_options(CLI::App& app, Options& o) {
       ->transform(number_in(Dimension::length, 0, 1e3));
 }
 
-void add_opening_options(CLI::App& app, Options& o) {
+void add_opening_options(CLI::App& app, FacadeScanOptions& o) {
   app.add_option("--windows", o.windows, "Method that finds openings: raster, delaunay or none")
       ->check(one_of({"raster", "delaunay", "none"}));
   app.add_option("--set-back", o.surfaces.set_back,
@@ -155,7 +155,7 @@ void add_opening_options(CLI::App& app, Options& o) {
 Verb facade_scan_verb() {
   return {"scan", "Finds the plane, the depths, the windows and the doors of a scanned facade.",
           [](CLI::App& app) {
-            auto o = std::make_shared<Options>();
+            auto o = std::make_shared<FacadeScanOptions>();
             app.add_option("cloud", o->clouds,
                            "PLY files or text files of x y z; several files form one scan")
                 ->required();
@@ -170,7 +170,8 @@ Verb facade_scan_verb() {
                 ->transform(seed_number());
             app.add_flag("--json", o->json, "Machine-readable report");
             o->work.add_to(app);
-            return [o] { return with_threads(o->work.threads, [&] { return run(*o); }); };
+            return
+                [o] { return with_threads(o->work.threads, [&] { return run_facade_scan(*o); }); };
           }};
 }
 

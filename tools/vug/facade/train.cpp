@@ -17,7 +17,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct FacadeTrainOptions {
   std::string folder, classes, output;
   fit::WorkingLimits limits;
   fit::PixelClassifierOptions classifier;
@@ -33,7 +33,7 @@ void report(const fit::ConfusionMatrix& table, const fit::Classes& classes) {
              table.iou(classes.find(fit::RegionType::window)), table.table(classes));
 }
 
-int run(Options options) {
+int run_facade_train(FacadeTrainOptions options) {
   Progress& progress = terminal_progress(options.work.bar_mode());
   if (options.output.empty() && options.folds == 0)
     throw Error(ErrorCode::bad_input, "neither -o nor --folds given", {},
@@ -74,7 +74,7 @@ Verb facade_train_verb() {
   return {
       "train", "Trains a pixel classifier for walls, windows and doors from labelled pictures.",
       [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
+        auto options = std::make_shared<FacadeTrainOptions>();
         app.add_option("folder", options->folder,
                        "Folder with pictures in images/ and 8-bit grey pictures of the same names "
                        "in labels/: class numbers, 255 for pixels without a class")
@@ -98,7 +98,7 @@ Verb facade_train_verb() {
         options->work.add_to(app);
         return [options] {
           options->classifier.second.trees = options->classifier.first.trees;
-          return with_threads(options->work.threads, [&] { return run(*options); });
+          return with_threads(options->work.threads, [&] { return run_facade_train(*options); });
         };
       }};
 }

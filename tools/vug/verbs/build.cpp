@@ -18,7 +18,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct BuildOptions {
   SceneOptions scene;
   WorkOptions work;
   std::string folder;
@@ -28,8 +28,8 @@ struct Options {
 };
 
 /// Writes the products of the loaded scene. `frame` is empty unless a sequence is built.
-void build_one(const Options& options, building::Builder& builder, const loading::Loaded& loaded,
-               const std::string& frame) {
+void build_one(const BuildOptions& options, building::Builder& builder,
+               const loading::Loaded& loaded, const std::string& frame) {
   std::vector<std::filesystem::path> outputs =
       delivery::product_paths(loaded.shot, options.folder, frame);
   if (outputs.empty())
@@ -42,7 +42,7 @@ void build_one(const Options& options, building::Builder& builder, const loading
     fmt::print("{}\n", path.string());
 }
 
-int run_frames(const Options& options, Progress& progress) {
+int build_frames(const BuildOptions& options, Progress& progress) {
   const std::vector<int> frames = picture::parse_frames(options.frames);
   const loading::SceneSource source = options.scene.source();
   std::unique_ptr<SceneAtFrame> now;
@@ -65,14 +65,14 @@ int run_frames(const Options& options, Progress& progress) {
   return kDone;
 }
 
-int run(Options options) {
+int run_build(BuildOptions options) {
   if (options.keep.resume && options.checkpoint.empty())
     throw Error(ErrorCode::bad_input, "--resume requires a checkpoint", {},
                 "name the file with --checkpoint");
   if (!options.checkpoint.empty())
     require_extension(options.checkpoint, ".vdb", "a checkpoint of cells is a VDB file of points");
   Progress& progress = terminal_progress(options.work.bar_mode());
-  if (!options.frames.empty()) return run_frames(options, progress);
+  if (!options.frames.empty()) return build_frames(options, progress);
   const loading::Loaded loaded = options.scene.load();
   building::BuildOptions build = options.work.build_options(loaded);
   options.keep.file = options.checkpoint;
@@ -92,7 +92,7 @@ Verb build_verb() {
   return {
       "build", "Builds everything a scene declares: VDB volumes, meshes and points.",
       [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
+        auto options = std::make_shared<BuildOptions>();
         options->scene.add_to(app, &options->work);
         app.add_option("-o,--output", options->folder, "Output folder")->required();
         auto* checkpoint = app.add_option("--checkpoint", options->checkpoint,
@@ -108,7 +108,7 @@ Verb build_verb() {
             ->excludes(checkpoint);
         options->work.add_to(app);
         return [options] {
-          return with_threads(options->work.threads, [&] { return run(*options); });
+          return with_threads(options->work.threads, [&] { return run_build(*options); });
         };
       }};
 }

@@ -19,7 +19,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct CheckOptions {
   SceneOptions scene;
   bool quiet = false;
   bool json = false;
@@ -104,7 +104,7 @@ bool is_without_products(const shot::Shot& shot) {
 }
 
 /// Loads the scene and checks what `vug render` with default options would check.
-loading::Loaded load_and_check(const Options& options) {
+loading::Loaded load_and_check(const CheckOptions& options) {
   loading::Loaded loaded = loading::load(options.scene.scene, options.scene.load_options());
   if (!loaded.usable()) return loaded;
   for (const shot::CellsPtr& cells : shot::declared_cells(loaded.shot)) try {
@@ -135,14 +135,14 @@ loading::Loaded load_and_check(const Options& options) {
   return loaded;
 }
 
-loading::Loaded examine(const Options& options) {
+loading::Loaded examine(const CheckOptions& options) {
   loading::Loaded loaded = load_and_check(options);
   options.scene.apply_strictness(loaded.diagnostics);
   return loaded;
 }
 
 /// Prints the faults as JSON, even if the scene file cannot be read.
-int run_json(const Options& options) {
+int run_json(const CheckOptions& options) {
   loading::Loaded loaded;
   try {
     loaded = examine(options);
@@ -166,7 +166,7 @@ void print_provenance(const loading::Loaded& loaded) {
                loaded.provenance.describe({each.where, nullptr}));
 }
 
-int run(const Options& options) {
+int run_check(const CheckOptions& options) {
   if (options.json) return run_json(options);
   const loading::Loaded loaded = examine(options);
   fmt::print(stderr, "{}", loaded.report());
@@ -189,13 +189,13 @@ int run(const Options& options) {
 
 Verb check_verb() {
   return {"check", "Reports all faults of a scene without building it.", [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
+            auto options = std::make_shared<CheckOptions>();
             options->scene.add_to(app);
             app.add_flag("--quiet,-q", options->quiet, "No output if the scene has no faults");
             app.add_flag("--json", options->json, "Machine-readable output");
             app.add_flag("--provenance", options->provenance,
                          "Also prints the text range of each declaration, function and rule");
-            return [options] { return run(*options); };
+            return [options] { return run_check(*options); };
           }};
 }
 

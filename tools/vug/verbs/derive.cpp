@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct DeriveOptions {
   SceneOptions scene;
   std::string grammar;
   std::optional<int> steps;
@@ -68,13 +68,14 @@ void for_each_chunk(const lsystem::Word& word, const lsystem::Alphabet& alphabet
     take(lsystem::to_string(word, alphabet, begin, std::min(word.size(), begin + kChunk)));
 }
 
-std::string hash_of(const lsystem::Word& word, const lsystem::Alphabet& alphabet) {
+std::string hash_of_word(const lsystem::Word& word, const lsystem::Alphabet& alphabet) {
   Sha256 hash;
   for_each_chunk(word, alphabet, [&](const std::string& part) { hash.add(part); });
   return hash.hex();
 }
 
-void print_json(const Options& options, const lsystem::System& system, const lsystem::Word& word) {
+void print_json(const DeriveOptions& options, const lsystem::System& system,
+                const lsystem::Word& word) {
   Json out{{"grammar", system.name}};
   if (system.timed)
     out["time"] = options.time.value_or(system.time);
@@ -82,12 +83,12 @@ void print_json(const Options& options, const lsystem::System& system, const lsy
     out["steps"] = options.steps.value_or(system.steps);
   out["modules"] = word.size();
   out["symbols"] = counts(word, system.alphabet);
-  out["sha256"] = hash_of(word, system.alphabet);
+  out["sha256"] = hash_of_word(word, system.alphabet);
   if (!options.count && !options.hash) out["word"] = lsystem::to_string(word, system.alphabet);
   fmt::print("{}\n", out.dump(2));
 }
 
-int run(const Options& options) {
+int run_derive(const DeriveOptions& options) {
   const loading::Loaded loaded = options.scene.load();
   const shot::LSystemPtr plan = select_lsystem(loaded.shot, options.grammar);
   const lsystem::System& system = *plan->system;
@@ -106,7 +107,7 @@ int run(const Options& options) {
     for (const auto& [name, count] : counts(word, alphabet)) fmt::print("{} {}\n", name, count);
     fmt::print("total {}\n", word.size());
   } else if (options.hash) {
-    fmt::print("{}\n", hash_of(word, alphabet));
+    fmt::print("{}\n", hash_of_word(word, alphabet));
   } else {
     for_each_chunk(word, alphabet, [](const std::string& part) { fmt::print("{}", part); });
     fmt::print("\n");
@@ -118,7 +119,7 @@ int run(const Options& options) {
 
 Verb derive_verb() {
   return {"derive", "Prints the word derived by an L-system of a scene.", [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
+            auto options = std::make_shared<DeriveOptions>();
             options->scene.add_to(app);
             app.add_option("grammar", options->grammar,
                            "Name of the L-system; required if there are several");
@@ -140,8 +141,9 @@ Verb derive_verb() {
             app.add_flag("--json", options->json, "Machine-readable output: counts, hash and word");
             app.add_option("--threads", options->threads, "Number of threads; 0 uses all cores")
                 ->check(CLI::Range(0, 1024));
-            return
-                [options] { return with_threads(options->threads, [&] { return run(*options); }); };
+            return [options] {
+              return with_threads(options->threads, [&] { return run_derive(*options); });
+            };
           }};
 }
 

@@ -12,7 +12,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct DiffOptions {
   std::string reference, test;
   image::DiffOptions diff;
   std::vector<std::string> maxima, minima;
@@ -28,7 +28,7 @@ std::string measure_names() {
   return out;
 }
 
-void require_files(const Options& options) {
+void require_files(const DiffOptions& options) {
   if (!options.heat.empty()) require_extension(options.heat, ".png", "the heat map is a PNG");
   std::vector<std::filesystem::path> outputs, inputs;
   for (const std::string& path : {options.json, options.html, options.heat})
@@ -50,7 +50,7 @@ void require_distinct(const std::vector<image::Limit>& limits) {
                     {}, "remove one of them");
 }
 
-int run(Options options) {
+int run_diff(DiffOptions options) {
   using Better = image::Measure::Better;
   if (!options.thresholds.empty()) options.diff.limits = read_limits(options.thresholds);
   std::vector<image::Limit> limits;
@@ -83,7 +83,7 @@ Verb diff_verb() {
       "diff",
       "Compares two pictures; exit code 1 if they differ by more than limits or noise allow.",
       [](CLI::App& app) {
-        auto o = std::make_shared<Options>();
+        auto o = std::make_shared<DiffOptions>();
         app.add_option("reference", o->reference, "Reference picture")->required();
         app.add_option("test", o->test, "Picture to be compared with the reference")->required();
         app.add_option("--max", o->maxima, "Upper limit of a measure, [LAYER.]MEASURE=VALUE")
@@ -118,7 +118,7 @@ Verb diff_verb() {
         app.add_option("--threads", o->threads, "Number of threads; 0 uses all cores")
             ->check(integer_in(0, 1024));
         app.add_flag("--quiet,-q", o->quiet, "No table; the exit code is the result");
-        return [o] { return with_threads(o->threads, [&] { return run(*o); }); };
+        return [o] { return with_threads(o->threads, [&] { return run_diff(*o); }); };
       }};
 }
 

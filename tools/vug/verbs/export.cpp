@@ -16,7 +16,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct ExportOptions {
   SceneOptions scene;
   WorkOptions work;
   std::string folder;
@@ -28,7 +28,7 @@ struct Options {
 
 /// A variant of the scene with its builder.
 struct BuiltVariant {
-  BuiltVariant(const Options& options, const std::string& name)
+  BuiltVariant(const ExportOptions& options, const std::string& name)
       : loaded(load(options, name)),
         shot(with_name(loaded, name)),
         builder(shot, options.work.build_options(loaded),
@@ -39,7 +39,7 @@ struct BuiltVariant {
   building::Builder builder;
 
  private:
-  static loading::Loaded load(const Options& options, const std::string& name) {
+  static loading::Loaded load(const ExportOptions& options, const std::string& name) {
     SceneOptions scene = options.scene;
     scene.variant = name;
     return scene.load();
@@ -52,7 +52,7 @@ struct BuiltVariant {
 };
 
 /// All variants of the scene. Error(bad_input) if it has none or the program cannot have any.
-std::vector<std::unique_ptr<BuiltVariant>> build_variants(const Options& options,
+std::vector<std::unique_ptr<BuiltVariant>> build_variants(const ExportOptions& options,
                                                           const loading::Loaded& loaded,
                                                           delivery::ExportOptions& what) {
   std::vector<std::unique_ptr<BuiltVariant>> all;
@@ -71,7 +71,7 @@ std::vector<std::unique_ptr<BuiltVariant>> build_variants(const Options& options
   return all;
 }
 
-int run(const Options& options) {
+int run_export(const ExportOptions& options) {
   delivery::ExportOptions what;
   what.program = &exchange::program(options.program);
   if (!options.up.empty()) what.up = options.up == "z" ? exchange::UpAxis::z : exchange::UpAxis::y;
@@ -100,7 +100,7 @@ int run(const Options& options) {
 Verb export_verb() {
   return {"export", "Exports meshes, volumes, cameras and lights for another program.",
           [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
+            auto options = std::make_shared<ExportOptions>();
             options->scene.add_to(app, &options->work);
             app.add_option("-o,--output", options->folder, "Output folder")->required();
             std::vector<std::string> programs;
@@ -123,7 +123,7 @@ Verb export_verb() {
                 ->excludes("--variant");
             options->work.add_to(app);
             return [options] {
-              return with_threads(options->work.threads, [&] { return run(*options); });
+              return with_threads(options->work.threads, [&] { return run_export(*options); });
             };
           }};
 }

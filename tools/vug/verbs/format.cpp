@@ -10,7 +10,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct FormatOptions {
   std::vector<std::string> files;
   bool check = false;
   bool write = false;
@@ -28,7 +28,7 @@ bool parses(const std::string& text, const std::string& file) {
   return !diagnostics.has_errors();
 }
 
-int run(const Options& options) {
+int run_format(const FormatOptions& options) {
   int exit = kDone;
   for (const std::string& file : options.files) {
     const std::string text = read_text(file);
@@ -51,13 +51,13 @@ int run(const Options& options) {
 
 Verb format_verb() {
   return {"format", "Formats the white space and columns of scene files.", [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
+            auto options = std::make_shared<FormatOptions>();
             app.add_option("files", options->files, "Scene files")->required();
             app.add_flag("--check", options->check,
                          "Only list the files that would change (exit code 1)");
             app.add_flag("--write,-w", options->write,
                          "Overwrite the files instead of printing them");
-            return [options] { return run(*options); };
+            return [options] { return run_format(*options); };
           }};
 }
 

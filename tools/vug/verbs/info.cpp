@@ -9,7 +9,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct InfoOptions {
   std::string file;
   bool json = false;
 };
@@ -19,7 +19,7 @@ struct Options {
 Verb info_verb() {
   return {"info", "Describes a .vdb, picture, mesh, table, partial render or checkpoint.",
           [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
+            auto options = std::make_shared<InfoOptions>();
             app.add_option("file", options->file, "File to describe")->required();
             app.add_flag("--json", options->json, "Machine-readable output with complete strings");
             return [options] {

@@ -12,7 +12,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct ListOptions {
   std::vector<std::string> words;
   bool json = false;
 };
@@ -52,7 +52,7 @@ std::vector<const KindInfo*> chosen_kinds(const std::string& word) {
   return kinds;
 }
 
-int run(const Options& options) {
+int run_list(const ListOptions& options) {
   const std::string word = fmt::format("{}", fmt::join(options.words, " "));
   const std::vector<const KindInfo*> kinds = chosen_kinds(word);
   if (options.json) {
@@ -73,12 +73,12 @@ Verb list_verb() {
           "Lists the kinds of the scene language, AOVs, image measures and export formats, "
           "describes one kind with its parameters and an example, or searches them.",
           [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
+            auto options = std::make_shared<ListOptions>();
             app.add_option("kind", options->words,
                            "Kind (torus), category (primitive) or declaration (material), or words "
                            "of descriptions and synonyms (stalactite, HDRI, wet rock)");
             app.add_flag("--json", options->json, "Machine-readable output");
-            return [options] { return run(*options); };
+            return [options] { return run_list(*options); };
           }};
 }
 

@@ -19,7 +19,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct MeasureOptions {
   SceneOptions scene;
   WorkOptions work;
   std::string mesh;
@@ -31,10 +31,10 @@ struct Options {
   std::string plot;
 };
 
-bool is_scene(const Options& options) { return extension_of(options.scene.scene) == ".vug"; }
+bool is_scene(const MeasureOptions& options) { return extension_of(options.scene.scene) == ".vug"; }
 
 /// Error(bad_input) for scene options, which do not apply to a file of geometry or to a survey.
-void refuse_scene_options(const Options& options) {
+void refuse_scene_options(const MeasureOptions& options) {
   const char* option = !options.scene.defines.empty()   ? "-D"
                        : options.scene.seed             ? "--seed"
                        : options.scene.frame            ? "--frame"
@@ -51,7 +51,7 @@ void refuse_scene_options(const Options& options) {
                 {}, "pass a .vug file or remove " + std::string(option));
 }
 
-metrics::Report report_of(const Options& options) {
+metrics::Report report_of(const MeasureOptions& options) {
   Progress& progress = terminal_progress(options.work.bar_mode());
   if (!is_scene(options)) {
     refuse_scene_options(options);
@@ -66,7 +66,7 @@ metrics::Report report_of(const Options& options) {
   return delivery::measure(builder, options.mesh);
 }
 
-int run_cells(const Options& options) {
+int run_cells(const MeasureOptions& options) {
   if (!is_scene(options)) refuse_scene_options(options);
   const loading::Loaded loaded = options.scene.load();
   building::Builder builder(loaded.shot, options.work.build_options(loaded),
@@ -76,7 +76,7 @@ int run_cells(const Options& options) {
 }
 
 /// Compares the network with real caves, and refuses a plot that would overwrite its files.
-network::ScoredNetwork scored(const Options& options) {
+network::ScoredNetwork scored(const MeasureOptions& options) {
   std::vector<std::filesystem::path> outputs;
   if (!options.plot.empty()) outputs.emplace_back(options.plot);
   const std::filesystem::path file = options.scene.scene;
@@ -94,7 +94,7 @@ network::ScoredNetwork scored(const Options& options) {
   return network::scored(*plan.network, plan.name);
 }
 
-int run_score(const Options& options) {
+int run_score(const MeasureOptions& options) {
   if (!options.plot.empty()) require_extension(options.plot, ".svg", "plots are SVG files");
   const network::ScoredNetwork cave = scored(options);
   if (!options.plot.empty()) write_text(options.plot, network::score_svg(cave));
@@ -105,7 +105,7 @@ int run_score(const Options& options) {
   return kDone;
 }
 
-int run(const Options& options) {
+int run_measure(const MeasureOptions& options) {
   if (options.score) return run_score(options);
   if (!options.cells.empty()) return run_cells(options);
   const metrics::Report report = report_of(options);
@@ -126,7 +126,7 @@ Verb measure_verb() {
       "closed solid, intersects itself or is folded. With --score, compares the plan of a cave "
       "with real caves.",
       [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
+        auto options = std::make_shared<MeasureOptions>();
         options->scene.add_to(app, &options->work);
         app.add_option("--mesh", options->mesh, "Mesh of the scene; default the first");
         app.add_option("--cells", options->cells,
@@ -148,7 +148,7 @@ Verb measure_verb() {
         app.add_flag("--json", options->json, "Machine-readable output");
         options->work.add_to(app);
         return [options] {
-          return with_threads(options->work.threads, [&] { return run(*options); });
+          return with_threads(options->work.threads, [&] { return run_measure(*options); });
         };
       }};
 }

@@ -10,13 +10,13 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct MergeOptions {
   std::vector<std::string> parts;
   std::string output;
   WorkOptions work;
 };
 
-int run(const Options& options) {
+int run_merge(const MergeOptions& options) {
   require_extension(options.output, ".exr", "the picture is an EXR; a PNG is written next to it");
   const std::vector<std::filesystem::path> paths(options.parts.begin(), options.parts.end());
   std::vector<std::filesystem::path> outputs = {options.output, picture::png_path(options.output)};
@@ -41,11 +41,11 @@ Verb merge_verb() {
   return {
       "merge", "Merges the partial renders written by `vug render --part` into a picture.",
       [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
+        auto options = std::make_shared<MergeOptions>();
         app.add_option("parts", options->parts, "All partial renders of one picture")->required();
         app.add_option("-o,--output", options->output, "Output file, an .exr")->required();
         options->work.add_to(app);
-        return [options] { return run(*options); };
+        return [options] { return run_merge(*options); };
       }};
 }
 

@@ -14,7 +14,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct PreviewOptions {
   SceneOptions scene;
   WorkOptions work;
   std::string output, picture, mesh;
@@ -36,7 +36,7 @@ std::filesystem::path page_file() {
               "output of the build contains npm's own message");
 }
 
-int run(Options options) {
+int run_preview(PreviewOptions options) {
   const std::filesystem::path page = page_file();
   if (options.output.empty())
     options.output = std::filesystem::path(options.scene.scene).stem().string() + ".html";
@@ -71,7 +71,7 @@ int run(Options options) {
 Verb preview_verb() {
   return {"preview", "Writes a self-contained web page with the model, picture, tree and metrics.",
           [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
+            auto options = std::make_shared<PreviewOptions>();
             options->scene.add_to(app, &options->work);
             app.add_option("-o,--output", options->output,
                            "Output file, an .html; default: the scene's name with this extension");
@@ -86,7 +86,7 @@ Verb preview_verb() {
                            "Mesh whose metrics are shown; default the largest");
             options->work.add_to(app);
             return [options] {
-              return with_threads(options->work.threads, [&] { return run(*options); });
+              return with_threads(options->work.threads, [&] { return run_preview(*options); });
             };
           }};
 }

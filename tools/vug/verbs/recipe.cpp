@@ -9,11 +9,11 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct RecipeOptions {
   std::string file, output;
 };
 
-int run(const Options& options) {
+int run_recipe(const RecipeOptions& options) {
   require_no_scene(options.file);
   const delivery::Recipe recipe = delivery::read_recipe(options.file);
   if (options.output.empty()) {
@@ -34,12 +34,12 @@ int run(const Options& options) {
 Verb recipe_verb() {
   return {"recipe", "Prints the scene text from which a file was built and can be rebuilt.",
           [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
+            auto options = std::make_shared<RecipeOptions>();
             app.add_option("file", options->file,
                            "A .vdb, .glb, .usda, .ply, .obj, picture, partial render or checkpoint")
                 ->required();
             app.add_option("-o,--output", options->output, "Output file; default standard output");
-            return [options] { return run(*options); };
+            return [options] { return run_recipe(*options); };
           }};
 }
 

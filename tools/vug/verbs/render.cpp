@@ -119,8 +119,8 @@ void finish(const RenderOptions& options, building::Builder& builder) {
   picture::remove_checkpoint(options.render);
 }
 
-int run_frames(const RenderOptions& options, const loading::SceneSource& source,
-               Progress& progress) {
+int render_frames(const RenderOptions& options, const loading::SceneSource& source,
+                  Progress& progress) {
   const std::vector<int> frames = picture::parse_frames(options.frames);
   for (const int frame : frames) options_at_frame(options, frame);  // check names before any work
   for (const int frame : frames) {  // and the animation before the first picture
@@ -171,12 +171,12 @@ int run_frames(const RenderOptions& options, const loading::SceneSource& source,
   return kDone;
 }
 
-int run(RenderOptions options) {
+int run_render(RenderOptions options) {
   parse(options);
   Progress& progress = terminal_progress(options.work.bar_mode());
   const loading::SceneSource source = options.scene.source();
   options.picture.source = &source;
-  if (!options.frames.empty()) return run_frames(options, source, progress);
+  if (!options.frames.empty()) return render_frames(options, source, progress);
   if (const auto& frame = options.scene.frame;
       frame && *frame == std::floor(*frame) && std::fabs(*frame) < 1e9)
     options = with_frame_number(options, static_cast<int>(*frame));
@@ -246,7 +246,7 @@ Verb render_verb() {
                        "Samples of each pixel for --part, A..B: samples A to B-1");
         options->work.add_to(app);
         return [options] {
-          return with_threads(options->work.threads, [&] { return run(*options); });
+          return with_threads(options->work.threads, [&] { return run_render(*options); });
         };
       }};
 }

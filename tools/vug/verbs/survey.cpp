@@ -7,14 +7,14 @@
 #include <vug/base/atomic_file.h>
 #include <vug/scene/report.h>
 #include <vug/survey/drawing.h>
-#include <vug/survey/read_survey.h>
 #include <vug/survey/report.h>
+#include <vug/survey_files/read_survey.h>
 #include <nlohmann/json.hpp>
 
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct SurveyOptions {
   std::string file;
   bool json = false;
   bool stations = false;
@@ -24,7 +24,7 @@ struct Options {
 };
 
 /// Reads or shoots the survey, and refuses outputs that would overwrite its files.
-survey::Survey read_or_shoot(const Options& options,
+survey::Survey read_or_shoot(const SurveyOptions& options,
                              const std::vector<std::filesystem::path>& outputs) {
   if (options.shoot.given()) return options.shoot.survey(outputs);
   require_no_scene(options.file);
@@ -49,7 +49,7 @@ void print_stations(const nlohmann::ordered_json& stations, bool json) {
   }
 }
 
-int run(const Options& options) {
+int run_survey(const SurveyOptions& options) {
   if (options.file.empty() && !options.shoot.given())
     throw Error(ErrorCode::bad_input, "the survey is missing", {},
                 "write vug survey FILE, or vug survey --shoot SCENE --along NETWORK");
@@ -79,7 +79,7 @@ Verb survey_verb() {
       "Reads a cave survey and closes its loops, or surveys the passages of a scene, and reports, "
       "draws or converts it.",
       [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
+        auto options = std::make_shared<SurveyOptions>();
         CLI::Option* file =
             app.add_option("file", options->file,
                            "Survey in a format of Survex, Therion, Compass, Walls or PocketTopo");
@@ -94,7 +94,7 @@ Verb survey_verb() {
                        "File for the survey in another format, e.g. cave.3d, cave.lox or cave.svx");
         app.add_flag("--allow-outside", options->allow_outside,
                      "Allow included files outside of the survey's folder");
-        return [options] { return run(*options); };
+        return [options] { return run_survey(*options); };
       }};
 }
 

@@ -17,7 +17,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct SweepOptions {
   SceneOptions scene;
   WorkOptions work;
   std::string param;
@@ -75,7 +75,7 @@ const Column& column(const std::string& name) {
 }
 
 template <class T>
-bool parses(const std::string& text, T& out) {
+bool parsed_number(const std::string& text, T& out) {
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), out);
   return code == std::errc() && end == text.data() + text.size();
 }
@@ -86,8 +86,8 @@ std::vector<std::string> expand_ranges(const std::vector<std::string>& values) {
   for (const std::string& value : values) {
     const size_t dots = value.find("..");
     int64_t low = 0, high = 0;
-    if (dots == std::string::npos || !parses(value.substr(0, dots), low) ||
-        !parses(value.substr(dots + 2), high)) {
+    if (dots == std::string::npos || !parsed_number(value.substr(0, dots), low) ||
+        !parsed_number(value.substr(dots + 2), high)) {
       out.push_back(value);
       continue;
     }
@@ -105,11 +105,11 @@ struct SweepRow {
 };
 
 /// The scene options with one value of the parameter.
-SceneOptions scene_with(const Options& options, const std::string& value) {
+SceneOptions scene_with(const SweepOptions& options, const std::string& value) {
   SceneOptions scene = options.scene;
   if (options.param == "seed") {
     uint64_t seed = 0;
-    if (!parses(value, seed))
+    if (!parsed_number(value, seed))
       throw Error(ErrorCode::bad_input, fmt::format("invalid seed '{}'", value), {},
                   "a seed is an integer of at least 0");
     scene.seed = seed;
@@ -121,7 +121,7 @@ SceneOptions scene_with(const Options& options, const std::string& value) {
 
 /// Loads the scene with each value of a parameter, so that an invalid value is reported before the
 /// first measurement. ExitRequest or Error for the first one that is unusable.
-void require_valid(const Options& options, const std::vector<std::string>& values) {
+void require_valid(const SweepOptions& options, const std::vector<std::string>& values) {
   for (const std::string& value : values) {
     const std::string doing = fmt::format("checking {} = {}", options.param, value);
     const SceneOptions scene = scene_with(options, value);
@@ -138,7 +138,7 @@ void require_valid(const Options& options, const std::vector<std::string>& value
   }
 }
 
-SweepRow measure_value(const Options& options, const std::string& value) {
+SweepRow measure_value(const SweepOptions& options, const std::string& value) {
   const loading::Loaded loaded = scene_with(options, value).load();
   building::Builder builder(loaded.shot, options.work.build_options(loaded),
                             terminal_progress(options.work.bar_mode()));
@@ -181,12 +181,12 @@ std::string summary(const std::vector<SweepRow>& rows) {
   return out;
 }
 
-std::string plot(const Options& options, const std::vector<SweepRow>& rows) {
+std::string plot(const SweepOptions& options, const std::vector<SweepRow>& rows) {
   const std::string scene = std::filesystem::path(options.scene.scene).stem().string();
   Plot plot{scene + " against " + options.param, options.param, {}, {}, options.param != "seed"};
   for (size_t i = 0; i < rows.size(); ++i) {
     double x = 0;  // values that are not numbers, such as +X, are plotted at their index
-    plot.x.push_back(parses(rows[i].value, x) ? x : static_cast<double>(i + 1));
+    plot.x.push_back(parsed_number(rows[i].value, x) ? x : static_cast<double>(i + 1));
   }
   for (const std::string& name : options.plot) {
     const Column& c = column(name);
@@ -198,7 +198,7 @@ std::string plot(const Options& options, const std::vector<SweepRow>& rows) {
 }
 
 /// Measures the values until one fails. Returns the exit code; a failure has been reported.
-int measure_all(const Options& options, const std::vector<std::string>& values,
+int measure_all(const SweepOptions& options, const std::vector<std::string>& values,
                 std::vector<SweepRow>& rows) {
   for (const std::string& value : values) {
     const std::string doing = fmt::format("measuring {} = {}", options.param, value);
@@ -214,7 +214,7 @@ int measure_all(const Options& options, const std::vector<std::string>& values,
   return kDone;
 }
 
-int run(const Options& options) {
+int run_sweep(const SweepOptions& options) {
   for (const std::string& name : options.plot) column(name);  // check names before any work
   if (options.param == "seed" && options.scene.seed)
     throw Error(ErrorCode::bad_input, "--seed conflicts with a sweep over the seed", {},
@@ -246,7 +246,7 @@ Verb sweep_verb() {
           "Measures a scene for several values of a parameter or several seeds; writes a table and "
           "plots.",
           [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
+            auto options = std::make_shared<SweepOptions>();
             options->scene.add_to(app, &options->work);
             app.add_option("--param,-p", options->param,
                            "Name of the parameter, e.g. LD; `seed` sweeps the scene's seed")
@@ -262,7 +262,7 @@ Verb sweep_verb() {
                            "Stem of the output files OUTPUT.csv and OUTPUT.svg");
             options->work.add_to(app);
             return [options] {
-              return with_threads(options->work.threads, [&] { return run(*options); });
+              return with_threads(options->work.threads, [&] { return run_sweep(*options); });
             };
           }};
 }

@@ -18,7 +18,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct TestOptions {
   std::string folder;
   std::string filter;
   std::string output, junit;
@@ -27,7 +27,7 @@ struct Options {
   bool quiet = false;
 };
 
-void require_fitting(const Options& options) {
+void require_fitting(const TestOptions& options) {
   const bool reasoned = options.cases.reason.find_first_not_of(" \t\n") != std::string::npos;
   if (options.cases.update && !reasoned)
     throw Error(ErrorCode::bad_input, "an update of a reference requires a reason", {},
@@ -88,7 +88,7 @@ int exit_of(const std::vector<Outcome>& outcomes) {
   return exit;
 }
 
-int run(Options options) {
+int run_test(TestOptions options) {
   if (const char* reason = std::getenv("VUG_REASON"); reason && options.cases.update)
     if (options.cases.reason.empty()) options.cases.reason = reason;
   require_fitting(options);
@@ -143,7 +143,7 @@ Verb test_verb() {
   return {
       "test", "Renders the cases of a folder and compares them with their references.",
       [](CLI::App& app) {
-        auto o = std::make_shared<Options>();
+        auto o = std::make_shared<TestOptions>();
         app.add_option("folder", o->folder, "Case, or folder of cases")->required();
         app.add_option("--filter", o->filter, "Run only cases whose name contains this text");
         app.add_option("-o,--output", o->output,
@@ -160,7 +160,7 @@ Verb test_verb() {
         app.add_option("--reason", o->cases.reason,
                        "Reason of the update, for the reference's history; default $VUG_REASON");
         app.add_flag("--quiet,-q", o->quiet, "List only cases that are not the same");
-        return [o] { return run(*o); };
+        return [o] { return run_test(*o); };
       }};
 }
 

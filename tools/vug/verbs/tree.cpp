@@ -11,7 +11,7 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct TreeOptions {
   SceneOptions scene;
   std::string grammar;
   bool json = false, svg = false, theta = false, elements = false, elevation = false;
@@ -23,7 +23,7 @@ struct Options {
   bool facade() const { return theta || elements || elevation || !picture.empty(); }
 };
 
-std::string hint_for(const shot::Shot& shot, const Options& options,
+std::string hint_for(const shot::Shot& shot, const TreeOptions& options,
                      const std::vector<std::string>& names) {
   for (const shot::LSystemPtr& each : shot.lsystems)
     if (options.grammar.empty() || each->name == options.grammar)
@@ -33,7 +33,7 @@ std::string hint_for(const shot::Shot& shot, const Options& options,
 
 /// The selected derivations: at least one, and exactly one if the output is one document.
 std::vector<const shot::Derivation*> select_derivations(const shot::Shot& shot,
-                                                        const Options& options) {
+                                                        const TreeOptions& options) {
   std::vector<const shot::Derivation*> found;
   std::vector<std::string> names;
   for (const shot::Derivation& derivation : shot.derivations) {
@@ -55,7 +55,7 @@ std::vector<const shot::Derivation*> select_derivations(const shot::Shot& shot,
   return found;
 }
 
-std::string text_of(const shot::Derivation& derivation, const Options& options) {
+std::string text_of(const shot::Derivation& derivation, const TreeOptions& options) {
   if (options.theta) return facade::theta(*derivation.facade) + "\n";
   if (options.elements) return facade::elements_csv(*derivation.facade);
   if (options.elevation || !options.picture.empty())
@@ -66,7 +66,7 @@ std::string text_of(const shot::Derivation& derivation, const Options& options) 
                            : grammar::tree_json(derivation.tree);
 }
 
-int run(const Options& options) {
+int run_tree(const TreeOptions& options) {
   const loading::Loaded loaded = options.scene.load();
   for (const shot::Derivation* derivation : select_derivations(loaded.shot, options))
     fmt::print("{}", text_of(*derivation, options));
@@ -78,7 +78,7 @@ int run(const Options& options) {
 Verb tree_verb() {
   return {
       "tree", "Prints the derivation trees of a scene's grammars.", [](CLI::App& app) {
-        auto options = std::make_shared<Options>();
+        auto options = std::make_shared<TreeOptions>();
         options->scene.add_to(app);
         app.add_option("--grammar", options->grammar, "Name of the grammar; default all");
         auto* form = app.add_option_group("form", "Output format; default text");
@@ -91,7 +91,7 @@ Verb tree_verb() {
         form->add_option("--overlay", options->picture,
                          "Drawing of a facade's rectangles over this picture");
         form->require_option(0, 1);
-        return [options] { return run(*options); };
+        return [options] { return run_tree(*options); };
       }};
 }
 

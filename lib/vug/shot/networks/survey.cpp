@@ -2,7 +2,7 @@
 // A network from the survey of a real cave.
 #include <vug/network/from_survey.h>
 #include <vug/shot/networks.h>
-#include <vug/survey/read_survey.h>
+#include <vug/survey_files/read_survey.h>
 
 namespace vug::shot {
 namespace {
