@@ -284,10 +284,9 @@ class Placement {
     if (holes == 0 || options_.fill) return;
     const auto columns = static_cast<size_t>(placed.columns);
     const Vec3d size = placed.box.size();
-    const double x =
-        placed.box.min.x + size.x * static_cast<double>(first % columns) / (placed.columns - 1);
-    const double y =
-        placed.box.max.y - size.y * static_cast<double>(first / columns) / (placed.rows - 1);
+    const auto column = first % columns, row = first / columns;
+    const double x = placed.box.min.x + size.x * static_cast<double>(column) / (placed.columns - 1);
+    const double y = placed.box.max.y - size.y * static_cast<double>(row) / (placed.rows - 1);
     throw misplaced(
         file_,
         fmt::format("has no height at {} of {} cells, first at x {:.1f}, y {:.1f}", holes,

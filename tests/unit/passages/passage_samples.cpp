@@ -70,7 +70,7 @@ network::Network random_cave(uint64_t seed, int legs) {
 const std::vector<PassageCase>& passage_cases() {
   static const std::vector<PassageCase> cases = [] {
     std::vector<PassageCase> all;
-    for (const uint64_t seed : {1, 2})
+    for (const uint64_t seed : {1U, 2U})
       all.push_back({"default rules " + std::to_string(seed), passages(random_cave(seed, 60))});
     PassageOptions meandering;
     meandering.meanders.sinuosity = 1.5;

@@ -34,7 +34,7 @@ TEST(Route, TakesTheShorterWayAroundALoop) {
 }
 
 TEST(Route, StaysInTheAirOfRandomCaves) {
-  for (const uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+  for (const uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
     const network::Network cave = random_cave(seed, 40);
     const field::Field air = passages(cave);
     const network::Network course = on_axes(cave);

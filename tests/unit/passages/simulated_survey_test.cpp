@@ -224,7 +224,7 @@ TEST(SimulatedSurveyRoundTrip, PassagesFromSplaysAreThoseThatWereSurveyed) {
 }
 
 TEST(SimulatedSurveyRoundTrip, SizesThatVaryAreThoseThatWereSurveyed) {
-  for (const uint64_t seed : {2, 3, 4, 5, 6}) {
+  for (const uint64_t seed : {2U, 3U, 4U, 5U, 6U}) {
     SCOPED_TRACE(seed);
     const RoundTrip result = round_trip(cave_of_many_sizes(seed));
     print("many sizes", result);

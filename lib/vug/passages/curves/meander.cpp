@@ -92,7 +92,8 @@ void append_meanders(const Curve& curve, size_t first, size_t last, const Meande
   const double lambda = 2 * valley.length() / halves;
   for (int i = 1; i < halves * kPerHalfWave; ++i) {
     const Vec2d& p = wave[static_cast<size_t>(i % (2 * kPerHalfWave))];
-    const double x = p.x + i / (2 * kPerHalfWave);
+    const int whole_waves = i / (2 * kPerHalfWave);
+    const double x = p.x + whole_waves;
     Vec3d aside;
     CurvePoint point = valley.at(x * lambda, aside);
     point.position += aside * (p.y * lambda);

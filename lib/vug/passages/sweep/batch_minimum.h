@@ -69,7 +69,7 @@ class BatchMinimum {
   struct Bound {
     double least;
     uint32_t segment;
-    auto operator<=>(const Bound&) const = default;
+    auto operator<=>(const Bound&) const = default;  // NOLINT(modernize-use-nullptr)
   };
 
   /// Fills `others_`; returns the segment nearest to the middle. The plane across the offset of the

@@ -92,7 +92,7 @@ void append_fall(const Fall& fall, std::vector<Polytope>& out) {
   Sheet before{fall.way.front().position, fall.way.front().right,
                std::max(critical, fall.thickness)};
   // On a long bed, steps of the parabola would become too short to reach its end.
-  const double least_step = way.length() / (kMostSheetSteps / 2);
+  const double least_step = 2 * way.length() / kMostSheetSteps;
   double x = 0;
   for (int step = 0; step < kMostSheetSteps && before.position.y > fall.foot - kIntoPool; ++step) {
     // Steps have equal lengths along the parabola, or along the bed.

@@ -96,7 +96,6 @@ class MakReader {
         convergence_ = 0;
         return;
       case '!':  // Settings of the program.
-        return;
       case '[':  // Folders in the tree of the program.
       case ']':
         return;
