@@ -203,7 +203,8 @@ Value Evaluator::binary(const Expr& expr, const Context& context) {
     if (auto result = resolver_.binary(expr.text[0], a, b, expr.where, *diagnostics_))
       return *std::move(result);
   return site(expr).fault(
-      fmt::format("cannot apply '{}' to {} and {}", expr.text, a.type_name(), b.type_name()));
+      fmt::format("cannot apply '{}' to {} and {}", expr.text, a.type_name(), b.type_name()),
+      expr.text == "+" && a.get<List>() && b.get<List>() ? "join lists with concat(a, b)" : "");
 }
 
 std::optional<bool> Evaluator::truth(const Expr& expr, const Context& context) {

@@ -229,6 +229,9 @@ ExprPtr ExprParser::list() {
     return comprehension(open);
   Expr expr = make_expr(ExprKind::list);
   while (!cursor_.peek().is("]")) {
+    if (cursor_.peek().is_name("for") && cursor_.peek(1).kind == TokenKind::name)
+      cursor_.fail(cursor_.peek(), "a list with 'for' contains nothing before 'for'",
+                   "join lists with concat([a, b], [for ...: c])");
     const ExprPtr part = binary(1);
     expr.operands.push_back({"", part->where, part});
     if (!cursor_.accept(",")) break;
