@@ -33,15 +33,15 @@ MeshWithCells apply_cells(const mesh::Mesh& bare, const CellLayer& layer,
     progress.begin("attributes of the cells");
     applied.unfolded_vertices =
         cells::transfer_to_mesh(layer.simulation, applied.mesh, options, progress);
-    progress.begin("displacement by the cells");
     if (plan.move) require_near(bare, applied.mesh);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input) throw;
     throw error.at(plan.where);
   }
   const mesh::Attribute* gone = mesh::find_attribute(applied.mesh, cells::kTransparent, 1);
-  if (plan.holes && gone) applied.mesh = mesh::clip(applied.mesh, gone->values, 0.5F);
-  progress.end();
+  if (plan.holes && gone)
+    applied.mesh = run_stage(progress, "cutting the holes of the cells",
+                             [&] { return mesh::clip(applied.mesh, gone->values, 0.5F); });
   return applied;
 }
 

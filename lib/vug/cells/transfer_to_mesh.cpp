@@ -236,16 +236,18 @@ size_t transfer_to_mesh(const Simulation& simulation, mesh::Mesh& mesh,
     }
   }
   progress.advance();
-  progress.end();
   const auto height =
       std::find_if(transfers.begin(), transfers.end(), [](const AttributeTransfer& transfer) {
         return transfer.to.name == kHeight && transfer.to.arity == 1;
       });
   const bool rises = options.move && height != transfers.end();
   size_t changed = 0;
-  if (rises || !displaced.empty())
+  if (rises || !displaced.empty()) {
+    progress.begin("displacement by the cells");
     changed = move_vertices(mesh, displaced.empty() ? nullptr : &transfers.back().to.values,
                             rises ? &height->to.values : nullptr, options.folds);
+  }
+  progress.end();
   if (!displaced.empty()) transfers.pop_back();
   if (bare) mesh.normals.clear();
   for (AttributeTransfer& transfer : transfers) mesh.attributes.push_back(std::move(transfer.to));

@@ -191,6 +191,19 @@ TEST(TransferToMesh, HeightMovesASurfaceAlongItsNormal) {
     }
 }
 
+TEST(TransferToMesh, TheDisplacementIsAStage) {
+  const mesh::Mesh ball = with_normals(mesh::sphere_mesh(Vec3d(0), 1, 3));
+  Simulation simulation(network(ball, "random", 0.2), RandomKey(1));
+  for (float& h : simulation.attributes().column<float>("height").now) h = -0.05F;
+  mesh::Mesh moved = ball;
+  std::vector<bool> is_moved;  // when the stage begins and when it ends
+  Progress progress([&](const std::string& stage, double) {
+    if (stage == "displacement by the cells") is_moved.push_back(moved.positions != ball.positions);
+  });
+  transfer_to_mesh(simulation, moved, moving(), progress);
+  EXPECT_EQ(is_moved, std::vector<bool>({false, true}));
+}
+
 TEST(TransferToMesh, VerticesFollowTheirCells) {
   const mesh::Mesh ball = with_normals(mesh::sphere_mesh(Vec3d(0), 1, 3));
   Simulation simulation(network(ball, "random", 0.2), RandomKey(1));
