@@ -55,6 +55,12 @@ class Stages(VugTest):
         self.assertLessEqual(len(re.findall(r"estimating the memory.*?100%", shown)), 1)
         self.assertIn("writing cave.vdb", shown)
 
+    def test_drafts_do_not_polish(self):
+        self.write("ball.vug", "volume rock = level_set(sphere(1m), voxel: 20cm)\nmesh wall on rock {}\n")
+        for quality, polishes in (("final", True), ("draft", False)):
+            shown = self.vug("build", "ball.vug", "-o", "out", "--progress", "--quality", quality).err
+            self.assertEqual("polishing the mesh of 'wall'" in shown, polishes, shown)
+
     def test_quiet_runs_print_nothing(self):
         self.assertEqual(self.expect(0, "build", "cave.vug", "-o", "out", "-q").err, "")
 

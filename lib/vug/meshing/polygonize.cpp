@@ -58,7 +58,8 @@ PolygonizeResult polygonize(const volume::LevelSet& level_set, const field::Fiel
   const double voxel = level_set.voxel();
   const FaceMesh raw = face_mesh(volume::polygons_of(level_set, {0, options.adaptivity}));
   const bool has_work = exact && options.polish && !raw.points.empty();
-  progress.begin("polishing the mesh", 3 * raw.points.size() + raw.faces.size());
+  progress.begin(has_work ? "polishing the mesh" : "diagonals and normals of the mesh",
+                 3 * raw.points.size() + raw.faces.size());
   MoveResult polished;
   if (has_work)
     polished = apply_moves_without_flips(raw, find_targets(raw, *exact, voxel, options, progress),
