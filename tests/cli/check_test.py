@@ -42,7 +42,7 @@ class Check(VugTest):
         self.write("s.vug", text)
         self.assertRegex(self.expect(0, "check", "s.vug").err,
                          r"s.vug:2:8: warning: the volume 'rock' needs about \S+ \w+ of memory")
-        self.assertEqual(self.expect(0, "check", "s.vug", "-D", "v=100m").err, "")
+        self.assertEqual(self.expect(0, "check", "s.vug", "-D", "v=100m").messages, "")
 
     def test_a_voxel_that_fits(self):
         """The hint names a voxel with which the volume needs little less than the available memory."""
@@ -50,7 +50,7 @@ class Check(VugTest):
         self.write("s.vug", text)
         error = self.expect(0, "check", "s.vug").err
         voxel = re.search(r"hint: use voxels of at least (\S+) m or a smaller region", error).group(1)
-        self.assertEqual(self.expect(0, "check", "s.vug", "-D", f"v={voxel}m").err, "")
+        self.assertEqual(self.expect(0, "check", "s.vug", "-D", f"v={voxel}m").messages, "")
         self.assertIn("warning", self.expect(0, "check", "s.vug", "-D", f"v={0.5 * float(voxel)}m").err)
 
     def test_unused_names(self):
@@ -68,13 +68,13 @@ class Check(VugTest):
         self.write("s.vug", "let red = (1, 0, 0)\nmaterial stone = lambert()\n")  # a text for inclusion
         self.assertNotIn("never used", self.expect(0, "check", "s.vug").err)
         self.write("main.vug", 'include "s.vug"\nvolume rock = level_set(sphere(1m), voxel: 20cm)\n')
-        self.assertEqual(self.expect(0, "check", "main.vug", "--strict").err, "")
+        self.assertEqual(self.expect(0, "check", "main.vug", "--strict").messages, "")
         self.write("s.vug", unused + "mesh skin on rok {}\n")  # the error may be the reason
         self.assertNotIn("never used", self.expect(2, "check", "s.vug").err)
 
     def test_an_include_in_a_subfolder(self):
         self.write("s.vug", 'include "limestone.vug"\nvolume rock = level_set(sphere(1m), voxel: 20cm)\n')
-        self.assertEqual(self.expect(0, "check", "s.vug").err, "")
+        self.assertEqual(self.expect(0, "check", "s.vug").messages, "")
         self.write("s.vug", 'include "rocks/limestone.vug"\n')
         self.assertIn("s.vug:1:9: error: cannot find the file 'rocks/limestone.vug'\n"
                       'include "rocks/limestone.vug"\n        ^~~~~~~~~~~~~~~~~~~~~\n'
@@ -90,13 +90,13 @@ class Check(VugTest):
                   "camera main { eye (0, 2.5, 0)  target (5, 0, 0) }\n       ^~~~\nhint: the nearest air is 0.50 m below: eye (0, 1.9, 0)\n")
         light = ("s.vug:6:1: error: the light 'lamp' at (2.5, 0, 0) is in rock, 0.50 m inside 'walls'\n"
                  "light lamp = sphere(center: (2.5, 0, 0), radius: 10cm)\n" + "^" + "~" * 53 + "\n"
-                 "hint: the nearest air is 0.50 m towards -x: position (1.9, 0, 0)\n")
+                 "hint: the nearest air is 0.50 m towards -x: center: (1.9, 0, 0)\n")
         self.write("s.vug", self.ROOM + "camera main { eye (0, 2.5, 0)  target (5, 0, 0) }\n"
                    "light lamp = sphere(center: (2.5, 0, 0), radius: 10cm)\n")
-        checked = self.expect(2, "check", "s.vug").err
+        checked = self.expect(2, "check", "s.vug").messages
         self.assertIn(camera, checked)
         self.assertIn(light, checked)
-        refused = self.expect(2, "render", "s.vug", "-o", "s.exr").err
+        refused = self.expect(2, "render", "s.vug", "-o", "s.exr").messages
         self.assertEqual(refused, checked + "the render was not started; --anyway renders the scene as it is\n")
         self.assertEqual(self.files(), ["s.vug"])
         self.assertNotIn("error", self.expect(0, "render", "s.vug", "-o", "s.exr", "--anyway").err)

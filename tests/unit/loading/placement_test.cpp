@@ -72,7 +72,7 @@ TEST(Placement, OnlyTheChosenCameraIsChecked) {
 TEST(Placement, ALightInRockWithAllOfItsShape) {
   EXPECT_EQ(mistakes(kRoom + "light lamp = sphere(center: (0, 4.5, 0), radius: 10cm)\n"),
             "t.vug:6:1: the light 'lamp' at (0, 4.5, 0) is in rock, 0.50 m inside 'walls'\n"
-            "the nearest air is 0.50 m below: position (0, 3.9, 0)\n");
+            "the nearest air is 0.50 m below: center: (0, 3.9, 0)\n");
   const auto panel = [](double y, double width) {
     return mistakes(kRoom +
                     fmt::format("light panel = rect(center: (0, {}, 0), normal: (0, -1, 0), "
@@ -215,7 +215,7 @@ TEST(Placement, MeshesOfFilesAreSolids) {
             "t.vug:3:8: the camera 'main' at (0, 3, 0) is in rock, 1.00 m inside 'boulder'\n"
             "the nearest air is 1.00 m above: eye (0, 4.1, 0)\n"
             "t.vug:4:1: the light 'lamp' at (0, 0, 3.5) is in rock, 0.50 m inside 'boulder'\n"
-            "the nearest air is 0.50 m towards +z: position (0, 0, 4.1)\n");
+            "the nearest air is 0.50 m towards +z: center: (0, 0, 4.1)\n");
   EXPECT_EQ(mistakes(rock + "camera main { eye (0, 5, 0)  target (1, 1, -5) }\n"), "");
   const std::string prop =
       "mesh small { file \"" + file + "\"  scale 0.2 }\nobject cube on small {}\n";

@@ -14,7 +14,7 @@ namespace {
 /// A camera or a light.
 struct Placed {
   std::string name;  ///< "the camera 'main'"
-  const char* key;   ///< The parameter of its position.
+  const char* key;   ///< The parameter of its position, as it is written.
   SourceLocation where;
   Vec3d position;
   IsOpen is_open;
@@ -80,7 +80,7 @@ void check_lights(const Set& set, Accuracy accuracy, Diagnostics& diagnostics) {
   };
   for (const SetLight& light : set.lights)
     if (std::all_of(light.points.begin(), light.points.end(), in_rock))
-      report_in_rock({fmt::format("the light '{}'", light.name), "position", light.where,
+      report_in_rock({fmt::format("the light '{}'", light.name), "center:", light.where,
                       light.points.front(), &Solid::is_translucent},
                      set, accuracy, diagnostics);
 }
