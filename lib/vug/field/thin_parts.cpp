@@ -51,6 +51,13 @@ Depth deepest(const Field& part, double enough) {
   return descended(part, best, std::max(best.value, enough));
 }
 
+/// Whether the values inside are distances, if those of its operand are. A shell promises less, for
+/// points outside.
+bool has_depths(const NodePtr& node) {
+  const Field part(node->name() == "shell" ? node->children().front() : node);
+  return part.exactness() <= Exactness::eikonal;
+}
+
 class Search {
  public:
   Search(const Field& whole, double thickness) : whole_(whole), thickness_(thickness) {}
@@ -74,9 +81,7 @@ class Search {
  private:
   void judge(const NodePtr& node, const Transform& outwards) {
     const Field part(node);
-    if (part.exactness() > Exactness::eikonal || !is_finite(part.bounds()) ||
-        part.bounds().isEmpty())
-      return;
+    if (!has_depths(node) || !is_finite(part.bounds()) || part.bounds().isEmpty()) return;
     const double scale = outwards.min_stretch(), enough = 0.5 * thickness_ / scale;
     const Depth depth = deepest(part, enough);
     if (depth.value >= 0 || depth.value <= -enough) return;

@@ -17,8 +17,8 @@ struct ThinPart {
 };
 
 /// The operands whose thickness is below `thickness` metres, by the order of the expression. Only
-/// operands whose values are distances are listed, each node once. Unions, differences and affine
-/// maps are divided into operands; what is subtracted is ignored.
+/// operands whose values are distances, and shells of these, are listed, each node once. Unions,
+/// differences and affine maps are divided into operands; what is subtracted is ignored.
 std::vector<ThinPart> thin_parts(const Field& field, double thickness);
 
 }  // namespace vug::field

@@ -46,7 +46,8 @@ TEST(ThinParts, AllShapesAreMeasuredInAnyOrientation) {
        {"box((2, 2, 3cm))", "cylinder(radius: 1m, height: 2cm)", "cylinder(radius: 2cm, height: 3)",
         "capsule(radius: 2cm, a: (0, 0, 0), b: (1, 2, 1))", "torus(radius: 1m, tube: 3cm)",
         "prism(radius: 1m, height: 2cm)", "(slab(thickness: 5cm) & sphere(2m))",
-        "sphere(10cm).scale(0.2)"}) {
+        "sphere(10cm).scale(0.2)", "shell(sphere(1m), thickness: 2cm)",
+        "shell(box((1, 1, 1)) + sphere(80cm), thickness: 5cm)"}) {
     EXPECT_EQ(thin_warnings(std::string("sphere(1m).translate((9, 0, 0)) + ") + shape +
                             ".rotate(axis: (1, 2, 3), angle: 40deg)")
                   .size(),
@@ -61,6 +62,7 @@ TEST(ThinParts, ThickSolidsCutsAndEmbeddedPartsAreNot) {
            "sphere(1m) - box((3, 1mm, 3))",
            "sphere(1m) + box((50cm, 1mm, 50cm))",
            "torus(radius: 1m, tube: 20cm)",
+           "shell(sphere(1m), thickness: 12cm)",
        })
     EXPECT_EQ(thin_warnings(solid).size(), 0U) << solid;
 }
