@@ -68,6 +68,18 @@ class Readme(VugTest):
                 elif arg.startswith("-") and not re.search(rf"(?<![\w-]){re.escape(arg)}(?![\w-])", help_text):
                     self.fail(f"vug {verb} has no option {arg}")
 
+    def test_inputs_exist_or_are_made_by_an_earlier_command(self):
+        made = {f"out/grotto.{end}" for end in ("exr", "png", "vdb", "ply")}  # by tools/demo
+        for verb, *args in COMMANDS:
+            words = args[1:] if verb == "facade" else args
+            for before, word in zip(["", *words], words):
+                if before.startswith("-") or not re.fullmatch(r"[\w/]+\.\w+", word):
+                    continue
+                self.assertTrue((SOURCE / word).exists() or word in made, f"vug {verb} {word}")
+            if verb == "export":  # --for blender
+                made.add(f"out/{pathlib.Path(args[0]).stem}.glb")
+        self.assertIn("recipe", [verb for verb, *_ in COMMANDS], "a command that reads the output of another")
+
     def test_a_missing_page_is_reported_without_blaming_what_is_there(self):
         page = BUILD / "preview/preview.html"
         program = pathlib.Path(PROGRAM).read_bytes()
