@@ -5,6 +5,7 @@
 #include <vug/volume/contact.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace vug::volume {
@@ -35,43 +36,6 @@ void place_points(const Cell& cell, double voxel, Point<Pack>* points) {
                            Pack(coordinate(cell.origin[1] + y, voxel)), run};
 }
 
-/// The packs of a block form rows of eight along x and along y. These three of every row are
-/// evaluated first: all others are at most one lattice step away from one of them, along either
-/// axis.
-constexpr int kLooked[] = {1, 4, 6};
-constexpr int kNearestLooked[8] = {0, 0, 0, 1, 1, 1, 2, 2};  // Index into kLooked.
-
-float least_magnitude(Pack value) {
-  float lanes[Pack::kLanes];
-  abs(value).store(lanes);
-  return *std::min_element(lanes, lanes + Pack::kLanes);
-}
-
-/// Finds the packs that may reach into the band, from nine of them and the field's maximum slope.
-/// The others get a value beyond the band with their sign.
-int find_in_reach(const field::Field& field, const NarrowBand& band, const Point<Pack>* points,
-                  Pack* values, int* found, field::Scratch& scratch) {
-  Point<Pack> looked[9];
-  Pack seen[9];
-  for (int i = 0; i < 9; ++i) looked[i] = points[8 * kLooked[i / 3] + kLooked[i % 3]];
-  field.values(looked, 9, seen, scratch);
-  const double limit = reach(band, field), slope = 1.0001 * field.lipschitz() * band.voxel;
-  float away[9];
-  for (int i = 0; i < 9; ++i) away[i] = least_magnitude(seen[i]);
-  int count = 0;
-  for (int x = 0; x < 8; ++x)
-    for (int y = 0; y < 8; ++y) {
-      const int near = 3 * kNearestLooked[x] + kNearestLooked[y];
-      const int steps = (x != kLooked[kNearestLooked[x]]) + (y != kLooked[kNearestLooked[y]]);
-      constexpr double kLength[] = {0, 1, 1.41422};
-      if (static_cast<double>(away[near]) < limit + slope * kLength[steps])
-        found[count++] = 8 * x + y;
-      else
-        values[8 * x + y] = select(seen[near] < Pack(0.0), -Pack(kFar), Pack(kFar));
-    }
-  return count;
-}
-
 /// Voxels that may be adjacent to a change of sign (|v| <= lipschitz * voxel) keep a value inside
 /// the band, so that no surface passes between inactive voxels.
 class Neighbours {
@@ -88,28 +52,123 @@ class Neighbours {
   Pack near_, inside_band_;
 };
 
+/// The packs of a block form rows of eight along x and along y. These three of every row are
+/// evaluated first: all others are at most one lattice step away from one of them, along either
+/// axis.
+constexpr int kFirst[] = {1, 4, 6};
+constexpr int kNearestFirst[8] = {1, 1, 1, 4, 4, 4, 6, 6};
+
+bool is_first(int pack) {
+  return kNearestFirst[pack / 8] == pack / 8 && kNearestFirst[pack % 8] == pack % 8;
+}
+
+/// Lower bounds of |value| at the packs of a block, lane by lane, from values at other packs and
+/// the field's maximum slope.
+class LowerBounds {
+ public:
+  /// `bounds` has room for kPacks packs.
+  LowerBounds(const field::Field& field, double voxel, Pack* bounds) : bounds_(bounds) {
+    const double slope = 1.0001 * field.lipschitz() * voxel;
+    for (int x = 0; x <= kSteps; ++x)
+      for (int y = 0; y <= kSteps; ++y)
+        change_[x][y] = Pack(slope * std::sqrt(static_cast<double>(x * x + y * y)));
+    std::fill(bounds_, bounds_ + kPacks, Pack(0.0));
+  }
+  /// A value of the first packs bounds the others up to kSteps rows away.
+  void add_first(int pack, const Pack& value) {
+    const int row = pack / 8, column = pack % 8;
+    const Pack magnitude = abs(value);
+    for (int x = std::max(row - kSteps, 0); x <= std::min(row + kSteps, 7); ++x)
+      for (int y = std::max(column - kSteps, 0); y <= std::min(column + kSteps, 7); ++y)
+        raise(x, y, magnitude - change_[std::abs(x - row)][std::abs(y - column)]);
+  }
+  /// The others are evaluated in ascending order; a value bounds the next ones.
+  void add(int pack, const Pack& value) {
+    const int row = pack / 8, column = pack % 8;
+    const Pack straight = abs(value) - change_[0][1], diagonal = abs(value) - change_[1][1];
+    if (column < 7) raise(row, column + 1, straight);
+    if (row == 7) return;
+    raise(row + 1, column, straight);
+    if (column > 0) raise(row + 1, column - 1, diagonal);
+    if (column < 7) raise(row + 1, column + 1, diagonal);
+  }
+  const Pack& operator[](int pack) const { return bounds_[pack]; }
+
+ private:
+  static constexpr int kSteps = 2;
+  void raise(int x, int y, const Pack& bound) {
+    Pack& known = bounds_[8 * x + y];
+    known = max(bound, known);  // `known` where the bound is NaN.
+  }
+
+  Pack* bounds_;
+  Pack change_[kSteps + 1][kSteps + 1];
+};
+
 /// First-order distances where they reach into the band. Where the slope vanishes the quotient is
-/// meaningless, and only `Neighbours` keeps the voxel in the band.
-void distances(const field::Field& field, const NarrowBand& band, const Point<Pack>* points,
-               Pack* values, field::Scratch& scratch) {
-  int found[kPacks];
-  const int count = find_in_reach(field, band, points, values, found, scratch);
-  const Neighbours neighbours(field, band);
-  const Pack least(1e-12 * field.lipschitz() * field.lipschitz());
-  field::Scratch::Frame frame(scratch);
-  auto* some = frame.take<Point<Pack>>(kChunk);
-  auto* slopes = frame.take<Dual<Pack>>(kChunk);
-  for (int begin = 0; begin < count; begin += kChunk) {
-    const int now = std::min(kChunk, count - begin);
-    for (int i = 0; i < now; ++i) some[i] = points[found[begin + i]];
-    field.gradients(some, now, slopes, scratch);
-    for (int i = 0; i < now; ++i) {
-      const Dual<Pack>& s = slopes[i];
+/// meaningless, and only `Neighbours` keeps the voxel in the band. Packs that cannot reach into the
+/// band get a value beyond it with their sign instead.
+class FirstOrderDistances {
+ public:
+  FirstOrderDistances(const field::Field& field, const NarrowBand& band, const Point<Pack>* points,
+                      field::Scratch& scratch)
+      : field_(field),
+        points_(points),
+        scratch_(scratch),
+        frame_(scratch),
+        some_(frame_.take<Point<Pack>>(kChunk)),
+        slopes_(frame_.take<Dual<Pack>>(kChunk)),
+        neighbours_(field, band),
+        bounds_(field, band.voxel, frame_.take<Pack>(kPacks)),
+        limit_(reach(band, field)),
+        least_(1e-12 * field.lipschitz() * field.lipschitz()) {}
+
+  void run(Pack* values) {
+    int chunk[kChunk], count = 0;
+    for (const int x : kFirst)
+      for (const int y : kFirst) chunk[count++] = 8 * x + y;
+    evaluate(chunk, count, values);
+    for (int i = 0; i < count; ++i) bounds_.add_first(chunk[i], slopes_[i].v);
+    count = 0;
+    const auto evaluate_rest = [&] {
+      evaluate(chunk, count, values);
+      for (int i = 0; i < count; ++i) bounds_.add(chunk[i], slopes_[i].v);
+      count = 0;
+    };
+    for (int pack = 0; pack < kPacks; ++pack) {
+      if (is_first(pack)) continue;
+      if (any(bounds_[pack] < limit_)) {
+        chunk[count++] = pack;
+        if (count == kChunk) evaluate_rest();
+      } else {
+        const Pack& near = values[8 * kNearestFirst[pack / 8] + kNearestFirst[pack % 8]];
+        values[pack] = select(near < Pack(0.0), -Pack(kFar), Pack(kFar));
+      }
+    }
+    evaluate_rest();
+  }
+
+ private:
+  void evaluate(const int* chunk, int count, Pack* values) {
+    for (int i = 0; i < count; ++i) some_[i] = points_[chunk[i]];
+    if (count > 0) field_.gradients(some_, count, slopes_, scratch_);
+    for (int i = 0; i < count; ++i) {
+      const Dual<Pack>& s = slopes_[i];
       const Pack squared = s.dx * s.dx + s.dy * s.dy + s.dz * s.dz;
-      values[found[begin + i]] = neighbours.held(s.v, s.v / sqrt(max(squared, least)));
+      values[chunk[i]] = neighbours_.held(s.v, s.v / sqrt(max(squared, least_)));
     }
   }
-}
+
+  const field::Field& field_;
+  const Point<Pack>* points_;
+  field::Scratch& scratch_;
+  field::Scratch::Frame frame_;
+  Point<Pack>* some_;
+  Dual<Pack>* slopes_;
+  Neighbours neighbours_;
+  LowerBounds bounds_;
+  Pack limit_, least_;
+};
 
 /// For unrepaired steep values.
 void keep_neighbours(const field::Field& field, const NarrowBand& band, Pack* values) {
@@ -138,7 +197,7 @@ void evaluate(const field::Field& field, const Cell& cell, const NarrowBand& ban
   place_points(cell, band.voxel, points);
   const bool steep = field.exactness() > Exactness::eikonal;
   if (steep && band.repair) {
-    distances(field, band, points, values, scratch);
+    FirstOrderDistances(field, band, points, scratch).run(values);
   } else {
     field.values(points, kPacks, values, scratch);
     if (steep) keep_neighbours(field, band, values);
