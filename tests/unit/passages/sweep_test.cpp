@@ -138,6 +138,56 @@ TEST(Sweep, RestrictionKeepsValues) {
   }
 }
 
+// Small balls where passages meet keep both arms of a fillet.
+TEST(Sweep, RestrictionKeepsFillets) {
+  const auto network = with_radius(
+      network_of({{0, 0, 0}, {20, 0, 0}, {-20, 0, 0}, {3, 0, 20}}, {{0, 1}, {2, 0}, {0, 3}}), 1.5);
+  PassageOptions options;
+  options.fillet = 1;
+  const Field filleted = passages(network, options);
+  options.fillet = 0;
+  const Field sharp = passages(network, options);
+  field::Scratch scratch;
+  RandomStream random(RandomKey(18));
+  int within = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const field::Ball ball{random_vector(random, 5), random.uniform(0.001, 0.1)};
+    const Field part = filleted.restricted({ball.centre, 4}).field.restricted(ball).field;
+    const Vec3d p(Vec3f(ball.centre + random_vector(random, 0.5) * ball.radius));
+    const double value = filleted.value(p);
+    within += value < sharp.value(p) - 0.01;
+    ASSERT_EQ(part.value(p), value) << p;
+    const Point<Pack> pack = field::constant<Pack>(p);
+    Pack batch;
+    part.values(&pack, 1, &batch, scratch);
+    ASSERT_NEAR(static_cast<double>(_mm256_cvtss_f32(batch.v)), value, 1e-4) << p;
+  }
+  EXPECT_GT(within, 100);
+}
+
+// Balls that hold hundreds of segments, which are evaluated with the BVH of the whole.
+TEST(Sweep, LargeRestrictionsKeepValues) {
+  const Field whole = passages(random_cave(8, 300));
+  field::Scratch scratch;
+  RandomStream random(RandomKey(17));
+  for (int i = 0; i < 20; ++i) {
+    const field::Ball ball{point_near(whole, random), random.uniform(50, 400)};
+    const Field part = whole.restricted(ball).field;
+    const field::Ball inner{ball.centre, 0.1 * ball.radius};
+    const Field smaller = part.restricted(inner).field;
+    for (int k = 0; k < 10; ++k) {
+      const Vec3d p(Vec3f(ball.centre + random_vector(random, 0.05) * ball.radius));
+      const double value = whole.value(p);
+      ASSERT_EQ(part.value(p), value) << p;
+      ASSERT_EQ(smaller.value(p), value) << p;
+      const Point<Pack> pack = field::constant<Pack>(p);
+      Pack batch;
+      part.values(&pack, 1, &batch, scratch);
+      ASSERT_NEAR(static_cast<double>(_mm256_cvtss_f32(batch.v)), value, 1e-4) << p;
+    }
+  }
+}
+
 TEST(Sweep, LipschitzConstantIsOne) {
   for (const PassageCase& c : passage_cases()) {
     EXPECT_EQ(c.field.lipschitz(), 1) << c.label;

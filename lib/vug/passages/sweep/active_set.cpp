@@ -2,6 +2,7 @@
 #include <vug/passages/sweep/active_set.h>
 
 #include <algorithm>
+#include <bit>
 
 namespace vug::passages {
 
@@ -30,6 +31,15 @@ SweepParts::SweepParts(Sweep parts)
     joints_of_arm[sweep.joints[joint].b].push_back(joint);
     widest_joint = std::max(widest_joint, sweep.joints[joint].radius);
   }
+  all.reserve(sweep.segments.size());
+  for (uint32_t i = 0; i < sweep.segments.size(); ++i) {
+    double fillet = 0;
+    for (const uint32_t arm : arms_of_segment[i])
+      for (const uint32_t joint : joints_of_arm[arm])
+        fillet = std::max(fillet, sweep.joints[joint].radius);
+    all.segments.push_back(i);
+    all.capsules.append(capsules[i], fillet);
+  }
 }
 
 void link(const SweepParts& parts, ActiveSet& set) {
@@ -38,9 +48,16 @@ void link(const SweepParts& parts, ActiveSet& set) {
   set.arms = 0;
   thread_local std::vector<uint32_t> arms;
   arms.clear();
-  for (const uint32_t segment : set.segments)
-    arms.insert(arms.end(), parts.arms_of_segment[segment].begin(),
-                parts.arms_of_segment[segment].end());
+  thread_local std::vector<uint32_t> members;  // Segments with a joint.
+  members.clear();
+  for (uint32_t k = 0; k < set.capsules.packs(); ++k)
+    for (unsigned lanes = bits_of(set.capsules.fillets(k) > Pack(0.0)); lanes != 0;
+         lanes &= lanes - 1)
+      members.push_back(Pack::kLanes * k + static_cast<uint32_t>(std::countr_zero(lanes)));
+  for (const uint32_t i : members) {
+    const auto& own = parts.arms_of_segment[set.segments[i]];
+    arms.insert(arms.end(), own.begin(), own.end());
+  }
   if (arms.size() < 2) return;
   std::sort(arms.begin(), arms.end());
   arms.erase(std::unique(arms.begin(), arms.end()), arms.end());
@@ -57,9 +74,15 @@ void link(const SweepParts& parts, ActiveSet& set) {
     }
   if (set.joints.empty()) return;
   set.arms = static_cast<uint32_t>(arms.size());
-  for (uint32_t i = 0; i < set.segments.size(); ++i)
+  for (const uint32_t i : members)
     for (const uint32_t arm : parts.arms_of_segment[set.segments[i]])
       set.links.push_back({i, static_cast<uint32_t>(slot(arm))});
+}
+
+void complete(const SweepParts& parts, ActiveSet& set) {
+  set.capsules.clear();
+  for (const uint32_t i : set.segments) set.capsules.append(parts.all.capsules, i);
+  link(parts, set);
 }
 
 }  // namespace vug::passages

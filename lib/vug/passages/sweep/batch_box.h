@@ -11,9 +11,9 @@ namespace vug::passages {
 using field::Pack, field::Point;
 
 inline float lowest(Pack x) {
-  float lanes[Pack::kLanes];
-  x.store(lanes);
-  return *std::min_element(lanes, lanes + Pack::kLanes);
+  __m128 least = _mm_min_ps(_mm256_castps256_ps128(x.v), _mm256_extractf128_ps(x.v, 1));
+  least = _mm_min_ps(least, _mm_movehl_ps(least, least));
+  return _mm_cvtss_f32(_mm_min_ss(least, _mm_movehdup_ps(least)));
 }
 inline float highest(Pack x) { return -lowest(-x); }
 

@@ -6,6 +6,7 @@
 #include <vug/passages/sweep/batch_box.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace vug::passages {
 
@@ -34,7 +35,7 @@ class BatchMinimum {
         index_(frame_.template take<uint32_t>(count_)),
         others_(frame_.template take<Bound>(set.segments.size())) {
     for (size_t k = 0; k < count_ * set.arms; ++k) arms_[k] = T(kFar);
-    for (const Joint& joint : set.joints) reach_ = std::max(reach_, joint.radius);
+    for (const Joint& joint : set.joints) widest_ = std::max(widest_, joint.radius);
   }
 
   void run(T* out) {
@@ -45,17 +46,17 @@ class BatchMinimum {
       values_[k] = out[k];
     }
     combine(first, count_, out);
-    double most = highest_of(out) + reach_;
+    double most = highest_of(out);
     const auto end = std::partition(others_, others_ + set_.segments.size(), [&](const Bound& b) {
       return b.segment != first && b.least <= most;
     });
     std::sort(others_, end);
     for (const Bound* other = others_; other != end && other->least <= most; ++other) {
-      const size_t kept = keep_near(segment(other->segment), out);
+      const size_t kept = keep_near(segment(other->segment), other->fillet, out);
       if (kept == 0) continue;
       segment(other->segment).fill(near_, static_cast<int>(kept), values_, scratch_);
       combine(other->segment, kept, out);
-      most = highest_of(out) + reach_;
+      most = highest_of(out);
     }
     for (const Joint& joint : set_.joints) {
       const field::Blend blend{field::Profile::smooth, joint.radius};
@@ -65,31 +66,47 @@ class BatchMinimum {
   }
 
  private:
-  /// A lower bound of a segment's values at the points; the order is total.
+  /// A lower bound of a segment's values at the points, less the radius of its joints.
   struct Bound {
     double least;
+    double fillet;
     uint32_t segment;
-    auto operator<=>(const Bound&) const = default;  // NOLINT(modernize-use-nullptr)
+    bool operator<(const Bound& other) const {  // A total order.
+      return least < other.least || (least == other.least && segment < other.segment);
+    }
   };
 
   /// Fills `others_`; returns the segment nearest to the middle. The plane across the offset of the
   /// middle from the axis bounds the distances of a box from the axis.
   size_t find_lower_bounds() {
+    using field::max;
     const BatchBox box = box_around(points_, count_);
-    const double rounding = 1e-5 * (1 + box.centre.length() * 0.1 + box.half.length());
-    double nearest = kInfinity;
+    const Point<Pack> centre = field::constant<Pack>(box.centre),
+                      half = field::constant<Pack>(box.half);
+    const Pack rounding(1e-5 * (1 + box.centre.length() * 0.1 + box.half.length())),
+        widest(widest_);
+    float nearest = std::numeric_limits<float>::max();
     size_t first = 0;
-    for (uint32_t i = 0; i < set_.segments.size(); ++i) {
-      const Capsule& capsule = parts_.capsules[set_.segments[i]];
-      const Vec3d offset = capsule.offset(box.centre);
-      const double distance = offset.length(), least = capsule.least_at(distance);
-      if (least < nearest) {
-        nearest = least;
-        first = i;
+    for (size_t begin = 0; begin < set_.segments.size(); begin += Pack::kLanes) {
+      const CapsulePack capsule = set_.capsules.pack(begin / Pack::kLanes);
+      const Point<Pack> offset = capsule.offset(centre);
+      const Pack distance = field::length(offset),
+                 depth = dot(abs(offset), half) / max(distance, Pack(1e-18)),
+                 fillet = min(capsule.fillet, widest);
+      float middle[Pack::kLanes], least[Pack::kLanes], fillets[Pack::kLanes];
+      capsule.least_at(distance).store(middle);
+      (capsule.least_at(distance - depth) - rounding - fillet).store(least);
+      fillet.store(fillets);
+      const size_t end = std::min(begin + Pack::kLanes, set_.segments.size());
+      for (size_t i = begin; i < end; ++i) {
+        const size_t lane = i - begin;
+        others_[i] = {static_cast<double>(least[lane]), static_cast<double>(fillets[lane]),
+                      static_cast<uint32_t>(i)};
+        if (middle[lane] < nearest) {
+          nearest = middle[lane];
+          first = i;
+        }
       }
-      const double depth = std::fabs(offset.x) * box.half.x + std::fabs(offset.y) * box.half.y +
-                           std::fabs(offset.z) * box.half.z;
-      others_[i] = {capsule.least_at(distance - depth / std::max(distance, 1e-30)) - rounding, i};
     }
     return first;
   }
@@ -102,8 +119,8 @@ class BatchMinimum {
 
   const Segment& segment(size_t i) const { return parts_.sweep.segments[set_.segments[i]]; }
 
-  size_t keep_near(const Segment& segment, const T* out) {
-    const Pack margin(reach_ + 1e-4 * segment.reach());
+  size_t keep_near(const Segment& segment, double fillet, const T* out) {
+    const Pack margin(fillet + 1e-4 * segment.reach());
     segment.least(points_, count_, least_);
     size_t kept = 0;
     for (size_t k = 0; k < count_; ++k) {
@@ -136,7 +153,7 @@ class BatchMinimum {
   T* arms_;
   uint32_t* index_;
   Bound* others_;
-  double reach_ = 0;
+  double widest_ = 0;
 };
 
 }  // namespace vug::passages

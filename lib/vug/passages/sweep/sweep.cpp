@@ -2,6 +2,7 @@
 // The node of a sweep: all segments, or those that matter in the ball to which it was restricted.
 #include <vug/base/error.h>
 #include <vug/passages/sweep/batch_minimum.h>
+#include <vug/passages/sweep/lower_bounds.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,8 @@ using field::Ball;
 
 using PartsPtr = std::shared_ptr<const SweepParts>;
 
-/// Restrictions to more segments keep the whole sweep, whose BVH finds segments faster than a list.
+/// Points are evaluated with the BVH of the whole sweep, which finds segments faster than a list,
+/// where a restriction has more segments.
 constexpr size_t kMostActive = 256;
 
 /// Upper bounds include the rounding of batches in single precision, as Node::centre_form does.
@@ -55,16 +57,16 @@ void evaluate(const SweepParts& parts, const ActiveSet& set, const Point<Pack>* 
 class SweepNode final : public field::EvaluationModes<SweepNode> {
  public:
   SweepNode(field::Traits traits, PartsPtr parts)
-      : EvaluationModes(std::move(traits)), parts_(std::move(parts)), whole_(true) {}
+      : EvaluationModes(std::move(traits)), parts_(std::move(parts)), whole_(true), many_(true) {}
   SweepNode(field::Traits traits, PartsPtr parts, ActiveSet active)
       : EvaluationModes(std::move(traits)),
         parts_(std::move(parts)),
-        whole_(false),
-        active_(std::move(active)) {}
+        active_(std::move(active)),
+        many_(active_.segments.size() > kMostActive) {}
 
   template <class T>
   T at(const Point<T>& p) const {
-    return whole_ ? at(p, parts_->bvh.nearest(centre_of(p))) : evaluate(*parts_, active_, p);
+    return many_ ? at(p, parts_->bvh.nearest(centre_of(p))) : evaluate(*parts_, active_, p);
   }
   /// The value of the whole, given the segment with the least value at the point.
   template <class T>
@@ -74,7 +76,7 @@ class SweepNode final : public field::EvaluationModes<SweepNode> {
     near.segments.clear();
     if (parts_->widest_joint > 0) {
       collect({centre, 0}, nearest.value, parts_->sweep.segments.size(), near.segments);
-      link(*parts_, near);
+      complete(*parts_, near);
       const Known known{nearest.segment, nearest.value};
       if (!near.joints.empty()) return evaluate(*parts_, near, p, &known);
     }
@@ -91,7 +93,7 @@ class SweepNode final : public field::EvaluationModes<SweepNode> {
 
   template <class T>
   void fill(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const {
-    if (!whole_) return evaluate(*parts_, active_, points, count, out, scratch);
+    if (!many_) return evaluate(*parts_, active_, points, count, out, scratch);
     fill_near(points, count, out, scratch);
   }
 
@@ -115,8 +117,9 @@ class SweepNode final : public field::EvaluationModes<SweepNode> {
   void fill_near(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const;
 
   PartsPtr parts_;
-  bool whole_;
-  ActiveSet active_;
+  ActiveSet active_;  // Empty for the whole sweep.
+  bool whole_ = false;
+  bool many_ = false;  // Points are evaluated with the BVH.
 };
 
 /// Batches of points that are far apart are divided, down to one pack.
@@ -131,7 +134,7 @@ void SweepNode::fill_near(const Point<Pack>* points, int count, T* out,
     fill_near(points, count / 2, out, scratch);
     return fill_near(points + count / 2, count - count / 2, out + count / 2, scratch);
   }
-  link(*parts_, near);
+  complete(*parts_, near);
   evaluate(*parts_, near, points, count, out, scratch);
 }
 
@@ -140,34 +143,30 @@ void SweepNode::fill_near(const Point<Pack>* points, int count, T* out,
 field::Restriction SweepNode::restrict_to(const Ball& ball) const {
   const Point<double> centre = field::point(ball.centre);
   const auto& segments = parts_->sweep.segments;
-  thread_local std::vector<uint32_t> listed;
-  listed.clear();
+  thread_local ActiveSet listed, middle;
+  const ActiveSet* list = &active_;
   if (whole_) {
-    const SegmentBvh::Nearest at_centre = parts_->bvh.nearest(ball.centre);
-    if (!collect(ball, at_centre.value, kMostActive, listed))
-      return {centre_form(at(centre, at_centre), ball), nullptr};
+    listed.clear();
+    const double value = parts_->bvh.nearest(ball.centre).value;
+    list = collect(ball, value, kMostActive, listed.segments) ? &listed : &parts_->all;
+    if (list == &listed)
+      for (const uint32_t i : listed.segments) listed.capsules.append(parts_->all.capsules, i);
   }
-  const std::vector<uint32_t>& candidates = whole_ ? listed : active_.segments;
-  thread_local std::vector<double> lower;
-  lower.clear();
-  size_t nearest = 0;
-  for (const uint32_t i : candidates) {
-    lower.push_back(parts_->capsules[i].least(ball.centre));
-    if (lower.back() < lower[nearest]) nearest = lower.size() - 1;
-  }
-  const Known known{candidates[nearest], segments[candidates[nearest]].value(centre)};
-  const double least = known.value;
-  thread_local ActiveSet middle;
-  middle.segments.clear();
-  ActiveSet active;
-  active.segments.reserve(candidates.size());
-  for (size_t k = 0; k < candidates.size(); ++k) {
-    if (lower[k] <= limit({ball.centre, 0}, least)) middle.segments.push_back(candidates[k]);
-    if (lower[k] <= limit(ball, least)) active.segments.push_back(candidates[k]);
-  }
+  const ActiveSet& candidates = *list;
+  const LowerBounds lower(candidates, ball.centre);
+  const uint32_t nearest = candidates.segments[lower.nearest()];
+  const Known known{nearest, segments[nearest].value(centre)};
+  const double limit = known.value + tolerance(ball.centre, ball.radius);
+  middle.clear();
+  lower.append_below(limit, middle);
   link(*parts_, middle);
   const Interval range = centre_form(evaluate(*parts_, middle, centre, &known), ball);
-  if (!whole_ && active.segments.size() == active_.segments.size()) return {range, nullptr};
+  const double highest = limit + 2 * ball.radius;
+  const size_t count = lower.count_below(highest);
+  if (count == candidates.segments.size() && list != &listed) return {range, nullptr};
+  ActiveSet active;
+  active.reserve(count);
+  lower.append_below(highest, active);
   link(*parts_, active);
   return {range, std::make_shared<SweepNode>(traits(), parts_, std::move(active))};
 }
