@@ -10,12 +10,12 @@
 namespace vug::cli {
 namespace {
 
-struct Options {
+struct NewKindOptions {
   std::string scene;
   bool quiet = false;
 };
 
-int run(const Options& options) {
+int run_new_kind(const NewKindOptions& options) {
   if (!options.quiet) fmt::print("{}\n", options.scene);
   return kDone;
 }
@@ -24,10 +24,10 @@ int run(const Options& options) {
 
 Verb new_kind_verb() {
   return {"new_kind", "STUB: its purpose, in one sentence.", [](CLI::App& app) {
-            auto options = std::make_shared<Options>();
+            auto options = std::make_shared<NewKindOptions>();
             app.add_option("scene", options->scene, "STUB: its input")->required();
             app.add_flag("--quiet,-q", options->quiet, "No output if there is nothing to report");
-            return [options] { return run(*options); };
+            return [options] { return run_new_kind(*options); };
           }};
 }
 
