@@ -53,11 +53,11 @@ class List(VugTest):
 
     def test_search(self):
         """Descriptions and synonyms, in any case."""
-        for words, found in ((["stalactite"], "dripstone"), (["HDRI"], "sky_image"), (["hdri"], "sky_image"),
+        for words, found in ((["flowstone"], "dripstone"), (["HDRI"], "sky_image"), (["hdri"], "sky_image"),
                              (["AOV"], "CryptoObject"), (["wet", "rock"], "coated"), (["wet rock"], "coated"),
                              (["god rays"], "haze"), (["point light"], "sphere")):
             self.assertRegex(self.expect(0, "list", *words).out, rf"\n  {found} ", words)
-        self.assertEqual([k["name"] for k in json.loads(self.expect(0, "list", "stalactite", "--json").out)],
+        self.assertEqual([k["name"] for k in json.loads(self.expect(0, "list", "flowstone", "--json").out)],
                          ["dripstone"])
         error = self.expect(2, "list", "antimatter").err
         self.assertEqual(error, "error: no kind, description or synonym contains 'antimatter'\n"
