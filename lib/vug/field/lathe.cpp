@@ -2,8 +2,8 @@
 // The nearest point of a solid of revolution lies in the half-plane of the axis and the point.
 // There the distance is that to the nearest side of the polygon, and a point is inside if the
 // horizontal ray away from the axis crosses an odd number of sides.
+#include <vug/field/enclosing_ball.h>
 #include <vug/field/lathe.h>
-#include <vug/field/node.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,9 +53,8 @@ class LatheNode final : public EvaluationModes<LatheNode> {
     return sign * sqrt(least);
   }
   Interval at(const Point<Interval>& p) const {
-    const Vec3d centre(p.x.middle(), p.y.middle(), p.z.middle());
-    const double reach = 0.5 * Vec3d(p.x.width(), p.y.width(), p.z.width()).length();
-    return centre_form(at(field::point(centre)), {centre, reach});
+    const Ball ball = enclosing_ball(p);
+    return centre_form(at(field::point(ball.centre)), ball);
   }
   template <class T>
   void fill(const Point<Pack>* points, int count, T* out, Scratch&) const {

@@ -2,6 +2,7 @@
 // Node and kind of a noise formula, for the files in noise/.
 #pragma once
 
+#include <vug/field/enclosing_ball.h>
 #include <vug/field/noise.h>
 
 namespace vug::field {
@@ -20,8 +21,7 @@ class NoiseNode final : public EvaluationModes<NoiseNode<N>> {
   template <class T>
   T at(const Point<T>& p) const {
     if constexpr (std::is_same_v<T, Interval>) {
-      const Vec3d half(0.5 * p.x.width(), 0.5 * p.y.width(), 0.5 * p.z.width());
-      return over({{p.x.middle(), p.y.middle(), p.z.middle()}, half.length()});
+      return over(enclosing_ball(p));
     } else {
       return noise_.at(p);
     }

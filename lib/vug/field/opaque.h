@@ -2,6 +2,7 @@
 // Nodes of fields that have samples but no formula: meshes, grids, images.
 #pragma once
 
+#include <vug/field/enclosing_ball.h>
 #include <vug/field/kind.h>
 
 namespace vug::field {
@@ -24,9 +25,8 @@ class OpaqueNode final : public EvaluationModes<OpaqueNode<S>> {
     return differentiated(R(g.value), constant<R>(g.gradient), p);
   }
   Interval at(const Point<Interval>& p) const {
-    const Vec3d centre(p.x.middle(), p.y.middle(), p.z.middle());
-    const double reach = 0.5 * Vec3d(p.x.width(), p.y.width(), p.z.width()).length();
-    return this->centre_form(value(centre), {centre, reach});
+    const Ball ball = enclosing_ball(p);
+    return this->centre_form(value(ball.centre), ball);
   }
 
   void fill(const Point<Pack>* points, int count, Pack* out, Scratch&) const {

@@ -3,6 +3,7 @@
 // slopes of about 1, so later offsets and displacements have their nominal size; the worst slope is
 // stated as the Lipschitz constant.
 #include <vug/field/deformer.h>
+#include <vug/field/enclosing_ball.h>
 #include <vug/field/octaves.h>
 
 #include <cmath>
@@ -66,8 +67,7 @@ class Warping {
   template <class T>
   T along(size_t axis, const Point<T>& p) const {
     if constexpr (std::is_same_v<T, Interval>) {
-      const Vec3d half(0.5 * p.x.width(), 0.5 * p.y.width(), 0.5 * p.z.width());
-      return noise_[axis].over({{p.x.middle(), p.y.middle(), p.z.middle()}, half.length()});
+      return noise_[axis].over(enclosing_ball(p));
     } else {
       return noise_[axis].at(p);
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/field/enclosing_ball.h>
 #include <vug/passages/lines/along_flow.h>
 #include <vug/passages/lines/line_bvh.h>
 #include <vug/passages/sweep/active_set.h>
@@ -86,11 +87,7 @@ class AlongFlow final : public field::EvaluationModes<AlongFlow> {
     }
     return sum / weights;
   }
-  Interval at(const Point<Interval>& p) const {
-    const Vec3d centre(p.x.middle(), p.y.middle(), p.z.middle());
-    const double reach = 0.5 * Vec3d(p.x.width(), p.y.width(), p.z.width()).length();
-    return over({centre, reach});
-  }
+  Interval at(const Point<Interval>& p) const { return over(field::enclosing_ball(p)); }
   template <class T>
   void fill(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const {
     const Ball ball = box_around(points, static_cast<size_t>(count)).ball();
