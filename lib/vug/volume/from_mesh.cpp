@@ -143,7 +143,7 @@ openvdb::FloatGrid::Ptr voxelized(openvdb::util::NullInterrupter& interrupter,
   using Adapter = openvdb::tools::QuadAndTriangleDataAdapter<openvdb::Vec3s, openvdb::Vec3I>;
   return openvdb::tools::meshToVolume<openvdb::FloatGrid>(
       interrupter, Adapter(mesh.points, mesh.triangles), lattice, band, band,
-      openvdb::tools::DISABLE_RENORMALIZATION, static_cast<openvdb::Int32Grid*>(nullptr));
+      openvdb::tools::DISABLE_RENORMALIZATION);
 }
 
 }  // namespace

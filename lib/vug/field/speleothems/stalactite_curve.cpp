@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/maths.h>
+#include <vug/field/speleothems/bisected.h>
 #include <vug/field/speleothems/stalactite_curve.h>
 
 #include <algorithm>
@@ -16,16 +17,6 @@ const double kLeastRadius = 16 / (3 * std::sqrt(3.0));
 double raw_height(double s) {
   const double square = s * s;
   return 0.75 * square * square + square - maths::log(s);
-}
-
-/// The number in low..high at which the increasing function becomes `wanted`.
-template <class Function>
-double bisected(double low, double high, double wanted, const Function& function) {
-  for (int i = 0; i < 200 && high - low > 1e-15 * high; ++i) {
-    const double middle = 0.5 * (low + high);
-    (function(middle) < wanted ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
 }
 
 }  // namespace

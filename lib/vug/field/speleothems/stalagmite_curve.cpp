@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/maths.h>
+#include <vug/field/speleothems/bisected.h>
 #include <vug/field/speleothems/stalagmite_curve.h>
 
 #include <algorithm>
@@ -63,11 +64,7 @@ std::vector<Vec2d> StalagmiteCurve::points(double depth, int count) const {
   const double top = depth_at(form_.landing);
   double last = first_ + 1;
   while (top + integral(first_, last) < depth) last = first_ + 2 * (last - first_);
-  double low = first_;
-  for (int i = 0; i < 100; ++i) {
-    const double middle = 0.5 * (low + last);
-    (top + integral(first_, middle) < depth ? low : last) = middle;
-  }
+  last = bisected(first_, last, depth - top, [this](double t) { return integral(first_, t); });
   std::vector<Vec2d> out = {Vec2d(0, 0)};
   if (form_.landing > 0) out.emplace_back(form_.landing, top);
   double below = top, t = first_;

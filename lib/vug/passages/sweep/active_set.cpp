@@ -79,9 +79,13 @@ void link(const SweepParts& parts, ActiveSet& set) {
       set.links.push_back({i, static_cast<uint32_t>(slot(arm))});
 }
 
-void complete(const SweepParts& parts, ActiveSet& set) {
+void fill_capsules(const SweepParts& parts, ActiveSet& set) {
   set.capsules.clear();
   for (const uint32_t i : set.segments) set.capsules.append(parts.all.capsules, i);
+}
+
+void complete(const SweepParts& parts, ActiveSet& set) {
+  fill_capsules(parts, set);
   link(parts, set);
 }
 

@@ -61,6 +61,9 @@ struct SweepParts {
 /// Fills the links and joints of `set`, whose segments and capsules are given.
 void link(const SweepParts& parts, ActiveSet& set);
 
+/// Fills the capsules of `set`, whose segments are given.
+void fill_capsules(const SweepParts& parts, ActiveSet& set);
+
 /// Fills the rest of `set`, whose segments are given.
 void complete(const SweepParts& parts, ActiveSet& set);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The node of a sweep: all segments, or those that matter in the ball to which it was restricted.
 #include <vug/base/error.h>
+#include <vug/field/enclosing_ball.h>
 #include <vug/passages/sweep/batch_minimum.h>
 #include <vug/passages/sweep/lower_bounds.h>
 
@@ -86,9 +87,8 @@ class SweepNode final : public field::EvaluationModes<SweepNode> {
       return parts_->sweep.segments[nearest.segment].at(p);
   }
   Interval at(const Point<Interval>& p) const {
-    const Vec3d centre(p.x.middle(), p.y.middle(), p.z.middle());
-    const double reach = 0.5 * Vec3d(p.x.width(), p.y.width(), p.z.width()).length();
-    return centre_form(at(field::point(centre)), {centre, reach});
+    const Ball ball = field::enclosing_ball(p);
+    return centre_form(at(field::point(ball.centre)), ball);
   }
 
   template <class T>
@@ -149,8 +149,7 @@ field::Restriction SweepNode::restrict_to(const Ball& ball) const {
     listed.clear();
     const double value = parts_->bvh.nearest(ball.centre).value;
     list = collect(ball, value, kMostActive, listed.segments) ? &listed : &parts_->all;
-    if (list == &listed)
-      for (const uint32_t i : listed.segments) listed.capsules.append(parts_->all.capsules, i);
+    if (list == &listed) fill_capsules(*parts_, listed);
   }
   const ActiveSet& candidates = *list;
   const LowerBounds lower(candidates, ball.centre);
