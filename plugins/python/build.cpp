@@ -68,7 +68,7 @@ Cells cells_of(Build& build, const std::string& name) {
   return made;
 }
 
-py::dict measure(Build& build, const std::string& name) {
+py::dict measure_build(Build& build, const std::string& name) {
   std::string json;
   build.work([&](building::Builder& builder) {
     json = metrics::to_json(delivery::measure(builder, name));
@@ -86,7 +86,7 @@ py::dict measure_cells(Build& build, const std::string& name) {
 }
 
 /// Writes all products to a folder, or the grids to one file. Never overwrites inputs of the scene.
-std::vector<std::filesystem::path> save(Build& build, const std::filesystem::path& to) {
+std::vector<std::filesystem::path> save_build(Build& build, const std::filesystem::path& to) {
   const bool grids = extension_of(to) == ".vdb";
   const shot::Shot& shot = build.scene()->shot();
   const auto paths = grids ? std::vector{to} : delivery::product_paths(shot, to);
@@ -125,11 +125,11 @@ void bind_products(py::class_<Build>& type) {
            "A mesh, or the weathered mesh of cells, by name; without a name, the first mesh.")
       .def("cells", with_progress(&cells_of), "name"_a = "", by_name, progress,
            "Cells on a mesh after the simulation of their rules.")
-      .def("measure", with_progress(&measure), "mesh"_a = "", by_name, progress,
+      .def("measure", with_progress(&measure_build), "mesh"_a = "", by_name, progress,
            "Area, volume, genus and all other metrics of `vug measure --json`, as a dict.")
       .def("measure_cells", with_progress(&measure_cells), "name"_a = "", by_name, progress,
            "Regularity and links of cells, as in `vug measure --cells`.")
-      .def("save", with_progress(&save), "to"_a, by_name, progress,
+      .def("save", with_progress(&save_build), "to"_a, by_name, progress,
            "Writes the products of `vug build` to a folder, or all grids to a file that ends in "
            ".vdb.\n"
            "Returns the paths.");
@@ -178,7 +178,7 @@ void bind_build(py::module_& module) {
       [](const std::shared_ptr<Scene>& self, const std::string& name, const Memory& memory,
          int threads, const Callback& progress) {
         Build build = make_build(self, memory, threads, progress, {});
-        return measure(build, name);
+        return measure_build(build, name);
       },
       "mesh"_a = "", "max_memory"_a = py::none(), "threads"_a = 0, "progress"_a = py::none(),
       "Measures a mesh, like Build.measure, with a temporary build.");

@@ -20,7 +20,7 @@ auto network_array(Member cells::Network::*member) {
   };
 }
 
-py::dict attributes(const Cells& self) {
+py::dict cell_attributes(const Cells& self) {
   py::dict out;
   const py::capsule owner = capsule_of(self.layer);
   for (const cells::Attribute& each : self.layer->simulation.attributes().all())
@@ -49,7 +49,7 @@ py::tuple links(const Cells& self) {
   return py::make_tuple(view(links.begin, owner), view(links.to, owner));
 }
 
-void save(const Cells& self, const std::filesystem::path& file) {
+void save_cells(const Cells& self, const std::filesystem::path& file) {
   const py::gil_scoped_release others;
   const std::string extension = extension_of(file);
   if (extension == ".csv") return delivery::write_table(file, *self.layer);
@@ -89,9 +89,9 @@ void bind_cells(py::module_& module) {
       .def_property_readonly_static("state_names", [](const py::object&) { return state_names(); })
       .def_property_readonly("links", &links,
                              "(begin, to): neighbours of cell i are to[begin[i]:begin[i + 1]].")
-      .def_property_readonly("attributes", &attributes,
+      .def_property_readonly("attributes", &cell_attributes,
                              "Attributes by name: (n,) float32 or int32, or (n, 3) float32.")
-      .def("save", &save, "file"_a,
+      .def("save", &save_cells, "file"_a,
            "Writes points to a .vdb or a table to a .csv, as `vug build` does.")
       .def("__repr__", [](const Cells& c) {
         return fmt::format("<vug.Cells '{}', {} after {} steps>", c.plan->name,

@@ -67,7 +67,7 @@ py::array_t<double> values(const LevelSet& set, const py::handle& given) {
   return py::array_t<double>(static_cast<py::ssize_t>(out.size()), out.data());
 }
 
-void save(const Grid& grid, const std::filesystem::path& file) {
+void save_grid(const Grid& grid, const std::filesystem::path& file) {
   const py::gil_scoped_release others;
   if (extension_of(file) != ".vdb")
     throw Error(ErrorCode::bad_input,
@@ -113,7 +113,7 @@ void bind_grids(py::module_& module) {
            "lower to upper, both inclusive (default: the box of all active voxels), and the index\n"
            "of its first voxel. The centre of voxel (i, j, k) is origin + voxel * (i, j, k).\n"
            "Voxels outside the narrow band have plus or minus the background value.")
-      .def("save", &save, "file"_a, "Writes this grid to a .vdb.")
+      .def("save", &save_grid, "file"_a, "Writes this grid to a .vdb.")
       .def("__repr__", [](const Grid& g) { return represent("Grid", g); });
 
   py::class_<LevelSet, Grid>(module, "LevelSet",

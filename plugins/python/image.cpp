@@ -70,7 +70,7 @@ py::dict views(const Image& self) {
                   "right"_a = Image{self.rendered, 1, self.checkpoint});
 }
 
-void save(const Image& self, const std::filesystem::path& file) {
+void save_image(const Image& self, const std::filesystem::path& file) {
   const py::gil_scoped_release others;
   const std::vector<picture::PictureView> all = picture::picture_views(*self.rendered);
   picture::write_picture_file(file, self.view ? std::vector{all[*self.view]} : all);
@@ -108,7 +108,7 @@ void bind_image(py::module_& module) {
                              "Metadata of files about the origin of the picture.")
       .def_property_readonly("views", &views,
                              "The images 'left' and 'right' of a stereo camera; otherwise empty.")
-      .def("save", &save, "file"_a,
+      .def("save", &save_image, "file"_a,
            "Writes the files of `vug render`: NAME.exr with all layers, NAME.png with the view\n"
            "transform, or NAME.deep.exr of a deep picture. Writes both views of a stereo picture,\n"
            "or only one for an element of `views`.")

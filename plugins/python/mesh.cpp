@@ -64,7 +64,7 @@ Mesh from_arrays(const py::object& positions, const py::object& corners, const p
   return {std::make_shared<const mesh::Mesh>(std::move(out))};
 }
 
-py::dict attributes(const Mesh& self) {
+py::dict mesh_attributes(const Mesh& self) {
   py::dict out;
   const py::capsule owner = capsule_of(self.mesh);
   for (const mesh::Attribute& each : self.mesh->attributes)
@@ -78,7 +78,7 @@ py::array triangle_view(const Mesh& self) {
               capsule_of(self.mesh));
 }
 
-py::dict measure(const Mesh& self) {
+py::dict measure_mesh(const Mesh& self) {
   std::string json;
   {
     const py::gil_scoped_release others;
@@ -110,13 +110,13 @@ void bind_mesh(py::module_& module) {
           },
           "(n, 3) float32, unit normals that point out of the solid; None without normals.")
       .def_property_readonly("triangles", &triangle_view, "(m, 3) uint32, indices of vertices.")
-      .def_property_readonly("attributes", &attributes,
+      .def_property_readonly("attributes", &mesh_attributes,
                              "Vertex attributes by name, (n,) or (n, k) float32; 'Cd' is linear\n"
                              "scene-referred colour.")
       .def_property_readonly(
           "bounds", [](const Mesh& m) { return corners(mesh::bounds(*m.mesh)); },
           "Lowest and highest corner, (2, 3) metres; None without vertices.")
-      .def("measure", &measure,
+      .def("measure", &measure_mesh,
            "Area, volume, genus and all other metrics of `vug measure --json` for a mesh file.")
       .def(
           "save",

@@ -3,6 +3,9 @@
 # shellcheck shell=bash
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$root" || exit 3
+# A first build finds nothing in the cache of the compiler. In this mode, ccache does not run the preprocessor for each
+# miss, which took a tenth of the build.
+export CCACHE_DEPEND=1
 
 # stage TITLE COMMAND...: prints one line with the elapsed seconds; the output only on failure.
 stage() {

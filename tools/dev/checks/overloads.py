@@ -10,7 +10,7 @@ import re
 
 from .tree import Finding
 
-FOLDERS = ("lib/vug/", "tests/unit/", "tools/vug/")  # The Python module is not built in this way.
+FOLDERS = ("lib/vug/", "tests/unit/", "tools/vug/", "plugins/python/")
 NAMESPACE = re.compile(r"^namespace \{\n(.*?)^\}  // namespace\n", re.S | re.M)
 FUNCTION = re.compile(
     r"^(?!return|using|TEST|INSTANTIATE|BENCHMARK|MATCHER|VUG_|struct|class|template)"
@@ -30,7 +30,7 @@ def check(tree):
         if not name.startswith(FOLDERS):
             continue
         parts = pathlib.PurePath(name).parts
-        module = "/".join(parts[:2] if parts[0] == "tools" else parts[:3])
+        module = "/".join(parts[:3] if parts[0] in ("lib", "tests") else parts[:2])
         for line, function in internal_functions(tree.text(name)):
             places[module, function].setdefault(name, line)
     for (_, function), where in sorted(places.items()):
