@@ -189,7 +189,7 @@ py::dict derivations(const SharedScene& scene) {
 }
 
 template <class Plan>
-const std::string& name_of(const Plan& plan) {
+const std::string& name_of_plan(const Plan& plan) {
   if constexpr (requires { plan->name; })
     return plan->name;
   else if constexpr (requires { plan.name; })
@@ -203,7 +203,7 @@ template <class List>
 auto names(List shot::Shot::*list) {
   return [list](const Scene& scene) {
     std::vector<std::string> out;
-    for (const auto& each : scene.shot().*list) out.push_back(name_of(each));
+    for (const auto& each : scene.shot().*list) out.push_back(name_of_plan(each));
     return out;
   };
 }

@@ -4,6 +4,7 @@
 #include <vug/mesh/normals.h>
 #include <vug/mesh/retreat.h>
 #include <vug/mesh/self_intersections.h>
+#include <vug/mesh/sort_unique.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +24,7 @@ std::vector<uint32_t> vertices_of(const Mesh& mesh, const std::vector<uint32_t>&
   std::vector<uint32_t> vertices;
   for (const uint32_t face : faces)
     vertices.insert(vertices.end(), mesh.triangles[face].begin(), mesh.triangles[face].end());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sort_unique(vertices);
   return vertices;
 }
 
@@ -107,11 +107,16 @@ size_t prevent_folds(const std::vector<Vec3f>& before, Mesh& after, bool along_n
 }
 
 void prevent_crossings(const std::vector<Vec3f>& before, Mesh& after) {
-  if (self_intersections(after).empty()) return;
+  const std::vector<FacePair> crossings = self_intersections(after);
+  if (crossings.empty()) return;
+  std::vector<uint32_t> crossing;
+  for (const auto& [low, high] : crossings) crossing.insert(crossing.end(), {low, high});
+  sort_unique(crossing);
   Mesh bare;
   bare.positions = before;
   bare.triangles = after.triangles;
-  if (self_intersections(bare).empty()) retreat(before, after);
+  if (self_intersections_of(crossing, bare, BoxTree(triangle_boxes(bare))).empty())
+    retreat(before, after, crossings);
 }
 
 }  // namespace vug::mesh

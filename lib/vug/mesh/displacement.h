@@ -28,7 +28,7 @@ std::vector<uint32_t> folded_triangles(const std::vector<Vec3f>& before, const M
 size_t prevent_folds(const std::vector<Vec3f>& before, Mesh& after, bool along_normals);
 
 /// Shortens the displacements from `before` until no triangle intersects another (see retreat.h).
-/// Meshes that intersect themselves before remain unchanged: their triangles would be held where
+/// Meshes remain unchanged if triangles that intersect also do so before: they would be held where
 /// they are.
 void prevent_crossings(const std::vector<Vec3f>& before, Mesh& after);
 

@@ -2,6 +2,7 @@
 #include <vug/mesh/folds.h>
 #include <vug/mesh/retreat.h>
 #include <vug/mesh/self_intersections.h>
+#include <vug/mesh/sort_unique.h>
 
 #include <algorithm>
 #include <numeric>
@@ -13,11 +14,6 @@ using Triangles = std::vector<uint32_t>;  ///< Ascending indices.
 
 constexpr float kShares[] = {1, 0.5F, 0.25F, 0.125F, 0};
 constexpr uint8_t kNothing = 4;  ///< The index of the last share.
-
-void sort_unique(std::vector<uint32_t>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 class Retreat {
  public:
@@ -118,11 +114,15 @@ class Retreat {
 
 std::vector<float> retreat(const std::vector<Vec3f>& before, Mesh& mesh,
                            const PolygonGroups& groups) {
+  return retreat(before, mesh, self_intersections(mesh), groups);
+}
+
+std::vector<float> retreat(const std::vector<Vec3f>& before, Mesh& mesh,
+                           const std::vector<FacePair>& crossings, const PolygonGroups& groups) {
   Triangles invalid = folded_triangles(mesh);
   for (uint32_t t = 0; t < mesh.triangles.size(); ++t)
     if (double_area_vector(mesh, t) == Vec3d(0)) invalid.push_back(t);
-  for (const auto& [low, high] : self_intersections(mesh))
-    invalid.insert(invalid.end(), {low, high});
+  for (const auto& [low, high] : crossings) invalid.insert(invalid.end(), {low, high});
   sort_unique(invalid);
   if (invalid.empty()) return std::vector<float>(mesh.positions.size(), 1);
   return Retreat(before, mesh, groups).run(std::move(invalid));

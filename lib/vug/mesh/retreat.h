@@ -3,7 +3,7 @@
 // meshing/remove_crossings.h.
 #pragma once
 
-#include <vug/mesh/mesh.h>
+#include <vug/mesh/self_intersections.h>
 
 #include <functional>
 
@@ -22,6 +22,10 @@ struct PolygonGroups {
 /// is left or none of its vertices is moved. Returns the share that each vertex keeps of its move.
 /// The result is the same for any number of threads.
 std::vector<float> retreat(const std::vector<Vec3f>& before, Mesh& mesh,
+                           const PolygonGroups& groups = {});
+/// As above, for a mesh whose self-intersections are known.
+std::vector<float> retreat(const std::vector<Vec3f>& before, Mesh& mesh,
+                           const std::vector<FacePair>& crossings,
                            const PolygonGroups& groups = {});
 
 }  // namespace vug::mesh
