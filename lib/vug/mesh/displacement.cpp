@@ -28,24 +28,60 @@ std::vector<uint32_t> vertices_of(const Mesh& mesh, const std::vector<uint32_t>&
   return vertices;
 }
 
-/// For each of `vertices`, the mean displacement of the corners of the triangles around it.
-std::vector<Vec3f> smoothed(const std::vector<Vec3f>& before, const Mesh& after,
-                            const std::vector<uint32_t>& vertices) {
-  constexpr uint32_t kOther = UINT32_MAX;
-  std::vector<uint32_t> index(before.size(), kOther);
-  for (uint32_t i = 0; i < vertices.size(); ++i) index[vertices[i]] = i;
-  std::vector<Vec3f> sum(vertices.size(), Vec3f(0));
-  std::vector<float> count(vertices.size(), 0);
-  for (const Triangle& triangle : after.triangles)
-    for (const uint32_t v : triangle) {
-      if (index[v] == kOther) continue;
-      for (const uint32_t corner : triangle)
-        sum[index[v]] += after.positions[corner] - before[corner];
-      count[index[v]] += 3;
-    }
-  for (size_t i = 0; i < sum.size(); ++i) sum[i] /= count[i];
-  return sum;
+bool is_flipped(const std::vector<Vec3f>& before, const Mesh& after, uint32_t face) {
+  const Triangle& triangle = after.triangles[face];
+  return area_vector(before, triangle).dot(area_vector(after.positions, triangle)) < 0;
 }
+
+/// Whether the triangle faces against the surface around it.
+bool opposes_surface(const Mesh& mesh, const Fans& fans, uint32_t face) {
+  Vec3d around(0);
+  for (const uint32_t v : mesh.triangles[face])
+    around += vertex_pseudonormal(mesh, fans, v).normalized();
+  return area_vector(mesh.positions, mesh.triangles[face]).dot(around) <= 0;
+}
+
+/// The list without the faces that do not oppose the surface.
+std::vector<uint32_t> opposing(const std::vector<uint32_t>& faces, const Mesh& mesh,
+                               const Fans& fans) {
+  std::vector<uint32_t> list;
+  for (const uint32_t face : faces)
+    if (opposes_surface(mesh, fans, face)) list.push_back(face);
+  return list;
+}
+
+/// A mesh whose vertices moved from `before`, with its flipped triangles.
+class MovedMesh {
+ public:
+  MovedMesh(const std::vector<Vec3f>& before, Mesh& after)
+      : before_(before), after_(after), fans_(after), flipped_(flipped_triangles(before, after)) {}
+
+  const std::vector<uint32_t>& flipped() const { return flipped_; }
+  std::vector<uint32_t> folded() const { return opposing(flipped_, after_, fans_); }
+
+  /// The mean displacement of the corners of the triangles around the vertex.
+  Vec3f mean_displacement(uint32_t vertex) const {
+    Vec3f sum(0);
+    for (const uint32_t face : fans_.at(vertex))
+      for (const uint32_t corner : after_.triangles[face])
+        sum += after_.positions[corner] - before_[corner];
+    return sum / static_cast<float>(3 * fans_.at(vertex).size());
+  }
+
+  /// Finds the flipped triangles again after these vertices have moved.
+  void update(const std::vector<uint32_t>& vertices) {
+    for (const uint32_t v : vertices)
+      flipped_.insert(flipped_.end(), fans_.at(v).begin(), fans_.at(v).end());
+    sort_unique(flipped_);
+    std::erase_if(flipped_, [&](uint32_t face) { return !is_flipped(before_, after_, face); });
+  }
+
+ private:
+  const std::vector<Vec3f>& before_;
+  const Mesh& after_;
+  const Fans fans_;
+  std::vector<uint32_t> flipped_;  ///< Ascending.
+};
 
 }  // namespace
 
@@ -57,49 +93,41 @@ double max_displacement(const Mesh& before, const Mesh& after) {
 }
 
 std::vector<uint32_t> flipped_triangles(const std::vector<Vec3f>& before, const Mesh& after) {
-  std::vector<uint8_t> is_flipped(after.triangles.size());
-  const auto test = [&](size_t face) {
-    const Triangle& triangle = after.triangles[face];
-    is_flipped[face] =
-        area_vector(before, triangle).dot(area_vector(after.positions, triangle)) < 0;
-  };
-  parallel_for(is_flipped.size(), test, 4096);
+  std::vector<uint8_t> is(after.triangles.size());
+  parallel_for(
+      is.size(),
+      [&](size_t face) { is[face] = is_flipped(before, after, static_cast<uint32_t>(face)); },
+      4096);
   std::vector<uint32_t> flipped;
-  for (uint32_t face = 0; face < is_flipped.size(); ++face)
-    if (is_flipped[face]) flipped.push_back(face);
+  for (uint32_t face = 0; face < is.size(); ++face)
+    if (is[face]) flipped.push_back(face);
   return flipped;
 }
 
 std::vector<uint32_t> folded_triangles(const std::vector<Vec3f>& before, const Mesh& after) {
-  std::vector<uint32_t> folded = flipped_triangles(before, after);
-  if (folded.empty()) return folded;
-  const std::vector<Vec3f> normals = vertex_normals(after);
-  const auto faces_as_the_surface = [&](uint32_t face) {
-    const auto [a, b, c] = after.triangles[face];
-    const Vec3d around(normals[a] + normals[b] + normals[c]);
-    return area_vector(after.positions, after.triangles[face]).dot(around) > 0;
-  };
-  folded.erase(std::remove_if(folded.begin(), folded.end(), faces_as_the_surface), folded.end());
-  return folded;
+  const std::vector<uint32_t> flipped = flipped_triangles(before, after);
+  return flipped.empty() ? flipped : opposing(flipped, after, Fans(after));
 }
 
 size_t prevent_folds(const std::vector<Vec3f>& before, Mesh& after, bool along_normals) {
   constexpr int kSmoothings = 30, kHalvings = 5;
   const std::vector<Vec3f> full = after.positions;
   std::vector<uint8_t> halvings(full.size(), 0);
-  for (int round = 0;; ++round) {
+  MovedMesh moved(before, after);
+  for (int round = 0; !moved.flipped().empty(); ++round) {
     const bool smooths = round < kSmoothings, all = smooths && along_normals;
-    const std::vector<uint32_t> faces =
-        all ? flipped_triangles(before, after) : folded_triangles(before, after);
-    if (faces.empty()) break;
-    const std::vector<uint32_t> vertices = vertices_of(after, faces);
-    const std::vector<Vec3f> smooth = smoothed(before, after, vertices);
+    const std::vector<uint32_t> vertices =
+        vertices_of(after, all ? moved.flipped() : moved.folded());
+    if (vertices.empty()) break;
+    std::vector<Vec3f> smooth(vertices.size());
+    for (size_t i = 0; i < vertices.size(); ++i) smooth[i] = moved.mean_displacement(vertices[i]);
     for (size_t i = 0; i < vertices.size(); ++i) {
       const uint32_t v = vertices[i];
       if (!smooths && halvings[v] <= kHalvings) ++halvings[v];
       const float share = halvings[v] > kHalvings ? 0 : std::ldexp(1.0f, -halvings[v]);
       after.positions[v] = before[v] + smooth[i] * share;
     }
+    moved.update(vertices);
   }
   size_t changed = 0;
   for (size_t v = 0; v < full.size(); ++v) changed += full[v] != after.positions[v];

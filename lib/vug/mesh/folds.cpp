@@ -18,16 +18,6 @@ bool opposes(const Mesh& mesh, uint32_t face, const Normal& normal_at) {
                      [&](uint32_t v) { return normal.dot(normal_at(v).normalized()) < kCosine; });
 }
 
-Vec3d pseudonormal(const Mesh& mesh, const Fans& fans, uint32_t vertex) {
-  Vec3d sum(0);
-  for (const uint32_t face : fans.at(vertex)) {
-    const Triangle& t = mesh.triangles[face];
-    const int k = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
-    sum += double_area_vector(mesh, face).normalized() * corner_angle(corners(mesh, face), k);
-  }
-  return sum;
-}
-
 }  // namespace
 
 std::vector<uint32_t> folded_triangles(const Mesh& mesh) {
@@ -47,7 +37,7 @@ std::vector<uint32_t> folded_triangles(const Mesh& mesh) {
 }
 
 bool is_folded(const Mesh& mesh, const Fans& fans, uint32_t face) {
-  return opposes(mesh, face, [&](uint32_t v) { return pseudonormal(mesh, fans, v); });
+  return opposes(mesh, face, [&](uint32_t v) { return vertex_pseudonormal(mesh, fans, v); });
 }
 
 }  // namespace vug::mesh

@@ -27,6 +27,16 @@ std::vector<Vec3d> vertex_pseudonormals(const Mesh& mesh) {
   return sum;
 }
 
+Vec3d vertex_pseudonormal(const Mesh& mesh, const Fans& fans, uint32_t vertex) {
+  Vec3d sum(0);
+  for (const uint32_t face : fans.at(vertex)) {
+    const Triangle& t = mesh.triangles[face];
+    const int k = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
+    sum += double_area_vector(mesh, face).normalized() * corner_angle(corners(mesh, face), k);
+  }
+  return sum;
+}
+
 std::vector<Vec3f> vertex_normals(const Mesh& mesh) {
   const std::vector<Vec3d> sums = vertex_pseudonormals(mesh);
   std::vector<Vec3f> normals(sums.size());

@@ -2,7 +2,7 @@
 // Vertex normals from the adjacent triangles.
 #pragma once
 
-#include <vug/mesh/mesh.h>
+#include <vug/mesh/fans.h>
 
 namespace vug::mesh {
 
@@ -16,5 +16,7 @@ std::vector<Vec3f> vertex_normals(const Mesh& mesh);
 /// Angle-weighted sums of normals in double precision, without normalisation: the vertex
 /// pseudonormals of baerentzen2005.
 std::vector<Vec3d> vertex_pseudonormals(const Mesh& mesh);
+/// That of one vertex, with the same bits.
+Vec3d vertex_pseudonormal(const Mesh& mesh, const Fans& fans, uint32_t vertex);
 
 }  // namespace vug::mesh
