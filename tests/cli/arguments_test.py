@@ -56,7 +56,9 @@ class Arguments(VugTest):
         self.assertEqual(self.refused("", *render, "--view", "nope").count("filmic"), 1)
         self.assertIn("did you mean 'filmic'? known: ", self.refused("", *render, "--view", "filmc"))
 
-    def test_an_option_that_is_repeated(self):
+    def test_options_with_too_many_values_or_none(self):
+        error = self.refused("error: '--json' has no value\n", "diff", "--json")
+        self.assertIn("hint: write the value after the option", error)
         error = self.refused("error: '--size' is given several times\n", *RENDER, "--size", "4x4")
         self.assertIn("hint: it takes one value\n", error)
 

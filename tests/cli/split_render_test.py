@@ -68,6 +68,7 @@ class Farm(VugTest):
         for i in (1, 2, 3):
             shown = self.part(f"t{i}", "--tile", f"{i}/3", *args, "--progress").err
             self.assertNotIn("learning", shown)
+            self.assertNotIn("share it", shown)
         self.expect(0, "merge", "t1", "t2", "t3", "-o", "tiles.exr")
         self.expect_whole("tiles")
         self.expect(0, "render", "s.vug", "-o", "again.exr", *args)
@@ -79,6 +80,10 @@ class Farm(VugTest):
     def test_the_first_part_writes_what_it_learns(self):
         shown = self.part("t1", "--tile", "1/2", "--guiding", "new.vugguide", "--progress").err
         self.assertIn("learning", shown)
+        self.assertNotIn("share it", shown)
+        alone = self.part("alone", "--tile", "1/2").err
+        self.assertIn("this part learned the light of the whole picture for itself", alone)
+        self.assertIn("--guiding FILE share it", alone)
         self.part("t2", "--tile", "2/2", "--guiding", "new.vugguide", "--threads", "1")
         self.expect(0, "merge", "t1", "t2", "-o", "tiles.exr")
         self.expect_whole("tiles")

@@ -106,14 +106,17 @@ Error unexpected_argument_error(const CLI::App& app) {
                did_you_mean(name, option_names(*command), help));
 }
 
-/// Throws an Error for an option that takes one value and is given several times.
-void throw_if_repeated(const CLI::ParseError& error) {
+/// Throws an Error for an option that has too many values or too few of them.
+void require_value_counts(const CLI::ParseError& error) {
   const std::string text = error.what();
-  const size_t name = text.find(": At Most 1 required");
-  if (name != std::string::npos)
+  if (const size_t name = text.find(": At Most 1 required"); name != std::string::npos)
     throw Error(ErrorCode::bad_input,
                 fmt::format("'{}' is given several times", text.substr(0, name)), {},
                 "it takes one value");
+  const auto* mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error);
+  if (const size_t name = text.find(':'); mismatch && text.ends_with(" missing"))
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' has no value", text.substr(0, name)), {},
+                "write the value after the option");
 }
 
 /// The error for a command line whose verb is missing, or unknown and preceded by options.
@@ -165,7 +168,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const bool lacks = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
     if (lacks && app.get_subcommands().empty()) throw missing_verb_error(app);
-    throw_if_repeated(error);
+    require_value_counts(error);
     return app.exit(error) == 0 ? kDone : kUnusable;
   }
   load_plugins_in_path();

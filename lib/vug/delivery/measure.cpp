@@ -23,7 +23,8 @@ std::vector<metrics::SmallFeaturePlace> places_of(const std::vector<volume::Smal
 metrics::Report measure(building::Builder& builder, const std::string& name) {
   const shot::MeshPtr plan = shot::find_mesh(builder.shot(), name);
   const auto mesh = builder.mesh(plan);
-  metrics::Report report = metrics::measure(*mesh);
+  metrics::Report report =
+      metrics::measure(*mesh, {.overlapping_components = shot::components_may_overlap(plan)});
   report.small_features =
       places_of(builder.small_features(plan), plan->topology == shot::SmallTopology::clean);
   report.build_seconds = builder.seconds();

@@ -101,6 +101,12 @@ std::vector<FacePair> find_pairs(const std::vector<uint32_t>& faces, const Mesh&
   return all;
 }
 
+std::vector<uint32_t> all_faces(const Mesh& mesh) {
+  std::vector<uint32_t> faces(mesh.triangles.size());
+  std::iota(faces.begin(), faces.end(), 0U);
+  return faces;
+}
+
 }  // namespace
 
 std::vector<Box3d> triangle_boxes(const Mesh& mesh) {
@@ -111,10 +117,16 @@ std::vector<Box3d> triangle_boxes(const Mesh& mesh) {
 }
 
 std::vector<FacePair> self_intersections(const Mesh& mesh) {
-  std::vector<uint32_t> faces(mesh.triangles.size());
-  std::iota(faces.begin(), faces.end(), 0U);
-  return find_pairs(faces, mesh, BoxTree(triangle_boxes(mesh)), flat_fans(mesh),
+  return find_pairs(all_faces(mesh), mesh, BoxTree(triangle_boxes(mesh)), flat_fans(mesh),
                     [](uint32_t face, uint32_t other) { return face < other; });
+}
+
+std::vector<FacePair> self_intersections(const Mesh& mesh,
+                                         const std::vector<uint32_t>& component_of) {
+  return find_pairs(all_faces(mesh), mesh, BoxTree(triangle_boxes(mesh)), flat_fans(mesh),
+                    [&](uint32_t face, uint32_t other) {
+                      return face < other && component_of[face] == component_of[other];
+                    });
 }
 
 std::vector<FacePair> self_intersections_of(const std::vector<uint32_t>& faces, const Mesh& mesh,

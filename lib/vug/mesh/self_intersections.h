@@ -15,6 +15,9 @@ using FacePair = std::pair<uint32_t, uint32_t>;
 /// that is flat on its neighbour counts as an intersection. Exact (CGAL's predicates); triangles
 /// without area are ignored.
 std::vector<FacePair> self_intersections(const Mesh& mesh);
+/// As above, but only the pairs whose triangles have the same component (see face_components()).
+std::vector<FacePair> self_intersections(const Mesh& mesh,
+                                         const std::vector<uint32_t>& component_of);
 
 /// The boxes of the triangles.
 std::vector<Box3d> triangle_boxes(const Mesh& mesh);

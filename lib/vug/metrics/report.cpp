@@ -127,7 +127,10 @@ Report measure(const mesh::Mesh& mesh, const MeasureOptions& options) {
   std::vector<mesh::FacePair> invalid = invalid_alone(mesh);
   report.folded_triangles = invalid.size() - report.zero_area_triangles;
   if (options.self_intersections) {
-    const std::vector<mesh::FacePair> pairs = mesh::self_intersections(mesh);
+    const std::vector<mesh::FacePair> pairs =
+        options.overlapping_components
+            ? mesh::self_intersections(mesh, mesh::face_components(mesh, edges))
+            : mesh::self_intersections(mesh);
     report.self_intersections = pairs.size();
     invalid.insert(invalid.end(), pairs.begin(), pairs.end());
   }

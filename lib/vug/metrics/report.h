@@ -55,6 +55,9 @@ struct Report {
 
 struct MeasureOptions {
   bool self_intersections = true;  ///< Takes longer than all other measures together.
+  /// Whether components may penetrate each other, as stems do where they branch: then pairs of
+  /// triangles of different components do not count as self-intersections.
+  bool overlapping_components = false;
 };
 
 /// All values that the mesh alone provides. Bit-identical for any number of threads.

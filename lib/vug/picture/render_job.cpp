@@ -128,6 +128,9 @@ RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
   try {
     const render::PreparedRender prepared =
         prepare_region(job, header, state.region, options.guiding, builder.progress());
+    if (!options.part.empty() && options.guiding.empty() && prepared.learned->guiding)
+      builder.warn(where, "this part learned the light of the whole picture for itself",
+                   "parts that name the same --guiding FILE share it, and it is learned once");
     render::continue_render(prepared, state, callbacks, builder.progress());
   } catch (const Error& error) {
     if (error.code() != ErrorCode::cancelled || options.checkpoint.empty()) throw;

@@ -109,6 +109,13 @@ std::vector<std::string> element_names(const MeshPlan& plan) {
   return names;
 }
 
+bool components_may_overlap(const MeshPtr& mesh) {
+  for (const MeshPtr& part : parts_of(mesh))
+    for (MeshPtr each = part; each; each = mesh_without_cells(*each))
+      if (each->drawn) return true;
+  return false;
+}
+
 MeshPtr find_mesh(const Shot& shot, const std::string& name) {
   std::vector<MeshPtr> meshes = shown_meshes(shot);
   for (const MeshPtr& mesh : shot.meshes)

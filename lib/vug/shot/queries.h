@@ -32,6 +32,9 @@ std::vector<std::string> light_groups(const Shot& shot);
 /// mesh below its cells.
 std::vector<std::string> element_names(const MeshPlan& plan);
 
+/// Whether components of the mesh may penetrate each other: stems do where they branch, and leaves.
+bool components_may_overlap(const MeshPtr& mesh);
+
 /// The mesh of that name among shown_meshes and the meshes below cells; the first one for an empty
 /// name. Error(bad_input) with the nearest name if there is no such mesh.
 MeshPtr find_mesh(const Shot& shot, const std::string& name);

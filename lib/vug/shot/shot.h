@@ -78,6 +78,7 @@ struct MeshPlan {
   std::string name;
   VolumePtr volume;         ///< Null for a combined mesh and for a mesh from a file.
   mesh::MeshPtr file_mesh;  ///< The mesh of the file, in metres and with normals.
+  bool drawn = false;       ///< `file_mesh` consists of stems, polygons or leaves, not of a file.
   double adaptivity = 0;    ///< 0 keeps every quad, 1 merges flat regions.
   bool polish = true;       ///< Move vertices onto the exact field.
   SmallTopology topology = SmallTopology::clean;

@@ -23,6 +23,20 @@ TEST(SelfIntersections, AreFoundInATubeThatIsTooThickForItsRing) {
   EXPECT_FALSE(self_intersections(torus_mesh(1, 1.3, 60, 30)).empty());
 }
 
+TEST(SelfIntersections, WithinComponentsLeaveOutThoseThatPenetrateEachOther) {
+  Mesh mesh = torus_mesh(1, 1.3, 60, 30);
+  const std::vector<FacePair> own = self_intersections(mesh);
+  const auto first = static_cast<uint32_t>(mesh.positions.size());
+  std::vector<uint32_t> component_of(mesh.triangles.size(), 0);
+  const Mesh ball = sphere_mesh(Vec3d(1, 0, 0), 1, 3);
+  mesh.positions.insert(mesh.positions.end(), ball.positions.begin(), ball.positions.end());
+  for (const Triangle& t : ball.triangles)
+    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  component_of.resize(mesh.triangles.size(), 1);
+  EXPECT_GT(self_intersections(mesh).size(), own.size());
+  EXPECT_EQ(self_intersections(mesh, component_of), own);
+}
+
 TEST(SelfIntersections, FindPairsBySharedCorners) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0},         {1, 0, 0}, {0, 1, 0}, {0.25F, 0.25F, -1},

@@ -210,6 +210,7 @@ const DeclarationKind& mesh_declaration() {
         if (!read_elements(*block, declaration, context, plan)) return Value();
         if (!check_labels(plan, declaration, context)) return Value();
         if (is_given) plan.file_mesh = read_source(*block, declaration, context);
+        plan.drawn = declaration.find_entry("of") != nullptr;
         if (!plan.volume && !plan.file_mesh) return Value();
         const shot::MeshPtr made = std::make_shared<const shot::MeshPlan>(std::move(plan));
         context.shot.meshes.push_back(made);
