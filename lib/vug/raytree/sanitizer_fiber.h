@@ -16,6 +16,9 @@
 #if defined(__SANITIZE_THREAD__) || VUG_HAS_FEATURE(thread_sanitizer)
 #define VUG_HAS_TSAN 1
 #include <sanitizer/tsan_interface.h>
+
+#include <mutex>
+#include <vector>
 #endif
 #undef VUG_HAS_FEATURE
 
@@ -38,12 +41,12 @@ class SanitizerFiber {
     lowest_ = lowest, bytes_ = bytes;
 #endif
 #if VUG_HAS_TSAN
-    fiber_ = __tsan_create_fiber(0);
+    fiber_ = Pool::get().take();
 #endif
   }
   void destroy() {
 #if VUG_HAS_TSAN
-    __tsan_destroy_fiber(fiber_);
+    Pool::get().give_back(fiber_);
 #endif
   }
 
@@ -73,6 +76,30 @@ class SanitizerFiber {
   void* fake_stack_ = nullptr;  ///< Holds locals for the detection of use after return.
 #endif
 #if VUG_HAS_TSAN
+  /// Finished fibers for the next stacks: each takes megabytes to create, and a picture has
+  /// thousands.
+  class Pool {
+   public:
+    static Pool& get() {
+      static Pool pool;
+      return pool;
+    }
+    void* take() {
+      const std::lock_guard lock(mutex_);
+      if (free_.empty()) return __tsan_create_fiber(0);
+      void* fiber = free_.back();
+      free_.pop_back();
+      return fiber;
+    }
+    void give_back(void* fiber) {
+      const std::lock_guard lock(mutex_);
+      free_.push_back(fiber);
+    }
+
+   private:
+    std::mutex mutex_;
+    std::vector<void*> free_;
+  };
   void* fiber_ = nullptr;
 #endif
 };
