@@ -64,7 +64,9 @@ lsystem::Drawing LSystemPlan::draw() const {
 }
 
 lsystem::DrawingPtr LSystemPlan::drawing() const {
-  std::call_once(once_, [&] { drawing_ = std::make_shared<const lsystem::Drawing>(draw()); });
+  // Not std::call_once, because ThreadSanitizer does not expect exceptions from it.
+  const std::lock_guard lock(computing_);
+  if (!drawing_) drawing_ = std::make_shared<const lsystem::Drawing>(draw());
   return drawing_;
 }
 

@@ -47,7 +47,7 @@ class LSystemPlan {
   std::optional<uint64_t> memory() const;
 
   uint64_t max_memory_;
-  mutable std::once_flag once_;
+  mutable std::mutex computing_;
   mutable lsystem::DrawingPtr drawing_;
 };
 
