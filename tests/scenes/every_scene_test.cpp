@@ -87,8 +87,8 @@ void expect_sound(building::Builder& builder, const shot::MeshPtr& plan, double 
   EXPECT_LT(rms_distance(*builder.mesh(under), *under->volume), residual);
 }
 
-/// Measures a mesh, which must be valid. Stems may penetrate each other where they branch, and lines
-/// of curves that touch themselves intersect as often as known.
+/// Measures a mesh, which must be valid. Stems may penetrate each other where they branch, and
+/// lines of curves that touch themselves intersect as often as known.
 metrics::Report measured(const mesh::Mesh& mesh, const shot::MeshPtr& plan, const json& known) {
   const metrics::Report report =
       metrics::measure(mesh, {.overlapping_components = shot::components_may_overlap(plan)});
