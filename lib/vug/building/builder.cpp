@@ -118,7 +118,7 @@ volume::LevelSet Builder::make_level_set(const shot::VolumePlan& plan) {
   const Stopwatch watch(seconds_);
   const Progress::Product product(progress_, plan.name);
   if (!mesh) {
-    field::compute_deferred(plan.field, progress_);
+    field::compute_deferred(plan.field, progress_, memory_budget());
     return volume::voxelize(plan.field, voxelize_options(plan, memory_budget()), progress_);
   }
   volume::FromMeshOptions options;

@@ -29,14 +29,14 @@ void Builder::compute_deferred(const shot::Shot& part) {
     const shot::VolumePtr& plan = object.mesh->volume;
     if (!plan) continue;
     const Progress::Product product(progress_, plan->name);
-    field::compute_deferred(plan->field, progress_);
+    field::compute_deferred(plan->field, progress_, memory_budget());
   }
 }
 
 const volume::VoxelizeEstimate& Builder::estimate(const shot::VolumePtr& plan) const {
   if (const auto known = estimates_.find(plan); known != estimates_.end()) return known->second;
   const Progress::Product product(progress_, plan->name);
-  field::compute_deferred(plan->field, progress_);
+  field::compute_deferred(plan->field, progress_, memory_budget());
   const auto made = run_stage(progress_, "estimating the memory", [&] {
     return volume::estimate(plan->field, voxelize_options(*plan, memory_budget()));
   });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/memory.h>
 #include <vug/field/deferred.h>
 
 #include <tbb/task_arena.h>
@@ -16,8 +17,10 @@ namespace {
 
 class DeferredNode final : public Node {
  public:
-  DeferredNode(Traits traits, std::string work, std::function<Field()> make)
-      : Node(std::move(traits)), work_(std::move(work)), make_(std::move(make)) {}
+  DeferredNode(Traits traits, std::string work, std::function<Field()> make, double bytes)
+      : Node(std::move(traits)), work_(std::move(work)), make_(std::move(make)), bytes_(bytes) {}
+
+  double bytes() const { return bytes_; }
 
   const std::string& work() const { return work_; }
   bool is_computed() const { return ready_; }
@@ -66,6 +69,7 @@ class DeferredNode final : public Node {
 
   std::string work_;
   std::function<Field()> make_;
+  double bytes_;
   mutable std::mutex computing_;
   mutable std::atomic<bool> ready_ = false;
   mutable Field field_;
@@ -73,11 +77,12 @@ class DeferredNode final : public Node {
 
 }  // namespace
 
-Field deferred(Traits traits, std::string work, std::function<Field()> make) {
-  return Field(std::make_shared<DeferredNode>(std::move(traits), std::move(work), std::move(make)));
+Field deferred(Traits traits, std::string work, std::function<Field()> make, double bytes) {
+  return Field(
+      std::make_shared<DeferredNode>(std::move(traits), std::move(work), std::move(make), bytes));
 }
 
-void compute_deferred(const Field& whole, Progress& progress) {
+void compute_deferred(const Field& whole, Progress& progress, uint64_t memory) {
   std::vector<NodePtr> pending{whole.node()};
   std::unordered_set<const Node*> seen;
   while (!pending.empty()) {
@@ -85,8 +90,11 @@ void compute_deferred(const Field& whole, Progress& progress) {
     pending.pop_back();
     if (!seen.insert(node.get()).second) continue;
     const auto* deferred = dynamic_cast<const DeferredNode*>(node.get());
-    if (deferred && !deferred->is_computed())
+    if (deferred && !deferred->is_computed()) {
+      require_memory(deferred->bytes(), memory, deferred->work(),
+                     "use a larger spacing, a smaller box");
       run_stage(progress, deferred->work(), [&] { deferred->compute(); });
+    }
     for (NodePtr& child : node->children()) pending.push_back(std::move(child));
   }
 }

@@ -73,6 +73,20 @@ TEST(Deferred, IsComputedAsAStageAndOnlyOnce) {
   EXPECT_EQ(stages, std::vector<std::string>{"digging"});
 }
 
+TEST(Deferred, IsRefusedIfItNeedsTooMuchMemory) {
+  const Field ball = make("sphere", {{"radius", 2.0}});
+  int calls = 0;
+  const auto make_ball = [&] {
+    ++calls;
+    return ball;
+  };
+  const Field field = deferred(ball.node()->traits(), "digging", make_ball, 1000);
+  EXPECT_THROW(compute_deferred(field, Progress::none(), 999), Error);
+  EXPECT_EQ(calls, 0);
+  compute_deferred(field, Progress::none(), 1000);
+  EXPECT_EQ(calls, 1);
+}
+
 TEST(Deferred, AnErrorIsRepeated) {
   const Field field =
       deferred({}, "digging", []() -> Field { throw Error(ErrorCode::bad_input, "no"); });
