@@ -12,7 +12,7 @@ from vug import PROGRAM, Running, VugTest
 # Drips, cells with surroundings, and a picture: each of these used to work in silence.
 CAVE = """
 let hall = displace(shell(sphere(2m), thickness: 40cm), noise: fbm(scale: 0.5, octaves: 5), amount: 20cm)
-let dripping = dripstone(hall, from: (-2, -2, -2), to: (2, 2, 2), spacing: 12cm, length: 40cm)
+let dripping = dripstone(hall, from: (-2, -2, -2), to: (2, 2, 2), spacing: 12cm, age: 2000, tip: 1cm)
 volume rock = level_set(dripping, voxel: 2.5cm)
 mesh wall on rock {}
 cells skin on wall { spacing 6cm  relax 4  steps 20  run run_off(steps: 20) }

@@ -235,8 +235,8 @@ TEST(Placement, MeshesOfFilesAreSolids) {
 TEST(Placement, SpeleothemsAreComputedOnlyIfTheyMatter) {
   const std::string drips =
       kRoom.substr(0, kRoom.find("volume")) +
-      "field grown = dripstone(block, from: (-2, 0, -2), to: (2, 4, 2), spacing: 40cm, length: "
-      "3m)\n"
+      "field grown = dripstone(block, from: (-2, 0, -2), to: (2, 4, 2), spacing: 40cm, age: "
+      "14000)\n"
       "volume rock = level_set(grown, voxel: 10cm)\nmesh wall on rock {}\nobject walls on wall {}\n"
       "camera main { eye (0, 2, 0)  target (1, 1, -5) }\n";
   const Loaded loaded = load_text(drips, "t.vug");

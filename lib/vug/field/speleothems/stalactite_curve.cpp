@@ -37,6 +37,12 @@ double StalactiteCurve::slope_at(double r) const {
 }
 double StalactiteCurve::height_at(double r) const { return height(slope_at(r)); }
 
+/// The height grows with the slope, and exceeds scale * 3/4 slope^4 less 1.3 scales.
+double StalactiteCurve::radius_at(double h) const {
+  const double high = maths::pow((h / scale_ + 2) / 0.75, 0.25) + 1;
+  return radius(bisected(kLeastSlope, high, h, [this](double s) { return height(s); }));
+}
+
 /// A smaller scale makes a longer curve between the same radii.
 StalactiteCurve StalactiteCurve::fit(double root, double length, double tip) {
   const auto length_of = [&](double scale) {

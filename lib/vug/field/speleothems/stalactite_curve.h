@@ -29,6 +29,8 @@ class StalactiteCurve {
   double slope_at(double radius) const;
   /// Height above the end at a radius of at least least_radius().
   double height_at(double radius) const;
+  /// The radius at a height above the end.
+  double radius_at(double height) const;
   /// Points from the radius `tip` to the radius `root`, x the radius and y the height above the
   /// first point, in geometric steps of the slope. Radii below least_radius() become that.
   std::vector<Vec2d> points(double tip, double root, int count) const;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The graph of the water that drips into a cave, from the rock and its joints.
+#pragma once
+
+#include <vug/drips/film_path.h>
+#include <vug/drips/graph.h>
+#include <vug/drips/seeps.h>
+
+namespace vug::drips {
+
+struct GraphOptions : SeepOptions {
+  double temperature = 10;  ///< Degrees Celsius of the cave, 0 to 30.
+  double mixing = 0.5;      ///< See seep_calcium.
+  double girth = 0.05;      ///< Radius in metres of a stalactite that is a metre long.
+  double straws = 0.2;      ///< The share of the drips at which straws hang.
+  FilmOptions film{};       ///< Its temperature and region are replaced.
+  /// Whether films are followed down walls, over floors and through pools; without, the graph ends
+  /// where drops land and where roofs become walls.
+  bool run_out = true;
+  uint64_t memory = uint64_t(8) << 30;  ///< Bytes that the graph may use.
+};
+
+/// The memory in bytes that the graph needs at most.
+double graph_memory(const SeepOptions& options);
+
+/// Finds seeps, films, drops, landings and pools. Air is where the rock is positive. The result is
+/// the same for any number of threads. Throws Error(bad_input) as find_seeps, and Error(too_large)
+/// if the graph needs more memory than allowed.
+Graph build_graph(const field::Field& rock, const GraphOptions& options);
+
+}  // namespace vug::drips

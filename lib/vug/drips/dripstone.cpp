@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/drips/chemistry.h>
+#include <vug/drips/dripstone.h>
+#include <vug/drips/growth.h>
+
+#include <algorithm>
+
+namespace vug::drips {
+namespace {
+
+/// Radii of the thickest stalagmites with the scatter of drops and their coat, in metres.
+constexpr double kThickestForm = 0.46;
+/// Outlines exceed their radii by girdles, and roots continue by twice the radius and a tip.
+constexpr double kWiden = 1.25, kDeepen = 2.1;
+
+}  // namespace
+
+Box3d dripstone_bounds(const Box3d& rock, const GraphOptions& graph, const FormOptions& forms) {
+  const double fastest =
+      growth_rate(seep_calcium(graph.temperature, graph.mixing), graph.temperature, 1);
+  const double tallest = std::min(fastest * graph.oldest, graph.to.y - graph.from.y);
+  const double radius = std::max({root_radius(common_curve(graph.girth), tallest, forms.tip),
+                                  1.2 * forms.tip, kThickestForm}) *
+                        kWiden;
+  const double lean = 0.09 * tallest;
+  return grown(intersection(rock, Box3d(graph.from, graph.to)),
+               graph.film.roof_step + radius * (1 + 2 * kDeepen) + forms.tip + lean);
+}
+
+}  // namespace vug::drips

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points on the surface of rock: along vertical lines, and near other points.
+#pragma once
+
+#include <vug/field/field.h>
+
+#include <optional>
+
+namespace vug::drips {
+
+/// The unit normal into the air, (0, 0, 0) where the gradient vanishes.
+Vec3d normal_at(const field::Field& rock, const Vec3d& p);
+
+/// The point of the surface that Newton's method finds from `p`; nothing if it is farther than
+/// `reach` metres or if it does not converge.
+std::optional<Vec3d> onto_surface(const field::Field& rock, const Vec3d& p, double reach);
+
+/// The vertical line through a point. Heights are sampled at fixed steps; samples whose sign
+/// follows from the Lipschitz constant and an earlier value are not evaluated.
+class VerticalLine {
+ public:
+  /// The rock must outlive the line.
+  VerticalLine(const field::Field& rock, const Vec3d& at, double step)
+      : rock_(rock), at_(at), step_(step) {}
+
+  /// The height of the first change between rock and air on the way from one height to another,
+  /// up or down.
+  std::optional<double> crossing(double from, double to) const;
+  bool solid(double y) const { return value(rock_, y) <= 0; }
+
+ private:
+  double value(const field::Field& rock, double y) const { return rock.value({at_.x, y, at_.z}); }
+  double clearance(double value) const;
+  double refined(double near, double far, bool inside) const;
+
+  const field::Field& rock_;
+  Vec3d at_;
+  double step_;
+};
+
+}  // namespace vug::drips

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/shot/drip_params.h>
+
+namespace vug::shot {
+
+drips::GraphOptions DripParams::graph() const {
+  drips::GraphOptions o;
+  o.from = from;
+  o.to = to;
+  o.spacing = spacing;
+  o.density = density;
+  o.where = where;
+  if (!joints.empty()) {
+    karst::Geology geology;
+    geology.bounds = Box3d(from, to);
+    for (const GeologyFeaturePtr& feature : joints) (*feature)(geology);
+    karst::require_valid(geology);
+    o.planes = drips::Planes(std::move(geology), static_cast<uint64_t>(joint_seed));
+  }
+  o.interval = interval;
+  o.oldest = age;
+  o.temperature = temperature;
+  o.girth = girth;
+  o.straws = straws;
+  o.seed = static_cast<uint64_t>(seed);
+  return o;
+}
+
+std::string DripParams::fault() const {
+  const Vec3d size = to - from;
+  if (!(size.x > 0 && size.y > 0 && size.z > 0))
+    return "'from' must be less than 'to' in x, y and z";
+  if (!(size.x / spacing * (size.z / spacing) <= drips::kMostColumns))
+    return "the spacing is too small for a box of this size: there would be millions of drips";
+  return "";
+}
+
+}  // namespace vug::shot

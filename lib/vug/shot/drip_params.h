@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parameters of all kinds that are made from the drips of a rock.
+#pragma once
+
+#include <vug/drips/build_graph.h>
+#include <vug/field/kind.h>
+#include <vug/shot/geology.h>
+
+#include <vector>
+
+namespace vug::shot {
+
+struct DripParams {
+  field::Field field;
+  Vec3d from{-5, -5, -5}, to{5, 5, 5};
+  double spacing = drips::SeepOptions().spacing;
+  double density = drips::SeepOptions().density;
+  std::optional<field::Noise> where;
+  std::vector<GeologyFeaturePtr> joints;
+  int joint_seed = 1;
+  double interval = drips::SeepOptions().interval;
+  double age = drips::SeepOptions().oldest;
+  double temperature = drips::GraphOptions().temperature;
+  double girth = drips::GraphOptions().girth;
+  double straws = drips::GraphOptions().straws;
+  int seed = 1;
+
+  drips::GraphOptions graph() const;
+  std::string fault() const;
+};
+
+template <class P>
+void describe_drips(Schema<P>& s) {
+  s.param("field", &DripParams::field, {.doc = "the rock", .required = true})
+      .param("from", &DripParams::from, any_length("a corner of the box in which water drips"))
+      .param("to", &DripParams::to, any_length("the opposite corner"))
+      .param("spacing", &DripParams::spacing,
+             positive_length("mean distance between the places at which water may drip"))
+      .param("density", &DripParams::density,
+             {.doc = "share of these places at which it does",
+              .dimension = Dimension::ratio,
+              .min = 0,
+              .max = 1})
+      .param("where", &DripParams::where,
+             {.doc = "a noise as mask of the density: 0 at -1, twice at 1"})
+      .param("joints", &DripParams::joints,
+             {.doc = "fractures, faults and beds, out of which most of the water comes"})
+      .param("joint_seed", &DripParams::joint_seed,
+             {.doc = "places of the joints; the seed of the network `karst` for the same joints",
+              .min = 0})
+      .param("interval", &DripParams::interval,
+             {.doc = "median time between two drops in seconds; stalagmites under fast drips are "
+                     "thick",
+              .min = 0.5,
+              .max = 1e6})
+      .param("age", &DripParams::age,
+             {.doc = "age of the oldest drips in years; most have a sixth of it",
+              .min = 1,
+              .max = 1e7})
+      .param("temperature", &DripParams::temperature,
+             {.doc = "temperature of the cave in degrees Celsius; in warm caves stone grows faster",
+              .min = 0,
+              .max = 30})
+      .param("girth", &DripParams::girth,
+             {.doc = "radius at the root of a stalactite that is one metre long",
+              .dimension = Dimension::length,
+              .min = 0.005,
+              .max = 0.5})
+      .param("straws", &DripParams::straws,
+             {.doc = "share of the drips with a straw in place of a stalactite",
+              .dimension = Dimension::ratio,
+              .min = 0,
+              .max = 1})
+      .param("seed", &DripParams::seed, {.doc = "random seed; each seed gives different drips"});
+}
+
+}  // namespace vug::shot
