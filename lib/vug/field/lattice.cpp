@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/lattice.h>
-#include <vug/field/lattice_lanes.h>
+#include <vug/field/lattice_hash.h>
 
 namespace vug::field {
 namespace {
 
-// Odd multipliers: one per axis, then two rounds of multiply and shift (murmur3's finaliser).
-constexpr uint32_t kAxis[3] = {0x8da6b343, 0xd8163841, 0xcb1ab31f};
+constexpr auto& kAxis = kLatticeAxis;
 
 template <class S>
 using Int = typename Lanes<S>::Int;
 
 template <class S>
 Int<S> finish(Int<S> h) {
-  using L = Lanes<S>;
-  h = L::multiply(L::bit_xor(h, L::shift_right(h, 16)), 0x85ebca6b);
-  h = L::multiply(L::bit_xor(h, L::shift_right(h, 13)), 0xc2b2ae35);
-  return L::bit_xor(h, L::shift_right(h, 16));
+  return finish_hash<S>(h);
 }
 
 // The four diagonals of a cube, and the same rotated by 45 degrees about z; with both signs they

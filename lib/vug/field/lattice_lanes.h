@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integer lanes for the number types, used by the hashes of lattice.cpp.
+// Integer lanes for the number types, used by the hashes of lattice_hash.h.
 #pragma once
 
 #include <vug/field/numbers/pack.h>
