@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hollows in the roofs of caves: the search for their places, and the parameters that all share.
+#pragma once
+
+#include <vug/field/kind.h>
+#include <vug/field/noise.h>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace vug::field {
+
+struct RoofHollows {
+  Field field;
+  Vec3d from{-5, -5, -5}, to{5, 5, 5};  ///< Box in which roofs are searched, in metres.
+  double spacing = 1.5;                 ///< Mean distance between possible places, in metres.
+  std::optional<Noise> where;           ///< Mask: no hollows at -1, all at 1.
+  int seed = 1;
+
+  std::string fault() const;
+};
+
+template <class P>
+void describe_roof_hollows(Schema<P>& s) {
+  s.param("field", &RoofHollows::field, {.doc = "the rock", .required = true})
+      .param("from", &RoofHollows::from,
+             any_length("a corner of the box in which roofs are hollowed"))
+      .param("to", &RoofHollows::to, any_length("the opposite corner"))
+      .param("spacing", &RoofHollows::spacing,
+             positive_length("mean distance between possible places"))
+      .param("where", &RoofHollows::where,
+             {.doc = "a noise as density mask: all places at 1, none at -1"})
+      .param("seed", &RoofHollows::seed, {.doc = "random seed; each seed gives different places"});
+}
+
+/// A place of a roof, its height above the floor, and random numbers in [0, 1).
+struct Roof {
+  Vec3d at;
+  double clearance;
+  double random[3];
+};
+
+/// One place in each cell of a square lattice in plan where a mask lets it, at each of the roofs
+/// that a vertical line there crosses; in lattice order. Air is where the rock is positive.
+std::vector<Roof> find_roofs(const RoofHollows& hollows);
+
+/// The rock less a hollow at each roof: `hollow` returns its air, no wider than `reach` from the
+/// place. Hollows that meet leave sharp cusps. They are computed when first needed.
+Field hollowed(const RoofHollows& hollows, double reach, std::function<Field(const Roof&)> hollow);
+
+}  // namespace vug::field
