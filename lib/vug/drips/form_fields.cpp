@@ -179,12 +179,12 @@ std::vector<Vec2d> outline_of(const Form& form, const FormOptions& o,
 
 field::Field form_field(const Form& form, const FormOptions& o,
                         const field::StalactiteCurve& curve) {
-  constexpr const char* kNames[] = {"soda_straw", "stalactite", "stalagmite", "column"};
+  constexpr const char* kKinds[] = {"soda_straw", "stalactite", "stalagmite", "column"};
   const Vec3d axis = (form.top - form.bottom).normalized();
   const Transform placed =
       Transform::translation(form.bottom) * rotation_between(Vec3d(0, 1, 0), axis);
   return field::transformed(
-      field::lathe(kNames[static_cast<int>(form.kind)], outline_of(form, o, curve)), placed);
+      field::lathe(kKinds[static_cast<int>(form.kind)], outline_of(form, o, curve)), placed);
 }
 
 field::Field forms_field(const std::vector<Form>& forms, const FormOptions& o) {
