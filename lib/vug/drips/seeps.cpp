@@ -40,12 +40,11 @@ class Search {
   uint64_t columns() const { return wide_ * deep_; }
 
   std::vector<Seep> in_column(uint64_t column) const {
-    RandomStream random(key_.at(column % wide_).at(column / wide_));
+    const uint64_t i = column % wide_, k = column / wide_;
+    RandomStream random(key_.at(i).at(k));
     // One random number per statement: the order in which arguments are evaluated is unspecified.
-    const double z =
-        o_.from.z + o_.spacing * (static_cast<double>(column / wide_) + random.uniform());
-    const double x =
-        o_.from.x + o_.spacing * (static_cast<double>(column % wide_) + random.uniform());
+    const double z = o_.from.z + o_.spacing * (static_cast<double>(k) + random.uniform());
+    const double x = o_.from.x + o_.spacing * (static_cast<double>(i) + random.uniform());
     std::vector<Seep> seeps;
     if (x > o_.to.x || z > o_.to.z) return seeps;
     const double clustered = cluster(x, z);

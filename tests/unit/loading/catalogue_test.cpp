@@ -32,7 +32,7 @@ Dimension dimension_of(const Value& value) {
 }
 
 bool is_zero(const Value& value) {
-  if (const List* list = value.get<List>()) return list->empty();
+  if (const List* list = value.get<List>()) return std::all_of(list->begin(), list->end(), is_zero);
   if (const Number* n = value.get<Number>()) return n->value == 0;
   if (const auto* v = value.get<Value::Vector>()) return v->value == Vec3d(0);
   return false;
