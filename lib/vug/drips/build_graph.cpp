@@ -156,7 +156,7 @@ class Builder {
     std::vector<int> landings;
     for (size_t i = 0; i < drops.size(); ++i) {
       if (!landed[i]) {
-        node(drops[i]).kind = NodeKind::sink;  // There is no floor below it in the box.
+        node(drops[i]).kind = NodeKind::sink;  // The box contains no floor below it.
         continue;
       }
       landings.push_back(static_cast<int>(graph_.nodes.size()));

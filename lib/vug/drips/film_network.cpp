@@ -66,6 +66,13 @@ double length_of(const std::vector<Vec3d>& path) {
 
 }  // namespace
 
+Water after_film(Water water, const std::vector<Vec3d>& path, double width) {
+  if (water.discharge > 0)
+    water.calcium =
+        calcium_after(water.calcium, water.temperature, width * length_of(path), water.discharge);
+  return water;
+}
+
 Water mixed(const Water& a, const Water& b) {
   Water out = a.discharge > 0 ? a : b;
   out.discharge = a.discharge + b.discharge;
@@ -119,10 +126,7 @@ std::vector<int> add_films(Graph& graph, FilmNetwork network) {
       edge.path.assign(path.begin() + static_cast<std::ptrdiff_t>(from->first),
                        path.begin() + static_cast<std::ptrdiff_t>(to->first) + 1);
       edge.water = graph.nodes[static_cast<size_t>(from->second)].water;
-      Water arrived = edge.water;
-      if (arrived.discharge > 0)
-        arrived.calcium = calcium_after(arrived.calcium, arrived.temperature,
-                                        network.width * length_of(edge.path), arrived.discharge);
+      const Water arrived = after_film(edge.water, edge.path, network.width);
       Water& there = graph.nodes[static_cast<size_t>(to->second)].water;
       there = mixed(there, arrived);
       graph.edges.push_back(std::move(edge));

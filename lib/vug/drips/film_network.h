@@ -22,6 +22,9 @@ struct FilmNetwork {
 /// that run into another.
 std::vector<int> add_films(Graph& graph, FilmNetwork network);
 
+/// The water that arrives at the end of a film of this width in metres.
+Water after_film(Water water, const std::vector<Vec3d>& path, double width);
+
 /// The water of two inflows together.
 Water mixed(const Water& a, const Water& b);
 

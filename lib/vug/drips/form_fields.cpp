@@ -64,6 +64,10 @@ void add_cap(double rim, double slope, std::vector<Vec2d>& out) {
   }
 }
 
+double tip_radius(const FormOptions& o, const field::StalactiteCurve& curve) {
+  return std::max({o.tip, 0.5 * straw_diameter(10), curve.least_radius()});
+}
+
 /// From the tip up; the tip is at y = 0.
 std::vector<Vec2d> hanging(const Form& form, const FormOptions& o,
                            const field::StalactiteCurve& curve, const Waves& waves) {
@@ -75,7 +79,7 @@ std::vector<Vec2d> hanging(const Form& form, const FormOptions& o,
             {form.radius, 0.5 * form.radius},
             {form.radius, top},
             {0, top}};
-  const double tip = std::max({o.tip, 0.5 * straw_diameter(10), curve.least_radius()});
+  const double tip = tip_radius(o, curve);
   const std::vector<Vec2d> side = curve.points(tip, form.radius, kHangingPoints);
   const double cut = form.broken * length;
   if (cut <= 0) add_cap(side.front().x, curve.slope_at(side.front().x), out);
@@ -123,11 +127,11 @@ double radius_at(const std::vector<Vec2d>& outline, double y) {
 /// From the apex down, so that the heights of girdles do not depend on later growth.
 std::vector<Vec2d> standing(const Form& form, const Waves& waves) {
   const double height = form.top.y - form.bottom.y;
-  std::vector<Vec2d> curve = trunk(form, height, kStandingPoints), out;
+  const std::vector<Vec2d> exact = trunk(form, height, kStandingPoints);
+  std::vector<Vec2d> curve = exact, out;
   // The curve has few points far below the apex; girdles need more.
   const int pieces = std::clamp(static_cast<int>(height / (0.25 * kGirdleHeight)), 0, 60);
   for (int i = 1; i < pieces; ++i) curve.emplace_back(-1, height * i / pieces);
-  std::vector<Vec2d> exact = trunk(form, height, kStandingPoints);
   std::stable_sort(curve.begin(), curve.end(),
                    [](const Vec2d& a, const Vec2d& b) { return a.y > b.y; });
   for (Vec2d p : curve) {
@@ -147,7 +151,7 @@ std::vector<Vec2d> column(const Form& form, const FormOptions& o,
                           const field::StalactiteCurve& curve, const Waves& waves) {
   const double height = (form.top - form.bottom).length();
   const std::vector<Vec2d> lower = trunk(form, form.waist * height, kStandingPoints);
-  const double tip = std::max({o.tip, 0.5 * straw_diameter(10), curve.least_radius()});
+  const double tip = tip_radius(o, curve);
   const double end = curve.height_at(tip),
                least = std::max(tip, kLeastStraws * 0.5 * straw_diameter(10));
   std::vector<Vec2d> out;

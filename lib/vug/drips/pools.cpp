@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
 #include <vug/drips/basin.h>
-#include <vug/drips/chemistry.h>
 #include <vug/drips/film_network.h>
 #include <vug/drips/pools.h>
 
@@ -96,14 +95,7 @@ class Pools {
     Edge edge{EdgeKind::overflow, from.node, node, {at(from.node)}, {}};
     edge.path.insert(edge.path.end(), film.path.begin(), film.path.end());
     edge.water = graph_.nodes[static_cast<size_t>(from.node)].water;
-    Water arrived = edge.water;
-    if (arrived.discharge > 0) {
-      double length = 0;
-      for (size_t i = 1; i < film.path.size(); ++i)
-        length += (film.path[i] - film.path[i - 1]).length();
-      arrived.calcium = calcium_after(arrived.calcium, arrived.temperature, kOverflowWidth * length,
-                                      arrived.discharge);
-    }
+    const Water arrived = after_film(edge.water, film.path, kOverflowWidth);
     Node& there = graph_.nodes[static_cast<size_t>(node)];
     there.water = mixed(there.water, arrived);
     graph_.edges.push_back(std::move(edge));

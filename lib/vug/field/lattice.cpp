@@ -5,15 +5,8 @@
 namespace vug::field {
 namespace {
 
-constexpr auto& kAxis = kLatticeAxis;
-
 template <class S>
 using Int = typename Lanes<S>::Int;
-
-template <class S>
-Int<S> finish(Int<S> h) {
-  return finish_hash<S>(h);
-}
 
 // The four diagonals of a cube, and the same rotated by 45 degrees about z; with both signs they
 // are 16 unit vectors g with sum g g^T = 16/3 I.
@@ -45,7 +38,7 @@ struct Corner {
 template <class S>
 Corner<S> corner(const Int<S>& hash, const S& x, const S& y, const S& z) {
   using L = Lanes<S>;
-  const Int<S> h = finish<S>(hash);
+  const Int<S> h = finish_hash<S>(hash);
   const Int<S> index = L::shift_right(h, 29), turn = L::multiply(h, 8);  // Bit 28 is the sign.
   Corner<S> c;
   c.x = L::flip_sign(L::lookup(kGradient[0], index), turn);
@@ -60,13 +53,14 @@ Dual<S> noise(const Point<S>& p, uint32_t seed) {
   using L = Lanes<S>;
   const S fx = floor(p.x), fy = floor(p.y), fz = floor(p.z);
   const S x = p.x - fx, y = p.y - fy, z = p.z - fz;
-  const Int<S> hx[2] = {L::multiply(L::to_int(fx), kAxis[0]),
-                        L::add(L::multiply(L::to_int(fx), kAxis[0]), kAxis[0])};
-  const Int<S> y0 = L::bit_xor(L::multiply(L::to_int(fy), kAxis[1]), seed, 0);
+  const Int<S> hx[2] = {L::multiply(L::to_int(fx), kLatticeAxis[0]),
+                        L::add(L::multiply(L::to_int(fx), kLatticeAxis[0]), kLatticeAxis[0])};
+  const Int<S> y0 = L::bit_xor(L::multiply(L::to_int(fy), kLatticeAxis[1]), seed, 0);
   const Int<S> hy[2] = {
-      y0, L::bit_xor(L::add(L::multiply(L::to_int(fy), kAxis[1]), kAxis[1]), seed, 0)};
-  const Int<S> hz[2] = {L::multiply(L::to_int(fz), kAxis[2]),
-                        L::add(L::multiply(L::to_int(fz), kAxis[2]), kAxis[2])};
+      y0,
+      L::bit_xor(L::add(L::multiply(L::to_int(fy), kLatticeAxis[1]), kLatticeAxis[1]), seed, 0)};
+  const Int<S> hz[2] = {L::multiply(L::to_int(fz), kLatticeAxis[2]),
+                        L::add(L::multiply(L::to_int(fz), kLatticeAxis[2]), kLatticeAxis[2])};
   const S u = fade(x), v = fade(y), w = fade(z);
   const S one(1.0);
 
@@ -105,7 +99,8 @@ Dual<S> noise(const Point<S>& p, uint32_t seed) {
 template <class S>
 S random(const S& cell, uint32_t seed) {
   using L = Lanes<S>;
-  return L::to_unit(finish<S>(L::bit_xor(L::multiply(L::to_int(cell), kAxis[0]), seed, 0)));
+  return L::to_unit(
+      finish_hash<S>(L::bit_xor(L::multiply(L::to_int(cell), kLatticeAxis[0]), seed, 0)));
 }
 
 /// Visits the 27 cells around p from the nearest outwards, and skips those that are farther than
@@ -127,11 +122,12 @@ Sites<S> sites(const Point<S>& p, uint32_t seed) {
       if (i * i + j * j + l * l != ring) continue;
       const S nearest = gap(local.x, i) + gap(local.y, j) + gap(local.z, l);
       if (!any_lane(nearest < best.second.squared)) continue;
-      Int<S> h = L::bit_xor(L::multiply(L::add(cx, static_cast<uint32_t>(i)), kAxis[0]), seed, 0);
-      h = L::bit_xor(h, L::multiply(L::add(cy, static_cast<uint32_t>(j)), kAxis[1]));
-      h = L::bit_xor(h, L::multiply(L::add(cz, static_cast<uint32_t>(l)), kAxis[2]));
-      const Int<S> hx = finish<S>(h), hy = finish<S>(L::add(hx, 0x9e3779b9)),
-                   hz = finish<S>(L::add(hy, 0x9e3779b9));
+      Int<S> h =
+          L::bit_xor(L::multiply(L::add(cx, static_cast<uint32_t>(i)), kLatticeAxis[0]), seed, 0);
+      h = L::bit_xor(h, L::multiply(L::add(cy, static_cast<uint32_t>(j)), kLatticeAxis[1]));
+      h = L::bit_xor(h, L::multiply(L::add(cz, static_cast<uint32_t>(l)), kLatticeAxis[2]));
+      const Int<S> hx = finish_hash<S>(h), hy = finish_hash<S>(L::add(hx, 0x9e3779b9)),
+                   hz = finish_hash<S>(L::add(hy, 0x9e3779b9));
       auto offset = [](const S& x, int step, const Int<S>& hash) {
         return x - (S(static_cast<double>(step)) + L::to_unit(hash));
       };

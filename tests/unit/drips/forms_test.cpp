@@ -14,10 +14,7 @@ namespace vug::drips {
 namespace {
 
 GraphOptions options(double half = 3) {
-  GraphOptions o;
-  o.from = Vec3d(-half, -3, -half);
-  o.to = Vec3d(half, 3, half);
-  o.spacing = 0.4;
+  GraphOptions o = graph_options(half);
   o.run_out = false;
   return o;
 }

@@ -16,13 +16,6 @@
 namespace vug::drips {
 namespace {
 
-GraphOptions graph_options(double half = 3) {
-  GraphOptions o;
-  o.from = Vec3d(-half, -3, -half);
-  o.to = Vec3d(half, 3, half);
-  o.spacing = 0.4;
-  return o;
-}
 Planes joints(double spacing = 2, double azimuth = 0.6) {
   karst::Geology geology;
   geology.fractures.push_back({.azimuth = azimuth, .dip = 1.45, .spacing = spacing});

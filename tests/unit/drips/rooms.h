@@ -2,6 +2,7 @@
 // Rock for the tests of drips.
 #pragma once
 
+#include <vug/drips/build_graph.h>
 #include <vug/field/boolean.h>
 #include <vug/field/noise.h>
 #include <vug/field/registry.h>
@@ -22,6 +23,15 @@ inline field::Field cave(double width = 6, double slope = 0.2, double depth = 6)
                      {{"field", field::as_value(hall(width, slope, depth))},
                       {"noise", field::as_value(field::make_noise("fbm", {{"scale", 0.8}}))},
                       {"amount", 0.15}});
+}
+
+/// Options for the drips in the middle of such a room, that far from its centre.
+inline GraphOptions graph_options(double half = 3) {
+  GraphOptions o;
+  o.from = Vec3d(-half, -3, -half);
+  o.to = Vec3d(half, 3, half);
+  o.spacing = 0.4;
+  return o;
 }
 
 }  // namespace vug::drips

@@ -21,8 +21,7 @@ struct Anastomoses {
     s.doc(
          "Winding half-tubes that part and meet again in a bedding plane: -1 in the middle of a "
          "tube, 0 on the rock between them. Use them on ceilings: an amount of half the width "
-         "makes "
-         "half-tubes, a few widths make pendants of the rock between.")
+         "makes half-tubes, a few widths make pendants of the rock between.")
         .cite("ewers1966")
         .param("spacing", &Anastomoses::spacing,
                positive_length("mean distance between the meshes of the braid"))

@@ -14,8 +14,8 @@ struct ShaftFlutes {
   static void describe(Schema<ShaftFlutes>& s) {
     s.doc(
          "Half-pipes down the walls of a shaft, which meet in sharp ribs: about -1 at their "
-         "deepest "
-         "points, ribs near 0. Real ones are a fifth as deep as wide: use an amount of width / 5.")
+         "deepest points, ribs near 0. Real ones are a fifth as deep as wide: use an amount of "
+         "width / 5.")
         .param("width", &ShaftFlutes::width,
                positive_length("mean width of a flute, 10 cm to 60 cm in caves"))
         .param("axis", &ShaftFlutes::axis,

@@ -14,8 +14,7 @@ struct SunCups {
   static void describe(Schema<SunCups>& s) {
     s.doc(
          "Bowls in snow and ice with sharp rims: about -1 at their deepest points, rims near 0. "
-         "Use "
-         "them on ground; real ones are a quarter to a half as deep as wide.")
+         "Use them on ground; real ones are a quarter to a half as deep as wide.")
         .cite("betterton2001")
         .param("width", &SunCups::width,
                positive_length("mean width of a bowl, 20 cm to 60 cm on old snow"))

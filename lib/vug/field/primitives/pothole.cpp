@@ -10,7 +10,7 @@
 namespace vug::field {
 namespace {
 
-constexpr double kTurn = 6.283185307179586;
+constexpr double kTurn = 2 * kPi;
 
 /// Moves the wall outwards by up to `depth` along a helix about the y axis.
 struct SpiralGroove {

@@ -14,7 +14,6 @@ namespace vug::field {
 /// downstream wall by 8; the greatest depth is 0.12533 at x = kScallopDeepest.
 template <class T>
 T scallop_profile(const T& x) {
-  constexpr double kPi = 3.14159265358979323846;
   const T inside = clamp(x, T(0.0), T(1.0));
   const T s = sin(inside * T(kPi)), c = cos(inside * T(kPi));
   const T depth = s * (T(0.112) + c * T(2 * 0.028) - T(0.004) * (T(3.0) - square(s) * T(4.0)));

@@ -46,15 +46,14 @@ struct Dripstone : DripParams {
 };
 
 field::Field with_dripstone(const Dripstone& p) {
-  const drips::GraphOptions graph = p.graph();
+  drips::GraphOptions graph = p.graph();
+  graph.run_out = false;
+  graph.memory = std::numeric_limits<uint64_t>::max();  // Checked before it is computed.
+  const drips::FormOptions forms = p.forms();
   const field::Traits traits{1, field::Exactness::eikonal,
-                             drips::dripstone_bounds(p.field.bounds(), graph, p.forms()), 1};
-  const auto make = [p] {
-    drips::GraphOptions options = p.graph();
-    options.run_out = false;
-    options.memory = std::numeric_limits<uint64_t>::max();  // Checked before it is computed.
-    const drips::FormOptions forms = p.forms();
-    return drips::forms_field(drips::forms_of(drips::build_graph(p.field, options), forms), forms);
+                             drips::dripstone_bounds(p.field.bounds(), graph, forms), 1};
+  const auto make = [rock = p.field, graph, forms] {
+    return drips::forms_field(drips::forms_of(drips::build_graph(rock, graph), forms), forms);
   };
   return field::unite(
       {p.field, field::deferred(traits, "finding drips", make, drips::graph_memory(graph))},
