@@ -30,6 +30,14 @@ struct Blend {
     const T h = max(T(0.0), T(1.0) - abs(a - b) * T(1.0 / radius));
     return min(a, b) - T(radius) * kernel(h);
   }
+  /// The share of b in smin(a, b), by which materials mix (quilez2013smin): 0 where b does not
+  /// affect the value, 1/2 where a = b, 1 where a does not affect it; continuous if the blend is
+  /// not sharp.
+  double share(double a, double b) const {
+    const double h = radius > 0 ? max(0.0, 1 - abs(a - b) / radius) : 0;
+    const double farther = profile == Profile::sharp ? 0 : kernel(h) / (2 * kernel(1.0));
+    return a <= b ? farther : 1 - farther;
+  }
 
  private:
   /// g(h) with g(0) = 0 and slope at most 1/2 on [0, 1], which keeps both weights in [0, 1].

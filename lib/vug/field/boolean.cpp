@@ -3,6 +3,7 @@
 // Children fold from left to right, so an n-ary blend has a defined order.
 #include <vug/field/boolean.h>
 #include <vug/field/constant.h>
+#include <vug/field/material_source.h>
 #include <vug/field/operands.h>
 
 #include <algorithm>
@@ -53,7 +54,7 @@ struct Operand {
   Reach reach;
 };
 
-class FoldNode final : public EvaluationModes<FoldNode> {
+class FoldNode final : public EvaluationModes<FoldNode>, public MaterialSource {
  public:
   FoldNode(Traits traits, std::vector<Operand> operands, double sign, Blend blend)
       : EvaluationModes(std::move(traits)),
@@ -105,7 +106,12 @@ class FoldNode final : public EvaluationModes<FoldNode> {
     return out;
   }
 
+  MaterialSample sample_materials(const Vec3d& p) const override;
+  Coat coat(const Vec3d& p) const override;
+  std::vector<NodePtr> material_operands() const override { return children(); }
+
  private:
+  bool is_complement() const { return operands_.size() == 1 && operands_[0].sign != sign_; }
   template <class T>
   static void flip(T* values, int count, double sign) {
     if (sign > 0) return;
@@ -218,6 +224,50 @@ Restriction FoldNode::restrict_to(const Ball& ball) const {
   }
   kept.clear();
   pool[depth - 1] = std::move(kept);
+  return out;
+}
+
+/// A cut exposes the material of the base, unless it has a coat. An operand without materials has
+/// those of the operands before or after it.
+MaterialSample FoldNode::sample_materials(const Vec3d& p) const {
+  const double reach = blend_.profile == Profile::sharp ? 0 : blend_.radius;
+  double folded = kInfinity;
+  MaterialMix mix, skin;
+  double bare = 1;  // Share of the rock below the coats.
+  for (const Operand& operand : operands_) {
+    const bool mixes = operand.sign == sign_ || is_complement();
+    if (operand.sign != sign_)
+      if (const Coat own = coat_at(*operand.node, p); own.share > 0) {
+        const double covered = 1 - bare + bare * own.share;
+        skin = mixed(skin, own.mix, bare * own.share / covered);
+        bare *= 1 - own.share;
+      }
+    const bool matters = operand.reach.least({p, 0}) <= folded + reach;
+    if (!matters && !(mixes && mix.empty())) continue;
+    MaterialSample own;
+    if (mixes)
+      own = field::sample_materials(*operand.node, p);
+    else
+      own.value = operand.node->eval(point(p));
+    own.value *= operand.sign;
+    if (mixes) mix = mixed(mix, own.mix, folded < kInfinity ? blend_.share(folded, own.value) : 1);
+    folded = folded < kInfinity ? blend_.smin(folded, own.value) : own.value;
+  }
+  if (bare < 1) mix = mixed(skin, mix, bare);
+  return {folded * sign_, mix};
+}
+
+/// The coats of the kept operands lie over each other.
+Coat FoldNode::coat(const Vec3d& p) const {
+  Coat out;
+  for (const Operand& operand : operands_) {
+    if (operand.sign != sign_) continue;
+    const Coat own = coat_at(*operand.node, p);
+    if (!(own.share > 0)) continue;
+    const double covered = 1 - (1 - out.share) * (1 - own.share);
+    out.mix = mixed(out.mix, own.mix, 1 - out.share / covered);
+    out.share = covered;
+  }
   return out;
 }
 

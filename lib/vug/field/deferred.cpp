@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/memory.h>
 #include <vug/field/deferred.h>
+#include <vug/field/material_source.h>
 
 #include <tbb/task_arena.h>
 
@@ -15,7 +16,7 @@
 namespace vug::field {
 namespace {
 
-class DeferredNode final : public Node {
+class DeferredNode final : public Node, public MaterialSource {
  public:
   DeferredNode(Traits traits, std::string work, std::function<Field()> make, double bytes)
       : Node(std::move(traits)), work_(std::move(work)), make_(std::move(make)), bytes_(bytes) {}
@@ -52,6 +53,13 @@ class DeferredNode final : public Node {
   std::string name() const override { return ready_ ? made().name() : "deferred"; }
   std::vector<NodePtr> children() const override {
     return ready_ ? made().children() : std::vector<NodePtr>();
+  }
+  MaterialSample sample_materials(const Vec3d& p) const override {
+    return field::sample_materials(made(), p);
+  }
+  Coat coat(const Vec3d& p) const override { return coat_at(made(), p); }
+  std::vector<NodePtr> material_operands() const override {
+    return ready_ ? std::vector<NodePtr>{field_.node()} : std::vector<NodePtr>();
   }
 
  private:

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <vug/field/kind.h>
+#include <vug/field/material_source.h>
 
 namespace vug::field {
 
@@ -15,7 +16,7 @@ namespace vug::field {
 ///   template <class S> Point<S> pull_back(const Point<S>& gradient) const
 ///     optional, for maps with a constant derivative: transforms a gradient of the child outwards
 template <class D>
-class DeformerNode final : public EvaluationModes<DeformerNode<D>> {
+class DeformerNode final : public EvaluationModes<DeformerNode<D>>, public MaterialSource {
  public:
   DeformerNode(std::string name, D deformer, NodePtr child)
       : EvaluationModes<DeformerNode<D>>(deformer.traits(child->traits())),
@@ -68,7 +69,16 @@ class DeformerNode final : public EvaluationModes<DeformerNode<D>> {
   std::vector<NodePtr> children() const override { return {child_}; }
   const D& deformer() const { return deformer_; }
 
+  MaterialSample sample_materials(const Vec3d& p) const override {
+    MaterialSample out = field::sample_materials(*child_, inside(p));
+    out.value *= deformer_.scale();
+    return out;
+  }
+  Coat coat(const Vec3d& p) const override { return coat_at(*child_, inside(p)); }
+  std::vector<NodePtr> material_operands() const override { return {child_}; }
+
  private:
+  Vec3d inside(const Vec3d& p) const { return vector(deformer_.map(point(p))); }
   static constexpr bool kConstantDerivative = requires(const D& deformer, const Point<Pack>& g) {
     deformer.pull_back(g);
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The SG+M morph: a weighted sum of two unclipped fields (zawadzki2012, eq. 5).
 #include <vug/field/boolean.h>
+#include <vug/field/material_source.h>
 
 namespace vug::field {
 namespace {
@@ -12,7 +13,7 @@ Traits morph_traits(const Traits& a, const Traits& b, double amount) {
           (1 - amount) * a.growth_rate() + amount * b.growth_rate()};
 }
 
-class MorphNode final : public EvaluationModes<MorphNode> {
+class MorphNode final : public EvaluationModes<MorphNode>, public MaterialSource {
  public:
   MorphNode(Traits traits, NodePtr a, NodePtr b, double amount)
       : EvaluationModes(std::move(traits)), a_(std::move(a)), b_(std::move(b)), amount_(amount) {}
@@ -50,6 +51,13 @@ class MorphNode final : public EvaluationModes<MorphNode> {
   }
   std::string name() const override { return "morph"; }
   std::vector<NodePtr> children() const override { return {a_, b_}; }
+
+  MaterialSample sample_materials(const Vec3d& p) const override {
+    const MaterialSample a = field::sample_materials(*a_, p), b = field::sample_materials(*b_, p);
+    return {(1 - amount_) * a.value + amount_ * b.value, mixed(a.mix, b.mix, amount_)};
+  }
+  Coat coat(const Vec3d& p) const override { return coat_at(*a_, p); }
+  std::vector<NodePtr> material_operands() const override { return children(); }
 
  private:
   NodePtr a_, b_;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/sgm/named_places.h>
 
-#include <vug/field/node.h>
+#include <vug/field/material_source.h>
 
 namespace vug::sgm {
 namespace {
 
 /// Evaluates as its child, into which it is pruned.
-class PlacesNode : public field::EvaluationModes<PlacesNode> {
+class PlacesNode : public field::EvaluationModes<PlacesNode>, public field::MaterialSource {
  public:
   PlacesNode(field::NodePtr child, std::vector<NamedPlace> named)
       : EvaluationModes(child->traits()), places(std::move(named)), child_(std::move(child)) {}
@@ -28,6 +28,12 @@ class PlacesNode : public field::EvaluationModes<PlacesNode> {
   }
   std::string name() const override { return child_->name(); }
   std::vector<field::NodePtr> children() const override { return child_->children(); }
+
+  field::MaterialSample sample_materials(const Vec3d& p) const override {
+    return field::sample_materials(*child_, p);
+  }
+  field::Coat coat(const Vec3d& p) const override { return field::coat_at(*child_, p); }
+  std::vector<field::NodePtr> material_operands() const override { return {child_}; }
 
   const std::vector<NamedPlace> places;
 

@@ -2,6 +2,7 @@
 #include <vug/sgm/region.h>
 
 #include <vug/field/boolean.h>
+#include <vug/field/material_source.h>
 #include <vug/field/primitive.h>
 
 #include <algorithm>
@@ -33,7 +34,7 @@ Traits morph_traits(const Traits& base, const Traits& shape, double amount, doub
 
 /// A single node instead of a morph of the base with a union, because that would evaluate the base
 /// twice, and after n morphs 2^n times.
-class LocalMorph final : public field::EvaluationModes<LocalMorph> {
+class LocalMorph final : public field::EvaluationModes<LocalMorph>, public field::MaterialSource {
  public:
   LocalMorph(Traits traits, NodePtr base, NodePtr shape, double amount, field::Blend blend)
       : EvaluationModes(std::move(traits)),
@@ -68,6 +69,15 @@ class LocalMorph final : public field::EvaluationModes<LocalMorph> {
   }
   std::string name() const override { return "local morph"; }
   std::vector<NodePtr> children() const override { return {base_, shape_}; }
+
+  field::MaterialSample sample_materials(const Vec3d& p) const override {
+    const field::MaterialSample base = field::sample_materials(*base_, p),
+                                shape = field::sample_materials(*shape_, p);
+    return {mixed(base.value, shape.value),
+            field::mixed(base.mix, shape.mix, amount_ * blend_.share(base.value, shape.value))};
+  }
+  field::Coat coat(const Vec3d& p) const override { return field::coat_at(*base_, p); }
+  std::vector<NodePtr> material_operands() const override { return children(); }
 
  private:
   /// base + a (min(base, shape) - base): bit-identical to the base where it is smaller. In the

@@ -61,6 +61,7 @@ Value draw(const std::string& type, const ParamInfo& info, const std::string& ki
   }
   if (type == "noise")
     return Value::Name{noises()[random.below(static_cast<uint32_t>(noises().size()))]->info.name};
+  if (type == "rock material") return std::string(random.uniform() < 0.5 ? "chert" : "limestone");
   if (type == "file") return fixture_file(kind);
   return {};
 }

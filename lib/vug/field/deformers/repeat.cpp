@@ -8,6 +8,7 @@
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
 #include <vug/field/kind.h>
+#include <vug/field/material_source.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,7 @@ struct AxisCopies {
   double position(double number) const { return start + number * spacing; }
 };
 
-class RepeatNode final : public EvaluationModes<RepeatNode> {
+class RepeatNode final : public EvaluationModes<RepeatNode>, public MaterialSource {
  public:
   RepeatNode(Traits traits, NodePtr child, const AxisCopies (&rows)[3])
       : EvaluationModes(std::move(traits)),
@@ -129,7 +130,24 @@ class RepeatNode final : public EvaluationModes<RepeatNode> {
   std::string name() const override { return "repeat"; }
   std::vector<NodePtr> children() const override { return {child_}; }
 
+  MaterialSample sample_materials(const Vec3d& p) const override {
+    return field::sample_materials(*child_, in_nearest_copy(p));
+  }
+  Coat coat(const Vec3d& p) const override { return coat_at(*child_, in_nearest_copy(p)); }
+  std::vector<NodePtr> material_operands() const override { return {child_}; }
+
  private:
+  Vec3d in_nearest_copy(const Vec3d& position) const {
+    const Point<double> p = point(position);
+    const double number[3] = {rows_[0].number(p.x), rows_[1].number(p.y), rows_[2].number(p.z)};
+    Point<double> nearest = seen(p, number, 0);
+    double least = child_->eval(nearest);
+    for (int i = 1; i < copies(); ++i) {
+      const Point<double> other = seen(p, number, i);
+      if (const double value = child_->eval(other); value < least) least = value, nearest = other;
+    }
+    return vector(nearest);
+  }
   int copies() const { return rows_[0].window * rows_[1].window * rows_[2].window; }
 
   template <class T>
