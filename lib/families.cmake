@@ -7,6 +7,7 @@ vug_family(field    operators     operators             FieldKind               
 vug_family(field    deformers     deformers             FieldKind                 kind         registry.h SCENE)
 vug_family(field    detail        details               FieldKind                 kind         registry.h SCENE)
 vug_family(field    rock_materials rock_materials       RockMaterialKind          kind         rock_material_kind.h SCENE)
+vug_family(field    material_pairs material_pairs       MaterialPairKind          kind         material_pair_kind.h SCENE)
 vug_family(loading  plants        plant_kinds           PlantKind                 plant        plants.h SCENE)
 vug_family(facade   solids        solids                SolidKind                 solid        carve.h SCENE)
 vug_family(field    blends        blends                BlendKind                 kind         registry.h SCENE)

@@ -108,6 +108,7 @@ class FoldNode final : public EvaluationModes<FoldNode>, public MaterialSource {
 
   MaterialSample sample_materials(const Vec3d& p) const override;
   Coat coat(const Vec3d& p) const override;
+  std::optional<Field> material_mean(const MaterialNumber& number) const override;
   std::vector<NodePtr> material_operands() const override { return children(); }
 
  private:
@@ -269,6 +270,17 @@ Coat FoldNode::coat(const Vec3d& p) const {
     out.share = covered;
   }
   return out;
+}
+
+/// Coats are thinner than the contacts of a mean, so it does not contain them.
+std::optional<Field> FoldNode::material_mean(const MaterialNumber& number) const {
+  std::vector<MeanOperand> known;
+  for (const Operand& operand : operands_)
+    if (operand.sign == sign_ || is_complement())
+      if (std::optional<Field> mean = field::material_mean(Field(operand.node), number))
+        known.push_back({Field(operand.node), std::move(*mean)});
+  if (known.empty()) return std::nullopt;
+  return contact_mean(known, sign_, number);
 }
 
 /// Bounds of the inside; a blended union bulges by at most its depth at every fold.

@@ -58,6 +58,10 @@ class DeferredNode final : public Node, public MaterialSource {
     return field::sample_materials(made(), p);
   }
   Coat coat(const Vec3d& p) const override { return coat_at(made(), p); }
+  std::optional<Field> material_mean(const MaterialNumber& number) const override {
+    made();
+    return field::material_mean(field_, number);
+  }
   std::vector<NodePtr> material_operands() const override {
     return ready_ ? std::vector<NodePtr>{field_.node()} : std::vector<NodePtr>();
   }

@@ -5,6 +5,7 @@
 
 #include <vug/field/kind.h>
 #include <vug/field/material_source.h>
+#include <vug/field/scaled_values.h>
 
 namespace vug::field {
 
@@ -75,6 +76,12 @@ class DeformerNode final : public EvaluationModes<DeformerNode<D>>, public Mater
     return out;
   }
   Coat coat(const Vec3d& p) const override { return coat_at(*child_, inside(p)); }
+  std::optional<Field> material_mean(const MaterialNumber& number) const override {
+    const std::optional<Field> mean = field::material_mean(Field(child_), number);
+    if (!mean) return mean;
+    return scaled_values(Field(std::make_shared<DeformerNode>(name_, deformer_, mean->node())),
+                         1 / deformer_.scale());
+  }
   std::vector<NodePtr> material_operands() const override { return {child_}; }
 
  private:

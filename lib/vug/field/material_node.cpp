@@ -35,6 +35,9 @@ class MaterialNode final : public EvaluationModes<MaterialNode>, public Material
     return rule_->sample(*child_, p);
   }
   Coat coat(const Vec3d& p) const override { return rule_->coat(*child_, p); }
+  std::optional<Field> material_mean(const MaterialNumber& number) const override {
+    return rule_->mean(Field(child_), number);
+  }
   std::vector<RockMaterialPtr> assigned() const override { return rule_->assigned(); }
   std::vector<NodePtr> material_operands() const override {
     std::vector<NodePtr> out = rule_->bodies();

@@ -16,6 +16,9 @@ class MaterialRule {
   virtual ~MaterialRule() = default;
   virtual MaterialSample sample(const Node& child, const Vec3d& p) const = 0;
   virtual Coat coat(const Node& child, const Vec3d& p) const { return coat_at(child, p); }
+  virtual std::optional<Field> mean(const Field& child, const MaterialNumber& number) const {
+    return material_mean(child, number);
+  }
   virtual std::vector<RockMaterialPtr> assigned() const = 0;
   /// The fields besides the child from which it takes materials.
   virtual std::vector<NodePtr> bodies() const { return {}; }

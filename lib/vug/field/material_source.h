@@ -3,8 +3,10 @@
 #pragma once
 
 #include <vug/field/field.h>
+#include <vug/field/material_mean.h>
 #include <vug/field/material_mix.h>
 
+#include <optional>
 #include <vector>
 
 namespace vug::field {
@@ -31,6 +33,8 @@ class MaterialSource {
   virtual Coat coat(const Vec3d&) const { return {}; }
   /// The materials that this node assigns itself.
   virtual std::vector<RockMaterialPtr> assigned() const { return {}; }
+  /// See field::material_mean.
+  virtual std::optional<Field> material_mean(const MaterialNumber& number) const = 0;
   /// The nodes from which it takes other materials.
   virtual std::vector<NodePtr> material_operands() const = 0;
 };

@@ -57,6 +57,11 @@ class MorphNode final : public EvaluationModes<MorphNode>, public MaterialSource
     return {(1 - amount_) * a.value + amount_ * b.value, mixed(a.mix, b.mix, amount_)};
   }
   Coat coat(const Vec3d& p) const override { return coat_at(*a_, p); }
+  std::optional<Field> material_mean(const MaterialNumber& number) const override {
+    const std::optional<Field> a = field::material_mean(Field(a_), number),
+                               b = field::material_mean(Field(b_), number);
+    return a && b ? morph(*a, *b, amount_) : a ? a : b;
+  }
   std::vector<NodePtr> material_operands() const override { return children(); }
 
  private:

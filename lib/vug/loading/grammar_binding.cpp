@@ -2,6 +2,7 @@
 // Converts scene rules to productions whose callables evaluate expressions of the scene. The leaves
 // contain SG+M steps, which sgm::interpret performs.
 #include <vug/field/kind.h>
+#include <vug/field/material_source.h>
 #include <vug/loading/facade_binding.h>
 #include <vug/loading/grammar_binding.h>
 #include <vug/loading/item_clauses.h>
@@ -292,7 +293,22 @@ sgm::Options Binder::options() {
     if (std::find(known.begin(), known.end(), option.key) == known.end())
       values_.fail(option.where, fmt::format("a grammar has no option '{}'", option.key),
                    suggestion(option.key, known));
-  return {};
+  sgm::Options out;
+  for (const scene::Entry& option : source_.options) {
+    if (option.key != "geology") continue;
+    const Value given = values_.value(*option.values.at(0), key_.at(option.key), {});
+    const auto rock = ValueTraits<field::Field>::read(given);
+    if (!rock)
+      values_.fail(
+          option.extent,
+          fmt::format("'geology' expects a solid with materials, not {}", given.type_name()),
+          "e.g. geology host_rock(rock, of: \"limestone\")");
+    if (field::materials_of(*rock).empty())
+      values_.fail(option.extent, "the solid of 'geology' has no materials",
+                   "assign them with made_of(...) or host_rock(...)");
+    out.geology.rock = *rock;
+  }
+  return out;
 }
 
 }  // namespace

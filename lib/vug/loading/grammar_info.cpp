@@ -21,6 +21,10 @@ const KindInfo& grammar_info() {
         scene::kDressOption, "network",
         fmt::format("network that is dressed: the rules of {} apply to each of its elements",
                     network_symbol_names("and"))));
+    info.params.push_back(
+        option_info("geology", "field",
+                    "a solid with materials, e.g. host_rock(...): a morph's amount is multiplied "
+                    "by 1 - hardness at its place"));
     info.params.push_back(whole_info("steps", 1, 1e9, std::to_string(kMaxProductions),
                                      "maximum number of productions"));
     info.params.push_back(

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
+#include <vug/field/material_source.h>
 #include <vug/sgm/geology.h>
+
+#include <algorithm>
 
 namespace vug::sgm {
 
@@ -11,9 +14,14 @@ const Component* Geology::at(const Vec3d& point) const {
 }
 
 double Geology::amount_at(const Vec3d& point, double amount) const {
+  double hardness = 0;
   const Component* component = at(point);
-  if (!component) return amount;
-  return component->lowest + (component->highest - component->lowest) * amount;
+  if (component) amount = component->lowest + (component->highest - component->lowest) * amount;
+  if (!rock) return amount;
+  for (const field::MaterialMix::Part& part :
+       field::sample_materials(*rock->node(), point).mix.parts())
+    hardness += part.weight * part.material->hardness;
+  return amount * (1 - std::min(1.0, hardness));
 }
 
 void Geology::require_valid() const {

@@ -5,6 +5,7 @@
 
 #include <vug/field/field.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,14 @@ struct Component {
 struct Geology {
   std::vector<Component>
       components;  ///< The first component whose body contains the point applies.
+  /// A field with materials: the amount of a morph is multiplied by 1 - hardness, the mean over the
+  /// materials at its place.
+  std::optional<field::Field> rock = std::nullopt;
 
   /// The component at a point, or null outside all components.
   const Component* at(const Vec3d& point) const;
-  /// lowest + (highest - lowest) * amount of the component at the point; outside all components the
-  /// amount itself.
+  /// lowest + (highest - lowest) * amount of the component at the point, outside all components the
+  /// amount itself; times 1 - hardness of the rock.
   double amount_at(const Vec3d& point, double amount) const;
   /// Throws Error(bad_input) unless 0 <= lowest <= highest <= 1 for every component.
   void require_valid() const;

@@ -33,6 +33,9 @@ class PlacesNode : public field::EvaluationModes<PlacesNode>, public field::Mate
     return field::sample_materials(*child_, p);
   }
   field::Coat coat(const Vec3d& p) const override { return field::coat_at(*child_, p); }
+  std::optional<field::Field> material_mean(const field::MaterialNumber& number) const override {
+    return field::material_mean(field::Field(child_), number);
+  }
   std::vector<field::NodePtr> material_operands() const override { return {child_}; }
 
   const std::vector<NamedPlace> places;

@@ -77,6 +77,14 @@ class LocalMorph final : public field::EvaluationModes<LocalMorph>, public field
             field::mixed(base.mix, shape.mix, amount_ * blend_.share(base.value, shape.value))};
   }
   field::Coat coat(const Vec3d& p) const override { return field::coat_at(*base_, p); }
+  std::optional<Field> material_mean(const field::MaterialNumber& number) const override {
+    const std::optional<Field> base = field::material_mean(Field(base_), number),
+                               shape = field::material_mean(Field(shape_), number);
+    if (!base || !shape) return base ? base : shape;
+    const Field nearer =
+        field::contact_mean({{Field(base_), *base}, {Field(shape_), *shape}}, 1, number);
+    return field::morph(*base, nearer, amount_);
+  }
   std::vector<NodePtr> material_operands() const override { return children(); }
 
  private:

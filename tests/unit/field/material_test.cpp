@@ -7,24 +7,14 @@
 #include <vug/field/material_source.h>
 #include <vug/field/registry.h>
 
+#include "rocks.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 namespace vug::field {
 namespace {
-
-Field shifted(const Field& field, const Vec3d& by) {
-  return transformed(field, Transform::translation(by));
-}
-Field of(const Field& field, const std::string& material) {
-  return make("made_of", {{"field", as_value(field)}, {"of", material}});
-}
-Field orb(double radius = 1) { return make("sphere", {{"radius", radius}}); }
-Field cube() { return make("box", {{"size", Vec3d(8, 8, 8)}}); }
-Value list(const std::vector<Field>& fields) {
-  return ValueTraits<std::vector<Field>>::write(fields);
-}
 
 MaterialMix mix(const Field& field, const Vec3d& p) {
   return sample_materials(*field.node(), p).mix;
@@ -40,15 +30,6 @@ double sum(const MaterialMix& mix) {
 Vec3d random_point(RandomStream& random, double reach) {
   const double x = random.uniform(-reach, reach), y = random.uniform(-reach, reach);
   return {x, y, random.uniform(-reach, reach)};
-}
-
-/// Limestone below y = 0 with a contact of 10 cm, shale above.
-Field two_rocks(double contact = 0.1) {
-  const Field lower = make("half_space", {});
-  return make("host_rock", {{"field", as_value(cube())},
-                            {"of", "shale"},
-                            {"bodies", list({of(lower, "limestone")})},
-                            {"contact", contact}});
 }
 
 // Without a blend the nearer solid has all the weight.

@@ -4,6 +4,8 @@
 #include <vug/field/lattice.h>
 #include <vug/field/noise.h>
 
+#include "rocks.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +20,11 @@ Vec3d random_float_point(RandomStream& random, double reach) {
 
 class EachNoise : public testing::TestWithParam<const NoiseKind*> {
  protected:
-  Noise noise() const { return default_noise(GetParam()->info.name).value(); }
+  /// With defaults, or of rocks if it needs materials.
+  Noise noise() const {
+    if (const auto with_defaults = default_noise(GetParam()->info.name)) return *with_defaults;
+    return make_noise(GetParam()->info.name, {{"of", as_value(two_rocks(0.2))}});
+  }
 };
 
 TEST_P(EachNoise, StaysInItsRangeAndBelowItsSlope) {

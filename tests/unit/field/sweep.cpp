@@ -5,6 +5,7 @@
 
 #include <vug/field/affine.h>
 #include <vug/field/blend.h>
+#include <vug/field/material_pair_kind.h>
 #include <vug/field/noise.h>
 
 #include <fmt/format.h>
@@ -27,6 +28,15 @@ Field draw_field(RandomStream& random) {
           : make("box", {{"size", Vec3d(random.uniform(0.4, 1.5), random.uniform(0.4, 1.5), 0.8)}});
   return transformed(solid, Transform::translation(random_point(random, 0.5)) *
                                 Transform::rotation({1, 2, 3}, random.uniform(0, 3)));
+}
+
+/// The same values with two materials, which the kinds of some operators need.
+Field with_rocks(const Field& field) {
+  const Field chert = make("made_of", {{"field", as_value(make("half_space"))}, {"of", "chert"}});
+  return make("host_rock", {{"field", as_value(field)},
+                            {"of", "limestone"},
+                            {"bodies", List{as_value(chert)}},
+                            {"contact", 0.4}});
 }
 
 /// Nothing if such a value cannot be generated.
@@ -54,13 +64,17 @@ Value draw(const std::string& type, const ParamInfo& info, const std::string& ki
   if (type == "true or false") return Value(random.uniform() < 0.5);
   if (type == "name")
     return Value::Name{info.choices[random.below(static_cast<uint32_t>(info.choices.size()))]};
-  if (type == "field") return as_value(draw_field(random));
+  if (type == "field") return as_value(with_rocks(draw_field(random)));
   if (type == "blend") {
     const Profile profiles[] = {Profile::smooth, Profile::round, Profile::chamfer};
     return Object{"blend", Blend{profiles[random.below(3)], random.uniform(0.05, 0.5)}};
   }
   if (type == "noise")
     return Value::Name{noises()[random.below(static_cast<uint32_t>(noises().size()))]->info.name};
+  if (type == "material pair")
+    return Object{"material pair",
+                  MaterialPair{{random.uniform() < 0.5 ? "chert" : "limestone", "limestone"},
+                               random.uniform(0.05, 0.5)}};
   if (type == "rock material") return std::string(random.uniform() < 0.5 ? "chert" : "limestone");
   if (type == "file") return fixture_file(kind);
   return {};

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "samples.h"
 
+#include <vug/field/registry.h>
+#include <vug/field/rock_material_kind.h>
+
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace vug::sgm {
 namespace {
@@ -33,6 +39,76 @@ TEST(Geology, DecidesWhatAMorphDoes) {
     const Placement& done = growth.apply(melt, RandomKey(2));
     EXPECT_DOUBLE_EQ(done.amount, height > 0 ? 0.1 + 0.1 * 0.52 : 0.5 + 0.5 * 0.52);
   }
+}
+
+/// Soft rock, and rock of hardness 0.75 in the body, with a contact of 10 cm.
+Field two_rocks(const Field& body) {
+  const Value hard =
+      Object{"rock material", field::RockMaterialPtr(std::make_shared<field::RockMaterial>(
+                                  field::RockMaterial{"hard", 0.75}))};
+  return field::make(
+      "host_rock",
+      {{"field", field::as_value(box({100, 100, 100}))},
+       {"of", "soft"},
+       {"bodies", List{field::as_value(
+                      field::make("made_of", {{"field", field::as_value(body)}, {"of", hard}}))}}});
+}
+
+TEST(Geology, HardRockLimitsTheAmount) {
+  Geology g;
+  g.rock = two_rocks(solid(TestHalfSpace{{0, -1, 0}}));
+  EXPECT_EQ(g.amount_at({0, -3, 0}, 0.6), 0.6);
+  EXPECT_DOUBLE_EQ(g.amount_at({0, 3, 0}, 0.6), 0.15);
+  EXPECT_NEAR(g.amount_at({0, 0, 0}, 0.6), 0.6 * (1 - 0.375), 1e-9);
+  g.components = strata().components;
+  EXPECT_DOUBLE_EQ(g.amount_at({0, 1, 0}, 0.5), 0.25 * 0.15);
+}
+
+// Figure 9 in two rocks: the first morph is in the soft rock and stays, the second one is in the
+// hard rock. The caves differ only there, and at the shapes that are glued to it later.
+TEST(Geology, Figure9DiffersOnlyWhereItsMorphsLieInTheSecondRock) {
+  const grammar::Grammar grammar = grammar_of(figure9());
+  int compared = 0;
+  for (uint64_t seed = 1; seed <= 6; ++seed) {
+    const DerivationResult soft = derive(grammar, RandomKey(seed), Options());
+    std::vector<size_t> morphs;
+    for (size_t i = 0; i < soft.operations.size(); ++i)
+      if (soft.operations[i].operation == Operation::morph && soft.operations[i].glued)
+        morphs.push_back(i);
+    ASSERT_LE(morphs.size(), 2u);
+    if (morphs.size() < 2) continue;
+    const Vec3d first = soft.operations[morphs[0]].base_bond.point,
+                second = soft.operations[morphs[1]].base_bond.point;
+    if (second.x < first.x + 1) continue;
+    ++compared;
+    Options options;
+    options.geology.rock =
+        two_rocks(solid(TestHalfSpace{{-1, 0, 0}, {0.5 * (first.x + second.x), 0, 0}}));
+    const DerivationResult both = derive(grammar, RandomKey(seed), options);
+    ASSERT_EQ(both.operations.size(), soft.operations.size());
+    EXPECT_EQ(both.operations[morphs[0]].amount, 0.52);
+    EXPECT_NEAR(both.operations[morphs[1]].amount, 0.25 * 0.52, 1e-12);
+    std::vector<Box3d> changed;
+    for (size_t i = morphs[1]; i < soft.operations.size(); ++i)
+      for (const DerivationResult* each : {&soft, &both})
+        changed.push_back(grown(each->operations[i].field.bounds(), 0.3));
+    const Box3d box = grown(soft.field.bounds(), 0.2);
+    RandomStream random(RandomKey(seed).at("points"));
+    double most = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const double x = random.uniform(box.min.x, box.max.x);
+      const double y = random.uniform(box.min.y, box.max.y);
+      const Vec3d p(x, y, random.uniform(box.min.z, box.max.z));
+      const double a = soft.field.value(p), b = both.field.value(p);
+      if (std::none_of(changed.begin(), changed.end(),
+                       [&](const Box3d& each) { return each.intersects(p); })) {
+        ASSERT_EQ(a < 0, b < 0) << p;
+      }
+      most = std::max(most, std::fabs(a - b));
+    }
+    EXPECT_GT(most, 0.05) << seed;
+  }
+  EXPECT_GE(compared, 2);
 }
 
 TEST(Geology, RefusesInvalidRanges) {

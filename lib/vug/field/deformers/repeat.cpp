@@ -134,6 +134,12 @@ class RepeatNode final : public EvaluationModes<RepeatNode>, public MaterialSour
     return field::sample_materials(*child_, in_nearest_copy(p));
   }
   Coat coat(const Vec3d& p) const override { return coat_at(*child_, in_nearest_copy(p)); }
+  std::optional<Field> material_mean(const MaterialNumber& number) const override {
+    if (materials_of(Field(child_)).size() > 1)
+      throw Error(ErrorCode::bad_input, "the materials of a repeated solid jump between its copies",
+                  {}, "apply made_of or host_rock to the result of 'repeat'");
+    return field::material_mean(Field(child_), number);
+  }
   std::vector<NodePtr> material_operands() const override { return {child_}; }
 
  private:

@@ -2,6 +2,7 @@
 // Rock that beds and lenses of other materials traverse. The bodies lie over each other from front
 // to back, each with the weight of what the bodies before it leave, so the weights are continuous
 // and their sum is 1 for any bodies.
+#include <vug/field/constant.h>
 #include <vug/field/material_node.h>
 #include <vug/field/rock_material_kind.h>
 
@@ -51,6 +52,13 @@ class Partition final : public MaterialRule {
       const MaterialSample body = field::sample_materials(*host_.bodies[i].node(), p);
       out.mix = mixed(out.mix, body.mix, share_inside(body.value, host_.contact));
     }
+    return out;
+  }
+  std::optional<Field> mean(const Field&, const MaterialNumber& number) const override {
+    Field out = constant_field(number.number(*host_.of));
+    for (size_t i = host_.bodies.size(); i-- > 0;)
+      if (const std::optional<Field> inside = material_mean(host_.bodies[i], number))
+        out = contact_mean({host_.bodies[i], *inside}, out, number);
     return out;
   }
   std::vector<RockMaterialPtr> assigned() const override { return {host_.of}; }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/field/constant.h>
 #include <vug/field/material_node.h>
 #include <vug/field/rock_material_kind.h>
 
@@ -26,6 +27,9 @@ class OneMaterial final : public MaterialRule {
   explicit OneMaterial(RockMaterialPtr material) : material_(std::move(material)) {}
   MaterialSample sample(const Node& child, const Vec3d& p) const override {
     return {child.eval(point(p)), MaterialMix(*material_)};
+  }
+  std::optional<Field> mean(const Field&, const MaterialNumber& number) const override {
+    return constant_field(number.number(*material_));
   }
   std::vector<RockMaterialPtr> assigned() const override { return {material_}; }
 

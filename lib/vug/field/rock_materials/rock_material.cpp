@@ -4,8 +4,8 @@
 namespace vug::field {
 namespace {
 
-struct Params : RockMaterial {
-  static void describe(Schema<Params>& s) {
+struct RockMaterialParams : RockMaterial {
+  static void describe(Schema<RockMaterialParams>& s) {
     s.doc(
          "A material of rock, sediment or dripstone, for made_of, host_rock and coat. A text is a "
          "material of hardness 0.")
@@ -24,7 +24,7 @@ struct Params : RockMaterial {
 }  // namespace vug::field
 
 VUG_ROCK_MATERIAL_KIND(rock_material) {
-  return make_kind<RockMaterialPtr, Params>("rock_material", "rock material", [](const Params& p) {
-    return std::make_shared<const RockMaterial>(p);
-  });
+  return make_kind<RockMaterialPtr, RockMaterialParams>(
+      "rock_material", "rock material",
+      [](const RockMaterialParams& p) { return std::make_shared<const RockMaterial>(p); });
 }
