@@ -5,6 +5,7 @@
 #include <vug/building/builder.h>
 #include <vug/building/cell_layer.h>
 #include <vug/building/memory_estimate.h>
+#include <vug/building/rock_weights.h>
 #include <vug/field/deferred.h>
 #include <vug/metrics/surface.h>
 #include <vug/shot/queries.h>
@@ -70,7 +71,8 @@ void Builder::require_mesh_memory(const shot::MeshPtr& plan) const {
   const size_t labels = shot::label_names(plan->labels).size();
   const auto bytes_of_mesh = [&](double active_voxels) {
     const double band = 2 * volume.half_width;
-    return meshing_bytes(active_voxels, band) + label_bytes(active_voxels, band, labels);
+    return meshing_bytes(active_voxels, band) + label_bytes(active_voxels, band, labels) +
+           rock_weight_bytes(active_voxels, band, materials_of(volume).size());
   };
   if (bytes_of_mesh(max_active_voxels(volume)) <= static_cast<double>(memory_budget())) return;
   try {

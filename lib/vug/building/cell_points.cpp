@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/building/cell_points.h>
+#include <vug/building/rock_weights.h>
+#include <vug/mesh/rock_weights.h>
 #include <vug/volume/io.h>
 
 #include <fmt/format.h>
@@ -22,10 +24,14 @@ volume::Grid cell_points(const shot::CellsPlan& plan, const CellLayer& layer,
   const bool exact = keep == cells::PointFormat::exact;
   if (plan.half && !exact)
     for (volume::PointAttribute& each : points.attributes) each.half = true;
+  volume::Metadata notes = {{kStep, int64_t{layer.simulation.step()}},
+                            {kKeep, std::string(exact ? kExact : "shown")}};
+  if (!exact)
+    if (const auto materials = add_rock_weights(points, plan, layer.network()); !materials.empty())
+      notes[kMaterialNames] = fmt::format("{}", fmt::join(materials, ","));
   return volume::point_grid(points, cells::voxel_of_points(layer.network()))
       .named(plan.name)
-      .with({{kStep, int64_t{layer.simulation.step()}},
-             {kKeep, std::string(exact ? kExact : "shown")}});
+      .with(notes);
 }
 
 void restore_cells(const volume::Grid& grid, cells::Simulation& simulation) {
@@ -34,7 +40,11 @@ void restore_cells(const volume::Grid& grid, cells::Simulation& simulation) {
   const auto* done = step == metadata.end() ? nullptr : std::get_if<int64_t>(&step->second);
   const auto keep = metadata.find(kKeep);
   const bool exact = keep != metadata.end() && keep->second == volume::MetaValue(kExact);
-  const volume::Points points = volume::points(grid);
+  volume::Points points = volume::points(grid);
+  if (metadata.count(kMaterialNames))  // They belong to the rock, not to the state of the cells.
+    std::erase_if(points.attributes, [](const volume::PointAttribute& each) {
+      return each.name == kMaterialNumber || mesh::material_of_attribute(each.name);
+    });
   // Tolerance: a step of 16-bit quantisation along each axis, and the rounding of floats.
   float far = 0;
   for (const Vec3f& p : points.position)

@@ -2,6 +2,7 @@
 #include <vug/base/memory.h>
 #include <vug/building/make_mesh.h>
 #include <vug/building/memory_estimate.h>
+#include <vug/building/rock_weights.h>
 #include <vug/building/surface_labels.h>
 #include <vug/facade/semantics.h>
 #include <vug/mesh/refine.h>
@@ -39,7 +40,8 @@ SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surfac
   const auto active = static_cast<double>(surface.statistics().active_voxels);
   const double band = 2 * plan.volume->half_width;
   require_memory(meshing_bytes(active, band) +
-                     label_bytes(active, band, shot::label_names(plan.labels).size()),
+                     label_bytes(active, band, shot::label_names(plan.labels).size()) +
+                     rock_weight_bytes(active, band, materials_of(volume).size()),
                  memory, "the mesh");
   progress.begin("small features");
   std::vector<volume::SmallFeature> small = volume::find_small_features(surface, exact);
@@ -54,6 +56,8 @@ SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surfac
   if (plan.paint) add_colors(pieces.mesh, plan.paint, volume::sampled_grid(surface).get());
   if (!plan.elements.empty()) facade::add_semantics(pieces.mesh, plan.elements);
   add_labels(pieces.mesh, plan.labels);
+  progress.begin("materials of the rock");
+  add_rock_weights(pieces.mesh, volume);
   progress.end();
   return {std::move(pieces), std::move(small)};
 }

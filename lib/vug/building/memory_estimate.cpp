@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/building/memory_estimate.h>
+#include <vug/field/material_mix.h>
 #include <vug/volume/surface_bricks.h>
 
 namespace vug::building {
@@ -40,6 +41,12 @@ double label_bytes(double active_voxels, double band, size_t names) {
   if (names == 0) return 0;
   const double bytes =
       2 * sizeof(float) + sizeof(size_t) + static_cast<double>(names) * sizeof(float);
+  return bytes * vertices_of(active_voxels, band);
+}
+
+double rock_weight_bytes(double active_voxels, double band, size_t materials) {
+  if (materials == 0) return 0;
+  const double bytes = sizeof(field::MaterialMix) + static_cast<double>(materials) * sizeof(float);
   return bytes * vertices_of(active_voxels, band);
 }
 

@@ -16,6 +16,8 @@ uint64_t bytes_of(const mesh::Mesh& mesh);
 double meshing_bytes(double active_voxels, double band);
 /// Peak memory in bytes for `names` labels of such a mesh, which each vertex stores.
 double label_bytes(double active_voxels, double band, size_t names);
+/// Peak memory in bytes for the weights of `materials` rock materials of such a mesh.
+double rock_weight_bytes(double active_voxels, double band, size_t materials);
 /// Peak memory in bytes of a surface for direct ray tracing, including the labels of its
 /// components.
 double surface_bytes(double area, double voxel);

@@ -3,6 +3,7 @@
 #include <vug/base/memory.h>
 #include <vug/building/cell_points.h>
 #include <vug/building/level_set_for_files.h>
+#include <vug/building/rock_weights.h>
 #include <vug/delivery/cells_files.h>
 #include <vug/delivery/write_products.h>
 #include <vug/mesh/format.h>
@@ -10,6 +11,8 @@
 #include <vug/volume/fog.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace vug::delivery {
 
@@ -22,12 +25,26 @@ void write_file(const building::Builder& builder, const std::filesystem::path& f
   run_stage(builder.progress(), "writing " + file.filename().string(), [&] { write(file); });
 }
 
-/// All volumes, and the grids of cells on them.
+/// The grids of the materials of all level sets, with the name of the volume before theirs if
+/// several volumes have materials.
+void add_rock_grids(building::Builder& builder, std::vector<volume::Grid>& grids) {
+  std::vector<shot::VolumePtr> rocks;
+  for (const shot::VolumePtr& plan : builder.shot().volumes)
+    if (!plan->fog && !building::materials_of(*plan).empty()) rocks.push_back(plan);
+  for (const shot::VolumePtr& plan : rocks)
+    for (volume::Grid& grid :
+         building::rock_grids(*plan, builder.level_set(plan),
+                              rocks.size() > 1 ? plan->name + "_" : "", builder.memory_budget()))
+      grids.push_back(std::move(grid));
+}
+
+/// All volumes, the materials of their rock, and the grids of cells on them.
 std::vector<volume::Grid> grids_of(building::Builder& builder) {
   std::vector<volume::Grid> grids;
   for (const shot::VolumePtr& plan : builder.shot().volumes)
     grids.push_back(volume_grid(
         *plan, building::level_set_for_files(builder, plan, shot::DistanceValues::bound)));
+  add_rock_grids(builder, grids);
   for (const shot::CellsPtr& cells : shot::declared_cells(builder.shot()))
     if (cells->writes("grids"))
       for (volume::Grid& grid : cell_grids(builder, cells)) grids.push_back(std::move(grid));

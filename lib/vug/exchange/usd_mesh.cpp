@@ -2,6 +2,7 @@
 #include <vug/exchange/channels.h>
 #include <vug/exchange/names.h>
 #include <vug/exchange/usd_mesh.h>
+#include <vug/mesh/rock_weights.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,6 +72,28 @@ void write_input(UsdText& out, const Prototype& prototype, const std::string& pa
     out.line("{} inputs:{} = {}", type, input, prototype.look.*channel.number);
 }
 
+/// A subset of the triangles for each material of the rock, all bound to the material of the mesh,
+/// and one for the triangles without weights.
+void write_rock_subsets(UsdText& out, const mesh::Mesh& mesh, const std::string& material) {
+  const std::vector<std::string> names = mesh::rock_materials(mesh);
+  if (names.empty()) return;
+  const std::vector<int32_t> of_faces = mesh::face_materials(mesh, names);
+  out.line("uniform token subsetFamily:materialBind:familyType = \"partition\"");
+  for (int32_t m = -1; m < static_cast<int32_t>(names.size()); ++m) {
+    std::vector<int32_t> faces;
+    for (size_t face = 0; face < of_faces.size(); ++face)
+      if (of_faces[face] == m) faces.push_back(static_cast<int32_t>(face));
+    if (faces.empty()) continue;
+    out.def("GeomSubset", m < 0 ? "no_rock" : "rock_" + names[static_cast<size_t>(m)],
+            {"prepend apiSchemas = [\"MaterialBindingAPI\"]"});
+    out.line("uniform token elementType = \"face\"");
+    out.line("uniform token familyName = \"materialBind\"");
+    out.array("int", "indices", faces.data(), faces.size(), 1);
+    out.line("rel material:binding = <{}>", material);
+    out.end();
+  }
+}
+
 void write_mesh(UsdText& out, const Prototype& prototype, const mesh::Mesh& mesh,
                 const std::string& name, const std::string& material) {
   out.def("Mesh", name, {"prepend apiSchemas = [\"MaterialBindingAPI\"]"});
@@ -82,6 +105,7 @@ void write_mesh(UsdText& out, const Prototype& prototype, const mesh::Mesh& mesh
     out.line("color3f[] primvars:displayColor = [{}] (interpolation = \"constant\")",
              usd_tuple(prototype.look.base_color));
   write_shape(out, mesh);
+  write_rock_subsets(out, mesh, material);
   out.end();
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/building/rock_weights.h>
 #include <vug/cells/transfer_to_mesh.h>
 #include <vug/facade/semantics.h>
 #include <vug/flora/merge_instances.h>
 #include <vug/loading/attribute_check.h>
+#include <vug/mesh/rock_weights.h>
 #include <vug/shot/cells_plan.h>
 #include <vug/shot/queries.h>
 
@@ -28,6 +30,9 @@ std::set<std::string> available_attributes(const shot::Shot& shot) {
     const std::vector<std::string> semantic = facade::semantic_names(mesh->elements);
     names.insert(semantic.begin(), semantic.end());
   }
+  for (const shot::VolumePtr& volume : shot.volumes)
+    for (const std::string& material : building::materials_of(*volume))
+      names.insert(mesh::weight_attribute(material));
   for (const shot::PointInstancer& place : shot.instancers) {
     names.insert(flora::kCopyAttribute);
     for (const shot::Model& model : place.of)
@@ -47,6 +52,7 @@ class AttributeChecker {
     if (!expr) return;
     if (expr->kind == scene::ExprKind::call && (expr->text == "attribute" || expr->text == "value"))
       check_name(*expr);
+    if (expr->kind == scene::ExprKind::call && expr->text == "by_rock") check_rocks(*expr);
     for (const scene::Operand& operand : expr->operands) check_expression(operand.value);
   }
 
@@ -67,6 +73,26 @@ class AttributeChecker {
       if (operand.name == "name" || operand.name.empty()) name = operand.value.get();
     }
     if (name && name->kind == scene::ExprKind::text) check_name(name->text, name->where);
+  }
+
+  /// Checks the names of rock materials in by_rock(of: [...]).
+  void check_rocks(const scene::Expr& call) const {
+    for (const scene::Operand& operand : call.operands)
+      if (operand.name == "of" || (operand.name.empty() && &operand == &call.operands.front()))
+        for (const scene::Operand& each : operand.value->operands)
+          if (each.value->kind == scene::ExprKind::text)
+            check_rock(each.value->text, each.value->where);
+  }
+  void check_rock(const std::string& name, const SourceLocation& where) const {
+    std::vector<std::string> rocks;
+    for (const std::string& each : names_)
+      if (const auto rock = mesh::material_of_attribute(each)) rocks.push_back(*rock);
+    if (std::find(rocks.begin(), rocks.end(), name) != rocks.end()) return;
+    diagnostics_.warning(where, fmt::format("no rock is made of '{}'", name),
+                         did_you_mean(name, rocks,
+                                      rocks.empty() ? "made_of(FIELD, of: \"" + name +
+                                                          "\") and host_rock assign materials"
+                                                    : ""));
   }
 
   void check_name(const std::string& name, const SourceLocation& where) const {

@@ -72,7 +72,7 @@ class Bsdf {
 /// Storage for the Bsdf of one hit, on the stack of the path.
 class BsdfMemory {  // NOLINT: objects made in it initialise their own bytes
  public:
-  static constexpr size_t kBytes = 4096;
+  static constexpr size_t kBytes = 8192;
 
   /// Bytes that `make` takes for a T; Material::memory_bytes adds these up.
   template <class T>

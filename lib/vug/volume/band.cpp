@@ -38,7 +38,7 @@ Grid filled(const LevelSet& level_set, const std::vector<T>& values) {
   const auto grid = GridType::create(
       typename GridTree::Ptr(new GridTree(source.tree(), zero, openvdb::TopologyCopy())));
   grid->setTransform(source.transform().copy());
-  grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+  if constexpr (!std::is_integral_v<Value>) grid->setGridClass(openvdb::GRID_FOG_VOLUME);
   const Leaves<typename GridTree::LeafNodeType, GridTree> leaves(grid->tree());
   if (leaves.count != values.size())
     throw Error(ErrorCode::internal,
@@ -85,11 +85,26 @@ BandPoints band_points(const LevelSet& level_set) {
   return out;
 }
 
+std::vector<Vec3f> band_positions(const LevelSet& level_set) {
+  const openvdb::FloatGrid& grid = floats(level_set);
+  const Leaves<const FloatLeaf, const openvdb::FloatTree> leaves(grid.tree());
+  std::vector<Vec3f> out(leaves.count);
+  parallel_for(leaves.nodes.size(), [&](size_t n) {
+    size_t at = leaves.begin[n];
+    for (auto on = leaves.nodes[n]->cbeginValueOn(); on; ++on)
+      out[at++] = to_vec3f(grid.indexToWorld(on.getCoord().asVec3d()));
+  });
+  return out;
+}
+
 Grid band_grid(const LevelSet& level_set, const std::vector<float>& values) {
   return filled<openvdb::FloatGrid>(level_set, values);
 }
 Grid band_grid(const LevelSet& level_set, const std::vector<Vec3f>& values) {
   return filled<openvdb::Vec3SGrid>(level_set, values);
+}
+Grid band_grid(const LevelSet& level_set, const std::vector<int32_t>& values) {
+  return filled<openvdb::Int32Grid>(level_set, values);
 }
 
 }  // namespace vug::volume

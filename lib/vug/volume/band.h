@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grids of colours and numbers that accompany a level set, with one value for each voxel of its
-// band.
+// Grids of colours, numbers and identifiers that accompany a level set, with one value for each
+// voxel of its band.
 #pragma once
 
 #include <vug/volume/level_set.h>
@@ -19,11 +19,15 @@ struct BandPoints {
   size_t size() const { return foot.size(); }
 };
 BandPoints band_points(const LevelSet& level_set);
+/// The positions of the active voxels themselves, in tree order. Metres.
+std::vector<Vec3f> band_positions(const LevelSet& level_set);
 
 /// Creates a grid on the level set's lattice with these values in its active voxels, in the
 /// order of `band_points`, and 0 elsewhere, for lookups of surface attributes in other programs.
 /// Its class is fog volume, as for all grids that are neither level sets nor staggered.
 Grid band_grid(const LevelSet& level_set, const std::vector<float>& values);
 Grid band_grid(const LevelSet& level_set, const std::vector<Vec3f>& values);
+/// Integers, such as identifiers: their class is unknown, because no program must interpolate them.
+Grid band_grid(const LevelSet& level_set, const std::vector<int32_t>& values);
 
 }  // namespace vug::volume

@@ -51,6 +51,34 @@ std::vector<double> numbers(const std::string& text, const std::string& name,
   return out;
 }
 
+// The subsets are a partition of the triangles, and all have the material of the mesh.
+TEST_F(Usda, RockMaterialsAreSubsetsOfTheTriangles) {
+  Assembly all = sample();
+  mesh::Mesh cube = *all.prototypes[0].mesh;
+  for (const char* name : {"w_limestone", "w_shale"}) {
+    mesh::Attribute weight{name, 1, {}};
+    for (const Vec3f& p : cube.positions)
+      weight.values.push_back((p.y > 0.5f) == (weight.name == "w_shale") ? 1.0f : 0.0f);
+    cube.attributes.push_back(std::move(weight));
+  }
+  all.prototypes[0].mesh = std::make_shared<const mesh::Mesh>(cube);
+  const std::string text = text_of(all);
+  EXPECT_EQ(count(text, "subsetFamily:materialBind:familyType = \"partition\""), 1u);
+  EXPECT_EQ(count(text, "def GeomSubset \"rock_limestone\""), 1u);
+  EXPECT_EQ(count(text, "def GeomSubset \"rock_shale\""), 1u);
+  EXPECT_EQ(count(text, "no_rock"), 0u);
+  EXPECT_EQ(count(text, "primvars:w_shale"), 1u);
+  std::vector<double> faces = numbers(text, "indices", "rock_limestone");
+  const std::vector<double> rest = numbers(text, "indices", "rock_shale");
+  EXPECT_GE(faces.size(), 2u);  // The floor; a wall belongs to the rock of two of its corners.
+  EXPECT_GE(rest.size(), 2u);
+  faces.insert(faces.end(), rest.begin(), rest.end());
+  std::sort(faces.begin(), faces.end());
+  ASSERT_EQ(faces.size(), cube.triangles.size());
+  for (size_t i = 0; i < faces.size(); ++i) EXPECT_EQ(faces[i], static_cast<double>(i));
+  EXPECT_EQ(count(text_of(sample()), "GeomSubset"), 0u);
+}
+
 TEST_F(Usda, ACubeOfAMetreIsOneMetreInEverySpace) {
   for (const double unit : {1.0, 0.01})
     for (const UpAxis up : {UpAxis::y, UpAxis::z}) {

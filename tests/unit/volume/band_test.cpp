@@ -53,6 +53,22 @@ TEST(Band, GridsHoldTheirValuesWhereTheLevelSetIs) {
   }
   heights.pop_back();
   EXPECT_THROW(band_grid(solid, heights), Error);
+  const std::vector<int32_t> ones(band.size(), 1);
+  const Grid numbers = band_grid(solid, ones);
+  EXPECT_EQ(numbers.value_type(), "int32");
+  EXPECT_EQ(numbers.grid_class(), GridClass::unknown);
+}
+
+TEST(Band, PositionsAreThoseOfTheVoxels) {
+  const LevelSet solid = ball(0.05);
+  const std::vector<Vec3f> positions = band_positions(solid);
+  const BandPoints band = volume::band_points(solid);
+  ASSERT_EQ(positions.size(), band.size());
+  for (size_t i = 0; i < positions.size(); ++i) {
+    const double value = solid.value(Vec3d(positions[i]));
+    const Vec3f foot = positions[i] - band.normal[i] * static_cast<float>(value);
+    EXPECT_LT((foot - band.foot[i]).length(), 1e-5f);
+  }
 }
 
 }  // namespace

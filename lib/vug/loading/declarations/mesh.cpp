@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/building/rock_weights.h>
 #include <vug/facade/semantics.h>
 #include <vug/loading/reader.h>
 #include <vug/mesh/format.h>
 #include <vug/mesh/normals.h>
+#include <vug/mesh/rock_weights.h>
 #include <vug/mesh/weld.h>
 #include <vug/paint/kind.h>
 #include <vug/shot/mesh_source.h>
@@ -180,6 +182,9 @@ bool check_labels(const shot::MeshPlan& plan, const scene::Declaration& declarat
   std::vector<std::string> taken = facade::semantic_names(plan.elements);
   if (plan.elements.empty()) taken.clear();
   taken.emplace_back(mesh::kColour);
+  if (plan.volume)
+    for (const std::string& material : building::materials_of(*plan.volume))
+      taken.push_back(mesh::weight_attribute(material));
   for (const std::string& name : names)
     if (std::find(taken.begin(), taken.end(), name) != taken.end())
       return refuse(fmt::format("the mesh has an attribute '{}' already", name),

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Materials of rock in scenes: names that nothing has, conflicts, and the geology of grammars.
+#include <vug/field/field.h>
+#include <vug/loading/load.h>
+
+#include <gtest/gtest.h>
+
+namespace vug::loading {
+namespace {
+
+Loaded load_rocks(const std::string& text) { return load_text(text, "rocks.vug"); }
+
+const std::string kRock =
+    "volume rock = level_set(made_of(sphere(1m), of: \"limestone\"), voxel: 20cm)\n";
+
+TEST(RockMaterials, ANameThatNoRockHasIsAWarning) {
+  const Loaded right =
+      load_rocks(kRock +
+                 "material m = by_rock(of: [\"limestone\"], materials: [lambert()])\n"
+                 "mesh wall on rock {}\nobject o on wall { material m }\n");
+  EXPECT_TRUE(right.usable());
+  EXPECT_EQ(right.report(), "");
+  const Loaded wrong =
+      load_rocks(kRock +
+                 "material m = by_rock(of: [\"limestoen\"], materials: [lambert()])\n"
+                 "mesh wall on rock {}\nobject o on wall { material m }\n");
+  EXPECT_TRUE(wrong.usable());
+  EXPECT_NE(wrong.report().find("no rock is made of 'limestoen'"), std::string::npos)
+      << wrong.report();
+  EXPECT_NE(wrong.report().find("'limestone'"), std::string::npos);
+  EXPECT_NE(wrong.report().find("rocks.vug:2:27"), std::string::npos) << wrong.report();
+}
+
+TEST(RockMaterials, MasksKnowTheirAttributes) {
+  const std::string paint =
+      "mesh wall on rock { paint layer(under: (0, 0, 0), over: (1, 1, 1), mask: ";
+  EXPECT_EQ(load_rocks(kRock + paint + "attribute(name: \"w_limestone\")) }\n").report(), "");
+  EXPECT_NE(load_rocks(kRock + paint + "attribute(name: \"w_clay\")) }\n").report(), "");
+}
+
+TEST(RockMaterials, LabelsMustNotHaveTheNamesOfWeights) {
+  const Loaded loaded = load_rocks(
+      kRock + "mesh wall on rock { labels [label(name: \"w_limestone\", field: sphere(1m))] }\n");
+  EXPECT_FALSE(loaded.usable());
+  EXPECT_NE(loaded.report().find("'w_limestone'"), std::string::npos);
+}
+
+TEST(RockMaterials, TheGeologyOfAGrammarLimitsItsMorphs) {
+  const auto value = [](const std::string& option) {
+    const Loaded loaded = load_rocks("grammar cave {\n  " + option +
+                                     "\n  axiom + sphere(1m) ~ 50% box(size: (3, 1, 1))\n}\n"
+                                     "volume rock = level_set(cave, voxel: 20cm)\n");
+    EXPECT_TRUE(loaded.usable()) << loaded.report();
+    return loaded.shot.derivations.at(0).productions == 2
+               ? loaded.shot.volumes.at(0)->field.bounds().size().x
+               : 0;
+  };
+  const auto made_of = [](const std::string& hardness) {
+    return "geology made_of(box(size: (9, 9, 9)), of: rock_material(name: \"marl\", hardness: " +
+           hardness + "))";
+  };
+  EXPECT_EQ(value(made_of("0%")), value(""));
+  const Loaded missing = load_rocks(
+      "grammar cave {\n  geology sphere(1m)\n  axiom + sphere(1m)\n}\n"
+      "volume rock = level_set(cave, voxel: 20cm)\n");
+  EXPECT_FALSE(missing.usable());
+  EXPECT_NE(missing.report().find("the solid of 'geology' has no materials"), std::string::npos);
+  EXPECT_NE(missing.report().find("made_of"), std::string::npos);
+  // A hardness of 1 leaves no morph: the cave is the sphere.
+  EXPECT_LT(value(made_of("100%")), value("") - 0.1);
+}
+
+TEST(RockMaterials, FaultsPointAtTheirLine) {
+  const Loaded loaded = load_rocks(
+      "field f = made_of(sphere(1m), of: \"hard rock\")\n"
+      "field g = host_rock(sphere(1m), of: \"clay\", bodies: [sphere(50cm)])\n");
+  EXPECT_FALSE(loaded.usable());
+  EXPECT_NE(loaded.report().find("rocks.vug:1:11"), std::string::npos) << loaded.report();
+  EXPECT_NE(loaded.report().find("rocks.vug:2:11"), std::string::npos);
+  EXPECT_NE(loaded.report().find("letters, digits and '_'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace vug::loading
