@@ -32,6 +32,8 @@ vug_family(shot     curves        curve_kinds           CurveKind               
 vug_family(shot     networks      network_kinds         NetworkKind               network      networks.h SCENE)
 vug_family(shot     network_fields network_field_kinds  NetworkFieldKind          network_field networks.h SCENE)
 vug_family(shot     network_noises network_noise_kinds  NetworkNoiseKind          network_noise networks.h SCENE)
+vug_family(shot     drips         drips_kinds           DripsKind             drips        drips_plan.h SCENE)
+vug_family(shot     drip_edits    drip_edit_kinds       DripEditKind          drip_edit    drip_edits.h SCENE)
 vug_family(shot     geology       geology_kinds         GeologyKind               geology      geology.h SCENE)
 vug_family(shot     points        point_kinds           PointKind                 point        networks.h SCENE)
 vug_family(shot     point_lists   point_list_kinds      PointListKind             points       networks.h SCENE)

@@ -66,11 +66,12 @@ std::vector<int> match_arguments(const KindInfo& kind, const Arguments& argument
 
 namespace {
 
-/// The type with its article: "a number", "a list of fields", "true or false".
+/// The type with its article: "a number", "a list of fields", "points", "true or false".
 std::string with_article(const std::string& type) {
   const std::string list = "list of ";
   if (type == "true or false") return type;
   if (type.compare(0, list.size(), list) == 0) return "a " + plural_of(type);
+  if (type.back() == 's') return type;  // A plural: points, cells, drips.
   return fmt::format("a {}", type);
 }
 

@@ -63,7 +63,7 @@ class Builder {
 
   void add_seeps() {
     std::map<std::string, int> planes;
-    for (const Seep& seep : find_seeps(rock_, o_)) {
+    for (const Seep& seep : edited(find_seeps(rock_, o_), rock_, o_, o_.edits)) {
       Node node;
       node.id = seep.id;
       node.position = seep.position;

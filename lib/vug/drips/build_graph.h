@@ -2,6 +2,7 @@
 // The graph of the water that drips into a cave, from the rock and its joints.
 #pragma once
 
+#include <vug/drips/edits.h>
 #include <vug/drips/film_path.h>
 #include <vug/drips/graph.h>
 #include <vug/drips/seeps.h>
@@ -13,6 +14,7 @@ struct GraphOptions : SeepOptions {
   double mixing = 0.5;      ///< See seep_calcium.
   double girth = 0.05;      ///< Radius in metres of a stalactite that is a metre long.
   double straws = 0.2;      ///< The share of the drips at which straws hang.
+  DripEdits edits{};        ///< Changes of the seeps that are found.
   FilmOptions film{};       ///< Its temperature and region are replaced.
   /// Whether films are followed down walls, over floors and through pools; without, the graph ends
   /// where drops land and where roofs become walls.
@@ -24,8 +26,8 @@ struct GraphOptions : SeepOptions {
 double graph_memory(const SeepOptions& options);
 
 /// Finds seeps, films, drops, landings and pools. Air is where the rock is positive. The result is
-/// the same for any number of threads. Throws Error(bad_input) as find_seeps, and Error(too_large)
-/// if the graph needs more memory than allowed.
+/// the same for any number of threads. Throws Error(bad_input) as find_seeps and edited, and
+/// Error(too_large) if the graph needs more memory than allowed.
 Graph build_graph(const field::Field& rock, const GraphOptions& options);
 
 }  // namespace vug::drips

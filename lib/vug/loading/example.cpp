@@ -45,6 +45,8 @@ const std::map<std::string, std::string>& statements() {
       {"shape", "mesh leaves { of @ }"},
       {"curve", "grammar stem: lsystem {\n  guides @\n  axiom F(1m)\n}"},
       {"network", "network cave_plan = @"},
+      {"drips", "drips water = @"},
+      {"drip edit", "drips water = seepage(rock, edits: [@])"},
       {"passage", field},
       {"section", "field air = passages(of: plan, section: @)"},
       {"section rule", "field air = passages(of: plan, sections: [@])"},
@@ -73,6 +75,7 @@ std::string argument_text(const ParamInfo& param) {
       {"lsystem", "fern"},
       {"mesh", "skin"},
       {"network", "plan"},
+      {"drips", "roof"},
       {"mask", "slope(from: 50deg, to: 20deg)"},
       {"list of mask", "[slope(from: 50deg, to: 20deg), 0.5]"},
       {"paint", "(0.4, 0.35, 0.3)"},
@@ -168,6 +171,7 @@ std::string example_scene() {
          "network plan = graph(names: [\"mouth\", \"fork\", \"hall\", \"sump\"], "
          "at: [(0, 0, 0), (8, -1, 2), (15, -2, 0), (14, -4, 9)], "
          "paths: [\"mouth fork hall\", \"fork sump\"])\n"
+         "drips roof = seepage(rock, from: (-3, -2, -3), to: (3, 2, 3))\n"
          "light panel = rect(center: (0, 1, 0), normal: (0, -1, 0), group: \"key\")\n";
 }
 

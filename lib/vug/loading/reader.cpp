@@ -229,8 +229,8 @@ Value read_kind_declaration(const std::string& type, const std::string& fallback
   if (object && object->type == type) return value;
   if (called) return report_unknown(registry, expr.text, expr.where, context.diagnostics);
   Diagnostics own;
-  own.error(expr.where,
-            fmt::format("'{}' expects a {}, not {}", declaration.name, type, value.type_name()));
+  own.error(expr.where, fmt::format("'{}' expects {}{}, not {}", declaration.name,
+                                    type.back() == 's' ? "" : "a ", type, value.type_name()));
   context.evaluator.report(own, {{"", value, expr.where}});
   return Value();
 }

@@ -22,8 +22,18 @@ drips::GraphOptions DripParams::graph() const {
   o.temperature = temperature;
   o.girth = girth;
   o.straws = straws;
+  if (budget > 0) o.edits.budget = static_cast<size_t>(budget);
+  for (const DripEditPtr& edit : edits) (*edit)(o.edits);
   o.seed = static_cast<uint64_t>(seed);
   return o;
+}
+
+drips::FormOptions DripParams::forms() const {
+  return {.girth = girth,
+          .tip = tip,
+          .stalagmites = stalagmites,
+          .broken = broken,
+          .seed = static_cast<uint64_t>(seed)};
 }
 
 std::string DripParams::fault() const {

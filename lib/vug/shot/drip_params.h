@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of all kinds that are made from the drips of a rock.
+// The parameters of the drips of a rock and of the speleothems that grow from them.
 #pragma once
 
 #include <vug/drips/build_graph.h>
+#include <vug/drips/forms.h>
 #include <vug/field/kind.h>
+#include <vug/shot/drip_edits.h>
 #include <vug/shot/geology.h>
 
 #include <vector>
@@ -23,9 +25,15 @@ struct DripParams {
   double temperature = drips::GraphOptions().temperature;
   double girth = drips::GraphOptions().girth;
   double straws = drips::GraphOptions().straws;
+  int budget = 0;
+  std::vector<DripEditPtr> edits;
   int seed = 1;
+  double tip = 0.01;
+  double stalagmites = drips::FormOptions().stalagmites;
+  double broken = drips::FormOptions().broken;
 
   drips::GraphOptions graph() const;
+  drips::FormOptions forms() const;
   std::string fault() const;
 };
 
@@ -71,7 +79,23 @@ void describe_drips(Schema<P>& s) {
               .dimension = Dimension::ratio,
               .min = 0,
               .max = 1})
+      .param("budget", &DripParams::budget,
+             {.doc = "the number of drips, those with the most water; 0: all", .min = 0})
+      .param("edits", &DripParams::edits, {.doc = "drips that are added, moved or removed by hand"})
       .param("seed", &DripParams::seed, {.doc = "random seed; each seed gives different drips"});
+}
+
+template <class P>
+void describe_forms(Schema<P>& s) {
+  const auto share = [](std::string doc) {
+    return ParamSpec{.doc = std::move(doc), .dimension = Dimension::ratio, .min = 0, .max = 1};
+  };
+  s.param("tip", &DripParams::tip,
+          positive_length("least radius of every form: 2.55 mm in nature, but at least 0.75 "
+                          "voxels. Stalactites of less than six radii are left out"))
+      .param("stalagmites", &DripParams::stalagmites,
+             share("share of the drips with a stalagmite below"))
+      .param("broken", &DripParams::broken, share("share of the stalactites that broke"));
 }
 
 }  // namespace vug::shot

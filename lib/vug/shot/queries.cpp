@@ -133,6 +133,12 @@ const NetworkPlan& find_network(const Shot& shot, const std::string& name) {
   return *find_named(networks, name, "network", "network plan = karst(preset: branchwork)");
 }
 
+const NamedDrips& find_drips(const Shot& shot, const std::string& name) {
+  std::vector<const NamedDrips*> drips;
+  for (const NamedDrips& each : shot.drips) drips.push_back(&each);
+  return *find_named(drips, name, "drips", "drips water = seepage(rock, from: ..., to: ...)");
+}
+
 CellsPtr find_cells(const Shot& shot, const std::string& name) {
   return find_named(declared_cells(shot), name, "cells", "cells NAME on MESH { ... }");
 }

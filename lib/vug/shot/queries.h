@@ -45,5 +45,8 @@ CellsPtr find_cells(const Shot& shot, const std::string& name);
 /// The network of that name; the first one for an empty name. Error(bad_input) as find_mesh. The
 /// result is an element of the shot.
 const NetworkPlan& find_network(const Shot& shot, const std::string& name);
+/// The drips of that name; the first ones for an empty name. Error(bad_input) as find_mesh. The
+/// result is an element of the shot.
+const NamedDrips& find_drips(const Shot& shot, const std::string& name);
 
 }  // namespace vug::shot

@@ -8,6 +8,7 @@ namespace {
 template <class A, class B, class With>
 void with_lists(A& a, B& b, const With& with) {
   with(a.networks, b.networks);
+  with(a.drips, b.drips);
   with(a.volumes, b.volumes);
   with(a.meshes, b.meshes);
   with(a.objects, b.objects);

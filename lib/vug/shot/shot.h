@@ -155,6 +155,14 @@ struct NetworkPlan {
   NetworkPtr network;
 };
 
+class DripsPlan;  ///< See drips_plan.h.
+
+/// `drips NAME = ...`: the drips of a cave.
+struct NamedDrips {
+  std::string name;
+  std::shared_ptr<const DripsPlan> drips;
+};
+
 /// `camera NAME { ... }`: a camera.
 struct CameraPlan {
   std::string name;
@@ -192,6 +200,7 @@ struct Shot {
   /// Digest of the scene text, of all included texts and of `draft`.
   Digest text_digest;
   std::vector<NetworkPlan> networks;
+  std::vector<NamedDrips> drips;
   std::vector<VolumePtr> volumes;
   std::vector<MeshPtr> meshes;
   std::vector<ObjectPlan> objects;

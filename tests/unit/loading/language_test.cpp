@@ -44,6 +44,13 @@ TEST(Language, ExamplesAreValid) {
   }
 }
 
+TEST(Language, DripsOfTheirPageAreValid) {
+  const std::vector<std::string> examples = blocks("vug", "reference/drips.md");
+  ASSERT_GE(examples.size(), 1u);
+  for (const std::string& example : examples)
+    EXPECT_EQ(load_text(example, "drips.md", {}).report(), "") << example;
+}
+
 TEST(Language, NetworksOfTheirPageMakeSolids) {
   const std::vector<std::string> examples = blocks("vug", "reference/networks.md");
   ASSERT_GE(examples.size(), 2u);

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/base/error.h>
+#include <vug/drips/edits.h>
+#include <vug/drips/surface.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace vug::drips {
+namespace {
+
+/// Points on the roof are in the rock by their rounding.
+constexpr double kTouching = 0.01;
+/// Water that leaves the roof within this distance of a joint comes out of it.
+constexpr double kOfPlane = 0.1;
+constexpr double kRoofStep = 0.05;
+
+std::string text(const Vec3d& p) { return fmt::format("({:g}, {:g}, {:g})", p.x, p.y, p.z); }
+
+[[noreturn]] void fail(const std::string& message, const std::string& hint) {
+  throw Error(ErrorCode::bad_input, message, {}, hint);
+}
+
+class Editor {
+ public:
+  Editor(std::vector<Seep> seeps, const field::Field& rock, const SeepOptions& o)
+      : rock_(rock), o_(o) {
+    for (const Seep& seep : seeps) seeps_.emplace(seep.id, seep);
+  }
+
+  /// The edits refer to the drips that the budget leaves, which are those that users see.
+  std::vector<Seep> apply(const DripEdits& edits) && {
+    if (edits.budget) keep_wettest(*edits.budget);
+    for (const DripEdits::Move& move : edits.moved) place(find(move.drip, "moved"), move.to);
+    for (const int64_t drip : edits.removed) find(drip, "removed");
+    for (const int64_t drip : edits.removed) seeps_.erase(drip);
+    for (const DripEdits::Addition& each : edits.added) add(each);
+    std::vector<Seep> out;
+    for (const auto& [id, seep] : seeps_) out.push_back(seep);
+    return out;
+  }
+
+ private:
+  void keep_wettest(size_t budget) {
+    std::vector<std::pair<double, int64_t>> order;
+    for (const auto& [id, seep] : seeps_) order.emplace_back(seep.interval, id);
+    std::sort(order.begin(), order.end());
+    for (size_t i = budget; i < order.size(); ++i) seeps_.erase(order[i].second);
+  }
+
+  Seep& find(int64_t drip, const char* verb) {
+    const auto found = seeps_.find(drip);
+    if (found == seeps_.end())
+      fail(fmt::format("drip {} is {}, but the roof has no such drip", drip, verb),
+           "'vug drips' lists the numbers; they depend on the seed, the box and the spacing");
+    return found->second;
+  }
+
+  void add(const DripEdits::Addition& from) {
+    Seep seep;
+    seep.id = -++added_;
+    seep.interval = from.interval;
+    seep.age = from.age;
+    place(seep, from.at);
+    seeps_.emplace(seep.id, seep);
+  }
+
+  /// Moves a seep to the roof above a point.
+  void place(Seep& seep, Vec3d at) const {
+    if (!(rock_.value(at) > 0)) {
+      const Vec3d below = at - Vec3d(0, kTouching, 0);
+      if (!(rock_.value(below) > 0))
+        fail(fmt::format("a drip at {} is in solid rock", text(at)),
+             "give a point in the air; water drips from the roof above it");
+      at = below;
+    }
+    const auto roof = VerticalLine(rock_, at, kRoofStep).crossing(at.y, o_.to.y);
+    if (!roof)
+      fail(fmt::format("there is no roof above the drip at {}", text(at)),
+           "move it below the roof, or extend the box of the drips upwards");
+    seep.position = Vec3d(at.x, *roof, at.z);
+    seep.normal = normal_at(rock_, seep.position);
+    seep.plane.reset();
+    if (!o_.planes) return;
+    const auto plane = o_.planes->nearest(seep.position);
+    if (plane && std::fabs(plane->distance) < kOfPlane) seep.plane = plane;
+  }
+
+  std::map<int64_t, Seep> seeps_;
+  const field::Field& rock_;
+  const SeepOptions& o_;
+  int64_t added_ = 0;
+};
+
+void require_inside(const Vec3d& at, const SeepOptions& o) {
+  if (!Box3d(o.from, o.to).intersects(at))
+    fail(fmt::format("a drip at {} is outside the box of the drips", text(at)),
+         fmt::format("the box reaches from {} to {}", text(o.from), text(o.to)));
+}
+
+void require_valid(const DripEdits::Addition& added, const SeepOptions& o) {
+  require_inside(added.at, o);
+  if (!(added.interval > 0 && std::isfinite(added.interval)))
+    fail(fmt::format("the interval of a drip is {:g} s, but water must flow", added.interval),
+         "use 1 s to 1 h");
+  if (!(added.age > 0))
+    fail(fmt::format("the age of a drip is {:g} years", added.age), "use a positive age");
+  if (added.age > o.oldest)
+    fail(fmt::format("a drip is {:g} years old, but the oldest ones are {:g}", added.age, o.oldest),
+         "increase the age of the oldest drips");
+}
+
+}  // namespace
+
+void require_valid(const DripEdits& edits, const SeepOptions& options) {
+  std::set<int64_t> named;
+  const auto name_once = [&](int64_t drip) {
+    if (!named.insert(drip).second)
+      fail(fmt::format("drip {} is moved or removed twice", drip), "name each drip once");
+  };
+  for (const int64_t drip : edits.removed) name_once(drip);
+  for (const DripEdits::Move& move : edits.moved) {
+    name_once(move.drip);
+    require_inside(move.to, options);
+  }
+  for (const DripEdits::Addition& added : edits.added) require_valid(added, options);
+}
+
+std::vector<Seep> edited(std::vector<Seep> seeps, const field::Field& rock,
+                         const SeepOptions& options, const DripEdits& edits) {
+  require_valid(edits, options);
+  return Editor(std::move(seeps), rock, options).apply(edits);
+}
+
+}  // namespace vug::drips

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rock of named drips with their speleothems.
+#include <vug/field/boolean.h>
+#include <vug/shot/drips_plan.h>
+#include <vug/shot/networks.h>
+#include <vug/shot/speleothem_field.h>
+
+namespace vug::shot {
+namespace {
+
+struct Speleothems {
+  DripsPtr of;
+  double root = 0.3;
+
+  static void describe(Schema<Speleothems>& s) {
+    s.doc("The rock of named drips with the speleothems that grow from them, as in dripstone(...).")
+        .cite("short2005")
+        .param("of", &Speleothems::of, {.doc = "the drips", .required = true})
+        .param("root", &Speleothems::root,
+               positive_length("distance over which roots blend into the rock"));
+  }
+};
+
+field::Field with_speleothems(const Speleothems& p) {
+  return field::unite({p.of->params().field,
+                       speleothem_field(p.of->params(), [drips = p.of] { return drips->forms(); })},
+                      {field::Profile::smooth, p.root});
+}
+
+}  // namespace
+}  // namespace vug::shot
+
+VUG_NETWORK_FIELD_KIND(speleothems) {
+  return field::field_kind<Speleothems>("speleothems", "detail", with_speleothems);
+}

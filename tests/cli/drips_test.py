@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`vug drips` prints, saves and edits the drips of a scene."""
+import json
+import unittest
+
+from vug import VugTest
+
+SCENE = """let room = complement(box(size: (6, 3, 6)))
+drips water = seepage(room, from: (-3, -2, -3), to: (3, 2, 3), spacing: 40cm, EDITS
+  joints: [fractures(azimuth: 35deg, spacing: 1.5m)])
+"""
+
+
+class Drips(VugTest):
+    def drips(self, *args, edits="", code=0):
+        (self.folder / "cave.vug").write_text(SCENE.replace("EDITS", edits))
+        result = self.expect(code, "drips", "cave.vug", *args)
+        return result.err if code else result.out
+
+    def graph(self, *args, edits=""):
+        return json.loads(self.drips("--json", *args, edits=edits))
+
+    def test_text_explains_forms(self):
+        text = self.drips(edits="edits: [add_drip(at: (0, 0, 0), interval: 55, age: 9000)],")
+        first, *forms = text.splitlines()
+        self.assertRegex(first, r"\d+ seeps, \d+ drops, \d+ landings, \d+ pools; \d+ speleothems")
+        self.assertTrue(any(": drip -1" in form and ", 55 s a drop, 9,000 years" in form for form in forms))
+        self.assertTrue(any(" on joint " in form for form in forms))
+
+    def test_json_is_the_graph(self):
+        graph = self.graph("--threads", "1")
+        self.assertEqual(graph, self.graph("--threads", "7"))
+        nodes = graph["nodes"]
+        drops = {node["drip"] for node in nodes if node["kind"] == "drop"}
+        self.assertTrue(graph["forms"])
+        self.assertTrue(all(form["drip"] in drops for form in graph["forms"]))
+        for edge in graph["edges"]:
+            for end, point in (("from", edge["path"][0]), ("to", edge["path"][-1])):
+                for a, b in zip(nodes[edge[end]]["position"], point):
+                    self.assertAlmostEqual(a, b, delta=0.06)
+
+    def test_edits(self):
+        drip = self.graph()["forms"][0]["drip"]
+        after = self.graph(edits=f"edits: [remove_drip(drip: {drip})],")
+        self.assertNotIn(drip, {node["drip"] for node in after["nodes"] if node["kind"] != "pool"})
+        few = self.graph(edits="budget: 3,")
+        self.assertEqual(sum(node["kind"] == "seep" for node in few["nodes"]), 3)
+
+    def test_points(self):
+        nodes = self.graph("--points", "drips.vdb")["nodes"]
+        grid = json.loads(self.expect(0, "info", "drips.vdb", "--json").out)["grids"][0]
+        self.assertEqual((grid["name"], grid["points"]["count"]), ("drips", len(nodes)))
+        groups = {group["name"]: group["points"] for group in grid["points"]["groups"]}
+        self.assertEqual(groups["drop"], sum(node["kind"] == "drop" for node in nodes))
+
+    def test_faults(self):
+        error = self.drips(edits="edits: [remove_drip(drip: 99999)],", code=2)
+        self.assertIn("drip 99999 is removed, but the roof has no such drip", error)
+        self.assertIn("hint: ", error)
+        self.assertIn("written as .vdb", self.drips("--points", "drips.ply", code=2))
+        self.assertIn("no water drips", self.drips("--points", "drips.vdb", edits="density: 0,", code=2))
+        self.assertFalse((self.folder / "drips.vdb").exists())
+        (self.folder / "stone.vug").write_text("let a = sphere(1m)\n")
+        self.assertIn("drips", self.expect(2, "drips", "stone.vug").err)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Named drips of scenes, their edits, points and fields.
+#include <gtest/gtest.h>
+#include <vug/loading/load.h>
+#include <vug/shot/drips_plan.h>
+#include <vug/shot/queries.h>
+
+#include <cmath>
+
+namespace vug::loading {
+namespace {
+
+std::string drips_with(const std::string& more) {
+  return "let room = complement(box(size: (6, 3, 6)))\n"
+         "drips water = seepage(room, from: (-3, -2, -3), to: (3, 2, 3), spacing: 40cm" +
+         more + ")\n";
+}
+
+TEST(DripsDeclaration, GivesPointsAndFields) {
+  const Loaded scene = load_text(
+      drips_with(", budget: 12") +
+          "light tip[p in drip_points(of: water, only: tips)] = sphere(center: p, radius: 1cm)\n"
+          "light low[p in drip_points(of: water, up: 10cm)] = sphere(center: p, radius: 1cm)\n"
+          "field all = speleothems(of: water)\n"
+          "field films = water_paths(of: water, only: films, radius: 2cm)\n",
+      "t.vug", {});
+  ASSERT_EQ(scene.report(), "");
+  const shot::DripsPlan& plan = *shot::find_drips(scene.shot, "").drips;
+  size_t landings = 0, hanging = 0;
+  for (const drips::Node& node : plan.graph().nodes)
+    landings += node.kind == drips::NodeKind::landing;
+  for (const drips::Form& form : plan.forms())
+    hanging += form.kind == drips::FormKind::straw || form.kind == drips::FormKind::stalactite;
+  EXPECT_GT(landings, 5u);
+  EXPECT_LE(landings, 12u);
+  EXPECT_GT(hanging, 0u);
+  EXPECT_EQ(scene.shot.lights.size(), hanging + landings);
+}
+
+TEST(DripsDeclaration, ItsSpeleothemsAreSolidAtTheirDrips) {
+  const Loaded scene = load_text(
+      drips_with(", density: 0, stalagmites: 1, edits: [add_drip(at: (0.5, 0, 0), interval: 30, "
+                 "age: 9000)]") +
+          "volume rock = level_set(speleothems(of: water), voxel: 5cm)\n"
+          "volume films = level_set(water_paths(of: water, only: falls, radius: 2cm), voxel: "
+          "1cm)\n",
+      "t.vug", {});
+  ASSERT_EQ(scene.report(), "");
+  const shot::DripsPlan& plan = *scene.shot.drips.at(0).drips;
+  const std::vector<drips::Form> forms = plan.forms();
+  ASSERT_EQ(forms.size(), 2u);
+  const auto value = [&](size_t volume, const Vec3d& p) {
+    return scene.shot.volumes.at(volume)->field.value(p);
+  };
+  for (const drips::Form& form : forms) {
+    EXPECT_EQ(form.drip, -1);
+    EXPECT_LT(value(0, 0.5 * (form.top + form.bottom)), 0) << "the stone is solid";
+  }
+  const Vec3d tip = forms[0].bottom, apex = forms[1].top, between = 0.5 * (tip + apex);
+  EXPECT_GT(value(0, between), 0) << "air below the tip";
+  EXPECT_NEAR(value(1, between), -0.02, 1e-6) << "the fall is the middle of its tube";
+}
+
+TEST(DripsDeclaration, ReportsFaultsAtTheCall) {
+  const auto report = [](const std::string& more) {
+    return load_text(drips_with(", " + more), "t.vug", {}).report();
+  };
+  const auto has = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  const std::string outside = report("edits: [add_drip(at: (0, 9, 0))]");
+  has(outside, "t.vug:2:15");
+  has(outside, "a drip at (0, 9, 0) is outside the box of the drips");
+  has(report("edits: [add_drip(at: (0, 0, 0), age: 20000)]"), "the oldest ones are 10000");
+  has(report("edits: [remove_drip(drip: 3), move_drip(drip: 3, to: (0, 0, 0))]"),
+      "drip 3 is moved or removed twice");
+  has(load_text("volume v = level_set(speleothems(of: 3), voxel: 5cm)\n", "t.vug", {}).report(),
+      "'of' expects drips, not a number");
+  has(load_text("volume v = level_set(speleothems(of: wate), voxel: 5cm)\n" + drips_with(""),
+                "t.vug", {})
+          .report(),
+      "did you mean 'water'?");
+}
+
+TEST(DripsDeclaration, IsFoundByName) {
+  const Loaded scene = load_text(drips_with(""), "t.vug", {});
+  EXPECT_EQ(shot::find_drips(scene.shot, "water").name, "water");
+  EXPECT_THROW(shot::find_drips(scene.shot, "wine"), Error);
+}
+
+}  // namespace
+}  // namespace vug::loading

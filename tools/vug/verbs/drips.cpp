@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene_options.h"
+
+#include <vug/base/parallel.h>
+#include <vug/delivery/drip_points.h>
+#include <vug/shot/drips_plan.h>
+#include <vug/shot/queries.h>
+#include <vug/volume/io.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <filesystem>
+
+namespace vug::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct DripsOptions {
+  SceneOptions scene;
+  WorkOptions work;
+  std::string name;
+  std::string points;
+  bool json = false;
+};
+
+constexpr const char* kForms[] = {"straw", "stalactite", "stalagmite", "column"};
+
+Json json_of(const Vec3d& p) { return Json::array({p.x, p.y, p.z}); }
+
+Json json_of(const drips::Node& node) {
+  Json out{{"kind", delivery::kind_name(node.kind)}, {"drip", node.id},
+           {"position", json_of(node.position)},     {"normal", json_of(node.normal)},
+           {"discharge", node.water.discharge},      {"calcium", node.water.calcium},
+           {"temperature", node.water.temperature},  {"age", node.water.age}};
+  if (node.kind == drips::NodeKind::pool) out["level"] = node.level;
+  return out;
+}
+
+Json json_of(const drips::Form& form, const drips::Graph& graph) {
+  Json out{{"kind", kForms[static_cast<size_t>(form.kind)]},
+           {"drip", form.drip},
+           {"top", json_of(form.top)},
+           {"bottom", json_of(form.bottom)},
+           {"radius", form.radius},
+           {"interval", form.interval},
+           {"age", form.age}};
+  if (form.plane >= 0) out["plane"] = graph.planes[static_cast<size_t>(form.plane)];
+  return out;
+}
+
+Json json_of(const drips::Graph& graph, const std::vector<drips::Form>& forms) {
+  Json nodes = Json::array(), edges = Json::array(), grown = Json::array();
+  for (const drips::Node& node : graph.nodes) nodes.push_back(json_of(node));
+  for (const drips::Edge& edge : graph.edges) {
+    Json path = Json::array();
+    for (const Vec3d& p : edge.path) path.push_back(json_of(p));
+    edges.push_back({{"kind", delivery::kind_name(edge.kind)},
+                     {"from", edge.from},
+                     {"to", edge.to},
+                     {"discharge", edge.water.discharge},
+                     {"calcium", edge.water.calcium},
+                     {"path", std::move(path)}});
+  }
+  for (const drips::Form& form : forms) grown.push_back(json_of(form, graph));
+  return {{"nodes", std::move(nodes)}, {"edges", std::move(edges)}, {"forms", std::move(grown)}};
+}
+
+void print_text(const drips::Graph& graph, const std::vector<drips::Form>& forms) {
+  std::array<size_t, 7> counts{};
+  for (const drips::Node& node : graph.nodes) ++counts[static_cast<size_t>(node.kind)];
+  const auto count = [&](drips::NodeKind kind) { return counts[static_cast<size_t>(kind)]; };
+  fmt::print("{} seeps, {} drops, {} landings, {} pools; {} speleothems\n",
+             count(drips::NodeKind::seep), count(drips::NodeKind::drop),
+             count(drips::NodeKind::landing), count(drips::NodeKind::pool), forms.size());
+  for (size_t i = 0; i < forms.size(); ++i) fmt::print("{}\n", drips::explain(forms[i], i, graph));
+}
+
+/// The edge of the voxels of a grid of that many points in a box.
+double voxel_for(const volume::Points& points) {
+  Box3d box;
+  for (const Vec3f& p : points.position) box.extendBy(Vec3d(p));
+  const Vec3d size = box.size();
+  const double area = size.x * size.z + size.y * (size.x + size.z);
+  return volume::voxel_for_points(area / static_cast<double>(points.size()));
+}
+
+void write_points(const std::filesystem::path& target, const volume::Points& points) {
+  if (target.extension() != ".vdb")
+    throw Error(ErrorCode::bad_input,
+                fmt::format("'{}': the points of drips are written as .vdb", target.string()), {},
+                "use a name that ends with .vdb");
+  if (points.size() == 0)
+    throw Error(ErrorCode::bad_input, "no water drips, so there are no points to write", {},
+                "increase the density, or check the box");
+  volume::write(target, {volume::point_grid(points, voxel_for(points)).named("drips")});
+}
+
+int run_drips(const DripsOptions& options) {
+  const loading::Loaded loaded = options.scene.load();
+  const shot::DripsPlan& plan = *shot::find_drips(loaded.shot, options.name).drips;
+  const drips::Graph& graph = plan.graph();
+  if (!options.points.empty()) write_points(options.points, delivery::drip_points(graph));
+  if (options.json)
+    fmt::print("{}\n", json_of(graph, plan.forms()).dump(2));
+  else
+    print_text(graph, plan.forms());
+  return kDone;
+}
+
+}  // namespace
+
+Verb drips_verb() {
+  return {"drips", "Prints the drips of a scene and the speleothems that grow from them.",
+          [](CLI::App& app) {
+            auto options = std::make_shared<DripsOptions>();
+            options->scene.add_to(app, &options->work);
+            options->work.add_to(app);
+            app.add_option("--drips", options->name, "Name of the drips; default the first");
+            app.add_option("--points", options->points,
+                           "Also writes the graph as points to this .vdb file");
+            app.add_flag("--json", options->json,
+                         "The whole graph with its paths, and the speleothems, as JSON");
+            return [options] {
+              return with_threads(options->work.threads, [&] { return run_drips(*options); });
+            };
+          }};
+}
+
+}  // namespace vug::cli
