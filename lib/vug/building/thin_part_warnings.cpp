@@ -21,12 +21,27 @@ bool is_same(const SourceLocation& a, const SourceLocation& b) {
 
 std::string message_of(const ThinParts& parts, const shot::VolumePlan& plan) {
   const field::ThinPart& part = parts.thinnest;
+  if (part.share)
+    return fmt::format(
+        "{:.0f} % of the length of the {} in the volume '{}' is thinner than its voxels of {} m, "
+        "so "
+        "they may fall to pieces; the least is {:.3g} m at ({:.6g}, {:.6g}, {:.6g})",
+        std::max(1.0, 100 * *part.share), part.node->name(), plan.name, plan.voxel, part.thickness,
+        part.at.x, part.at.y, part.at.z);
   std::string others = parts.count > 1 ? ", and " + pluralize(parts.count - 1, "other") : "";
   return fmt::format(
       "the {} in the volume '{}' is {:.3g} m thick at ({:.6g}, {:.6g}, {:.6g}){}: the level set "
       "may not contain parts thinner than its voxels of {} m",
       part.node->name(), plan.name, part.thickness, part.at.x, part.at.y, part.at.z, others,
       plan.voxel);
+}
+
+/// Karst passages have narrow places as real caves do, for which no voxel is small enough.
+std::string hint_of(const field::ThinPart& part) {
+  if (part.share)
+    return "use smaller voxels or larger passages: 'least_width', 'least_height' and 'size' of "
+           "'karst' and 'with_sections'";
+  return fmt::format("use voxels of at most {:.2g} m, or a thicker solid", 0.5 * part.thickness);
 }
 
 }  // namespace
@@ -48,9 +63,7 @@ Diagnostics thin_part_warnings(
   constexpr size_t kMost = 5;
   Diagnostics warnings;
   for (size_t i = 0; i < std::min(kMost, groups.size()); ++i)
-    warnings.warning(groups[i].where, message_of(groups[i], plan),
-                     fmt::format("use voxels of at most {:.2g} m, or a thicker solid",
-                                 0.5 * groups[i].thinnest.thickness));
+    warnings.warning(groups[i].where, message_of(groups[i], plan), hint_of(groups[i].thinnest));
   return warnings;
 }
 

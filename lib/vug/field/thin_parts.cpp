@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/placement.h>
+#include <vug/field/thickness.h>
 #include <vug/field/thin_parts.h>
 
 #include <algorithm>
@@ -64,6 +65,7 @@ class Search {
 
   void visit(const NodePtr& node, const Transform& outwards) {
     if (!seen_.insert(node).second) return;
+    if (add_passages(node, outwards)) return;
     const std::string name = node->name();
     if (const std::optional<Transform> placement = placement_of(*node))
       return visit(node->children().front(), outwards * *placement);
@@ -72,13 +74,34 @@ class Search {
       return;
     }
     const std::vector<NodePtr> operands = node->children();
-    if (name == "difference" && operands.size() > 1) return visit(operands.front(), outwards);
+    if (name == "difference" && operands.size() > 1) {
+      for (size_t i = 1; i < operands.size(); ++i) find_passages(operands[i], outwards);
+      return visit(operands.front(), outwards);
+    }
     judge(node, outwards);
+    for (const NodePtr& each : operands) find_passages(each, outwards);
   }
 
   std::vector<ThinPart> found;
 
  private:
+  /// Adds the passages below a node.
+  void find_passages(const NodePtr& node, const Transform& outwards) {
+    if (!seen_.insert(node).second || add_passages(node, outwards)) return;
+    const std::optional<Transform> placement = placement_of(*node);
+    for (const NodePtr& child : node->children())
+      find_passages(child, placement ? outwards * *placement : outwards);
+  }
+  /// Returns whether the node is a passage.
+  bool add_passages(const NodePtr& node, const Transform& outwards) {
+    const auto* passage = dynamic_cast<const VariesInThickness*>(node.get());
+    if (!passage) return false;
+    const double scale = outwards.min_stretch();
+    if (const auto thin = passage->thinner_than(thickness_ / scale))
+      found.push_back({node, outwards.point(thin->at), thin->thickness * scale, thin->share});
+    return true;
+  }
+
   void judge(const NodePtr& node, const Transform& outwards) {
     const Field part(node);
     if (!has_depths(node) || !is_finite(part.bounds()) || part.bounds().isEmpty()) return;

@@ -5,6 +5,7 @@
 
 #include <vug/field/field.h>
 
+#include <optional>
 #include <vector>
 
 namespace vug::field {
@@ -14,11 +15,13 @@ struct ThinPart {
   NodePtr node;
   Vec3d at;              ///< A point at its greatest depth, in the space of the expression, metres.
   double thickness = 0;  ///< Diameter of the largest ball inside it, metres.
+  std::optional<double> share{};  ///< For passages: the share of their length that is thin.
 };
 
-/// The operands whose thickness is below `thickness` metres, by the order of the expression. Only
-/// operands whose values are distances, and shells of these, are listed, each node once. Unions,
-/// differences and affine maps are divided into operands; what is subtracted is ignored.
+/// The operands whose thickness is below `thickness` metres, by the order of the expression. Listed
+/// are operands whose values are distances, and shells of these, each node once. Unions,
+/// differences and affine maps are divided into operands. What is subtracted, and operands of other
+/// nodes, are searched for passages only, whose air must be as thick as a voxel.
 std::vector<ThinPart> thin_parts(const Field& field, double thickness);
 
 }  // namespace vug::field

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/karst/assemble.h>
+#include <vug/karst/contradictions.h>
 #include <vug/karst/generate.h>
 #include <vug/karst/growth.h>
 #include <vug/karst/separation.h>
@@ -23,6 +24,7 @@ network::Network generate(const Geology& geology, const KarstOptions& options) {
   require_valid(options);
   const Rock rock(geology, options.seed);
   const KeyPoints keys = key_points(rock, options);
+  require_no_contradiction(keys, rock);
   const Samples samples = draw_samples(rock, keys, options);
   SampleGraph graph = build_graph(samples.points, options.samples.neighbours, samples.joint_edges);
   graph.cost = edge_costs(graph, rock, options, samples.joint_edges);

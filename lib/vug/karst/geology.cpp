@@ -55,19 +55,27 @@ void require_valid(const Geology& g) {
   require_point(g.bounds.min, "the lower corner of the bounds");
   require_point(g.bounds.max, "the upper corner of the bounds");
   const Vec3d size = g.bounds.size();
-  require(size.x > 0 && size.y > 0 && size.z > 0,
-          fmt::format("the bounds have the size {} x {} x {}", size.x, size.y, size.z),
-          "each side must be longer than 0");
+  require(
+      size.x > 0 && size.y > 0 && size.z > 0,
+      fmt::format("the rock reaches from ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", g.bounds.min.x,
+                  g.bounds.min.y, g.bounds.min.z, g.bounds.max.x, g.bounds.max.y, g.bounds.max.z),
+      "each coordinate of 'from' must be below that of 'to'");
   for (size_t i = 0; i < g.beds.size(); ++i) require_layer(g.beds[i], fmt::format("bed {}", i + 1));
   for (size_t i = 0; i < g.water_tables.size(); ++i)
     require_layer(g.water_tables[i], fmt::format("water table {}", i + 1));
+  const Vec3d middle = g.bounds.center();
+  for (size_t i = 1; i < g.water_tables.size(); ++i)
+    require(g.water_tables[i].height_at(middle.x, middle.z) >
+                g.water_tables[i - 1].height_at(middle.x, middle.z),
+            fmt::format("water table {} lies below water table {}", i + 1, i),
+            "list the present water table first, and former ones by their height above it");
   for (size_t i = 0; i < g.fractures.size(); ++i) {
     const std::string what = fmt::format("fracture family {}", i + 1);
     require_angle(g.fractures[i].azimuth, what);
     require_dip(g.fractures[i].dip, kPi / 2 + 1e-9, what);
     require(g.fractures[i].spacing > 0.01 && g.fractures[i].spacing <= kLargest,
             fmt::format("{} has a spacing of {}", what, g.fractures[i].spacing),
-            "the spacing must be more than 0.01 metres");
+            "use a spacing of more than 1 cm");
     require(g.fractures[i].spread > 0 && g.fractures[i].spread <= 10,
             fmt::format("{} has a spread of {}", what, g.fractures[i].spread),
             "the spread must be positive, in radians");

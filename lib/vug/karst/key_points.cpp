@@ -83,7 +83,7 @@ class RandomPoints {
     for (int i = 0; i < kTries; ++i)
       if (const std::optional<Vec3d> point = draw()) return *point;
     throw Error(ErrorCode::bad_input, fmt::format("no place for a {} was found in the rock", what),
-                {}, "place it, or check the bounds, the solid and the water tables");
+                {}, "give its position, or check 'from', 'to', 'rock' and the water tables");
   }
 
   /// The one of several random points that is farthest from those that exist.

@@ -13,6 +13,36 @@ namespace {
 constexpr int kRoot = 64;  ///< Cells along a block of one task.
 constexpr int kLeaf = 8;   ///< Cells along a block that is sampled.
 
+/// The signs of values at the corners of the cells of a leaf. A value of size v is followed by
+/// values of the same sign as far as the field cannot change by v.
+class LatticeSigns {
+ public:
+  /// `change`: the most by which values of neighbours differ. `value(i, j, k)` is called for the
+  /// corners whose sign does not follow from those before.
+  template <class Value>
+  LatticeSigns(double change, const Value& value) {
+    for (int i = 0; i < kPoints; ++i)
+      for (int j = 0; j < kPoints; ++j)
+        for (int k = 0; k < kPoints; ++k) {
+          double known = 0;
+          const auto follow = [&](double before) {
+            const double left = std::fabs(before) - change;
+            if (left > std::fabs(known)) known = before > 0 ? left : -left;
+          };
+          if (i > 0) follow(known_[i - 1][j][k]);
+          if (j > 0) follow(known_[i][j - 1][k]);
+          if (k > 0) follow(known_[i][j][k - 1]);
+          known_[i][j][k] = known != 0 ? known : value(i, j, k);
+        }
+  }
+
+  bool inside(int i, int j, int k) const { return known_[i][j][k] < 0; }
+
+ private:
+  static constexpr int kPoints = kLeaf + 1;
+  double known_[kPoints][kPoints][kPoints];  // Of the sign of the value, and at most as large.
+};
+
 /// Number of inside cells among size^3 cells from lattice point `low`.
 uint64_t count_block(const field::Field& field, double edge, const std::array<int64_t, 3>& low,
                      int size) {
@@ -37,18 +67,16 @@ uint64_t count_block(const field::Field& field, double edge, const std::array<in
                            half);
     return count;
   }
-  constexpr int kPoints = kLeaf + 1;
-  bool inside[kPoints][kPoints][kPoints];
-  for (int i = 0; i < kPoints; ++i)
-    for (int j = 0; j < kPoints; ++j)
-      for (int k = 0; k < kPoints; ++k)
-        inside[i][j][k] = part.field.value(at(low[0] + i, low[1] + j, low[2] + k)) < 0;
+  constexpr double kRounding = 1 + 1e-9;
+  const LatticeSigns signs(kRounding * edge * part.field.lipschitz(), [&](int i, int j, int k) {
+    return part.field.value(at(low[0] + i, low[1] + j, low[2] + k));
+  });
   for (int i = 0; i < kLeaf; ++i)
     for (int j = 0; j < kLeaf; ++j)
       for (int k = 0; k < kLeaf; ++k) {
         bool whole = true;
         for (int corner = 0; corner < 8 && whole; ++corner)
-          whole = inside[i + (corner & 1)][j + (corner >> 1 & 1)][k + (corner >> 2)];
+          whole = signs.inside(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
         count += whole ? 1 : 0;
       }
   return count;

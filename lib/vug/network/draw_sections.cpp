@@ -39,6 +39,10 @@ void require_valid(const SectionModel& m) {
   require(is_size(m.range), "range", m.range, "it must be positive");
   require(is_fraction(m.off_centre_width), "horizontal offset", m.off_centre_width,
           "it must be in 0 to 1");
+  require(m.least_width >= 0 && std::isfinite(m.least_width), "least width", m.least_width,
+          "it must be 0 or positive");
+  require(m.least_height >= 0 && std::isfinite(m.least_height), "least height", m.least_height,
+          "it must be 0 or positive");
   require(is_fraction(m.off_centre_height), "vertical offset", m.off_centre_height,
           "it must be in 0 to 1");
 }
@@ -125,11 +129,13 @@ class SectionDrawing {
     const double share = std::sqrt(1 - m_.nugget);
     const double own_share = std::sqrt(m_.nugget);
     const double width =
-        m_.width_median *
-        maths::exp(m_.width_spread * (share * signal.width + own_share * own.width));
-    const double height =
+        std::max(m_.least_width,
+                 m_.width_median *
+                     maths::exp(m_.width_spread * (share * signal.width + own_share * own.width)));
+    const double height = std::max(
+        m_.least_height,
         m_.height_median *
-        maths::exp(m_.height_spread * (share * signal.height + own_share * own.height));
+            maths::exp(m_.height_spread * (share * signal.height + own_share * own.height)));
     const double left = width * side(m_.off_centre_width, random);
     const double up = height * side(m_.off_centre_height, random);
     network_.stations[i].section = CrossSection{left, width - left, up, height - up};

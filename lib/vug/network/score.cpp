@@ -118,6 +118,8 @@ Realism score(const Metrics& metrics, const SectionSummary& sections) {
   if (sections.count > 0)
     for (const SectionCriterion& criterion : section_criteria())
       result.sections.push_back(score_of(criterion, sections));
+  if (metrics.edges < kFewestBranches)
+    for (CriterionScore& each : result.network) each.advice.clear();
   const double of_network = mean_realism(result.network);
   const double of_sections = mean_realism(result.sections);
   double mean = of_network;

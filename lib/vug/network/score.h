@@ -51,6 +51,9 @@ double percentile(const SectionCriterion& criterion, double value);
 /// The name of a criterion with its unit if it has one, e.g. "median width (m)".
 std::string label(const char* name, const char* unit);
 
+/// Networks with fewer branches get no advice: their measures depend on single legs.
+inline constexpr int kFewestBranches = 10;
+
 /// The values of a criterion among real caves. Advice is given for values outside low to high.
 struct RealRange {
   double lowest, low, median, high, highest;

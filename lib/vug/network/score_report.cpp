@@ -90,12 +90,19 @@ std::string score_table(const ScoredNetwork& cave) {
     text += fmt::format("{:<12}  {:.6g}{}{}\n", key, static_cast<double>(value), *unit ? " " : "",
                         unit);
   });
-  text += fmt::format("{:<12}  {:.0f} of 100\n", "realism", cave.realism.overall);
+  // Rounded down: 100 means that no measure is outside the real caves.
+  text +=
+      fmt::format("{:<12}  {:.0f} of 100\n", "realism", std::floor(cave.realism.overall + 1e-9));
   text += column_titles("shape of the network") + lines(criteria(), cave.realism.network);
   if (!cave.realism.sections.empty())
     text +=
         column_titles(fmt::format("passages ({} cross-sections)", cave.sections.count).c_str()) +
         lines(section_criteria(), cave.realism.sections);
+  if (cave.metrics.edges < kFewestBranches)
+    text += fmt::format(
+        "\nThe network has fewer than {} branches, so the comparison with whole caves says "
+        "little.\n",
+        kFewestBranches);
   const std::vector<std::string> advice = cave.realism.advice();
   if (!advice.empty()) text += "\n";
   for (const std::string& sentence : advice) text += sentence + "\n";

@@ -22,6 +22,8 @@ struct SectionModel {
   double range = 50;               ///< Metres until 95 % of the remaining correlation is lost.
   double off_centre_width = 0.49;  ///< Mean of |left - right| / width, in 0..1.
   double off_centre_height = 0.35;  ///< Mean of |up - down| / height, in 0..1.
+  double least_width = 0;           ///< Metres; smaller widths that are drawn become this one.
+  double least_height = 0;          ///< Metres.
 };
 
 /// A surveyed cave and its statistics.

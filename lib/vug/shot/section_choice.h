@@ -15,6 +15,7 @@ struct SectionChoice {
   int like = 0;  ///< 0: the defaults of SectionModel, else one of section_models(), from 1.
   double size = 1;
   double variation = 1;
+  double least_width = 0, least_height = 0;
 
   /// Adds the parameters to the schema of a struct that is derived from this one.
   template <class P>
@@ -25,11 +26,20 @@ struct SectionChoice {
     s.choice("like", static_cast<int P::*>(&SectionChoice::like), std::move(names),
              "the surveyed caves whose widths and heights apply; usual: between them")
         .param("size", &SectionChoice::size,
-               {.doc = "factor of widths and heights", .min = 0, .max = 1000, .above_min = true})
+               {.doc = "factor of widths and heights", .min = 0, .max = 50, .above_min = true})
         .param("variation", &SectionChoice::variation,
                {.doc = "how much they vary along the passages; 1: as in the surveyed caves",
                 .min = 0,
-                .max = 2});
+                .max = 2})
+        .param("least_width", &SectionChoice::least_width, least("width"))
+        .param("least_height", &SectionChoice::least_height, least("height"));
+  }
+
+  static ParamSpec least(const std::string& size) {
+    return {.doc = "the least " + size + " that is drawn, e.g. for passages that people can walk",
+            .dimension = Dimension::length,
+            .min = 0,
+            .max = 100};
   }
 
   network::SectionModel model() const {
@@ -39,6 +49,8 @@ struct SectionChoice {
     chosen.height_median *= size;
     chosen.width_spread *= variation;
     chosen.height_spread *= variation;
+    chosen.least_width = least_width;
+    chosen.least_height = least_height;
     return chosen;
   }
 };

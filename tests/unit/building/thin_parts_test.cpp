@@ -7,15 +7,17 @@
 namespace vug::building {
 namespace {
 
-std::vector<Diagnostic> thin_warnings(const std::string& solid) {
+std::vector<Diagnostic> thin_warnings(const std::string& solid, const std::string& before = "") {
   const loading::Loaded loaded =
-      loading::load_text("volume rock = level_set(" + solid + ", voxel: 10cm)\n", "t.vug");
+      loading::load_text(before + "volume rock = level_set(" + solid + ", voxel: 10cm)\n", "t.vug");
   EXPECT_TRUE(loaded.usable()) << loaded.report();
   std::vector<Diagnostic> found;
   BuildOptions options;
   options.on_warning = [&](const Diagnostics& warnings) {
     for (const Diagnostic& each : warnings.all())
-      if (each.message.find("thick at") != std::string::npos) found.push_back(each);
+      if (each.message.find("thick at") != std::string::npos ||
+          each.message.find("thinner than its voxels") != std::string::npos)
+        found.push_back(each);
   };
   options.where_of = [&](const field::NodePtr& node) {
     const scene::Provenance* made = loaded.provenance.find(node);
@@ -65,6 +67,31 @@ TEST(ThinParts, ThickSolidsCutsAndEmbeddedPartsAreNot) {
            "shell(sphere(1m), thickness: 12cm)",
        })
     EXPECT_EQ(thin_warnings(solid).size(), 0U) << solid;
+}
+
+TEST(ThinParts, NarrowPassagesAreReportedWithTheirShare) {
+  const std::string plan =
+      "network plan = graph(names: [\"a\", \"b\", \"c\"], at: [(0, 0, 0), (8, 0, 0), (16, 0, 0)], "
+      "paths: [\"a b c\"], widths: [WIDTHS], heights: [1m, 1m, 1m])\n";
+  const auto warnings = [&](const std::string& widths, const std::string& solid) {
+    std::string text = plan;
+    text.replace(text.find("WIDTHS"), 6, widths);
+    return thin_warnings(solid, text);
+  };
+  for (const char* solid :
+       {"passages(of: plan, smooth: false)",
+        "box((30, 9, 9)).translate((8, 0, 0)) - passages(of: plan, smooth: false)",
+        "displace(complement(passages(of: plan, smooth: false)), noise: fbm(), "
+        "amount: 1cm) & box((30, 9, 9)).translate((8, 0, 0))"}) {
+    const auto found = warnings("1m, 1m, 4cm", solid);
+    ASSERT_EQ(found.size(), 1U) << solid;
+    EXPECT_NE(found[0].message.find("of the length of the passages in the volume 'rock'"),
+              std::string::npos)
+        << found[0].message;
+    EXPECT_NE(found[0].message.find("0.04 m at (16"), std::string::npos) << found[0].message;
+    EXPECT_NE(found[0].hint.find("'least_width'"), std::string::npos);
+    EXPECT_EQ(warnings("1m, 1m, 50cm", solid).size(), 0U) << solid;
+  }
 }
 
 }  // namespace

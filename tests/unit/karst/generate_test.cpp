@@ -322,6 +322,36 @@ TEST(Karst, RejectsInvalidInput) {
   });
 }
 
+TEST(Karst, RefusesGeologyInWhichNoWaterFlows) {
+  const auto message = [](const auto& change) -> std::string {
+    Geology geology = small_geology();
+    change(geology);
+    try {
+      generate(geology, small_options());
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto has = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  using G = Geology;
+  has(message([](G& g) { g.sinks[0].position.y = -30; }), "lies below all springs");
+  has(message([](G& g) { g.sinks[0].position = g.springs[0].position; }), "are in the same place");
+  has(message([](G& g) { g.sinks[0].position.x = -400; }), "is outside the rock, which reaches");
+  has(message([](G& g) { g.waypoints.push_back(Vec3d(0, 200, 0)); }), "a waypoint at (0, 200, 0)");
+  has(message([](G& g) { g.sinks[0].name = "a b"; }), "contains a blank");
+  has(message([](G& g) {
+        g.water_tables = {{.point = Vec3d(0, -15, 0)}, {.point = Vec3d(0, -30, 0)}};
+      }),
+      "water table 2 lies below water table 1");
+  has(message([](G& g) {
+        g.solid = field::make("sphere", {{"radius", 30.0}});
+      }),
+      "is outside the solid 'rock'");
+}
+
 TEST(Karst, WorksWithFewSamples) {
   KarstOptions options = small_options();
   options.samples.count = 2;

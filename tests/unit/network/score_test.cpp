@@ -21,6 +21,7 @@ Metrics median_cave() {
   m.degree_variation = 0.5;
   m.degree_correlation = -0.286;
   m.nodes = 100;
+  m.edges = 106;
   m.path_length = 9.3;
   m.dominance = 0.436;
   return m;
@@ -74,6 +75,13 @@ TEST(Score, StraightLegsGetAdvice) {
             0u)
       << realism.advice()[0];
   EXPECT_DOUBLE_EQ(realism.overall, 90);  // One of ten criteria has realism 0.
+}
+
+TEST(Score, FewBranchesGetNoAdvice) {
+  Metrics metrics = median_cave();
+  metrics.tortuosity = 1.04;
+  metrics.edges = kFewestBranches - 1;
+  EXPECT_TRUE(score(metrics).advice().empty());
 }
 
 TEST(Score, FallsLinearlyInTheTails) {

@@ -96,6 +96,27 @@ TEST(Sections, ReachEveryStation) {
   }
 }
 
+TEST(Sections, AreAtLeastAsLargeAsTheModelSays) {
+  Network network;
+  std::vector<Vec3d> line;
+  for (int i = 0; i < 400; ++i) line.emplace_back(6.0 * i, 0, 0);
+  add_chain(network, line);
+  SectionModel model;
+  const Network usual = draw_sections(network, model, 4);
+  model.least_width = 0.8;
+  model.least_height = 1.5;
+  const Network roomy = draw_sections(network, model, 4);
+  int raised = 0;
+  for (size_t i = 0; i < usual.stations.size(); ++i) {
+    const CrossSection &a = *usual.stations[i].section, &b = *roomy.stations[i].section;
+    const double width = *a.left + *a.right, height = *a.up + *a.down;
+    EXPECT_NEAR(*b.left + *b.right, std::max(width, 0.8), 1e-12);
+    EXPECT_NEAR(*b.up + *b.down, std::max(height, 1.5), 1e-12);
+    raised += width < 0.8 || height < 1.5;
+  }
+  EXPECT_GT(raised, 100) << "the model has narrow places";
+}
+
 TEST(Sections, RejectInvalidModels) {
   const Network network = line(2, 1);
   for (double SectionModel::*member :

@@ -49,6 +49,11 @@ class Segment {
 
   const Vec3d& start() const { return start_; }
   Vec3d end() const { return start_ + along_ * length_; }
+  /// The diameter of the largest circle in the smaller one of its sections, and its place.
+  std::pair<double, Vec3d> thinnest() const {
+    return from_.depth <= to_.depth ? std::pair(2 * from_.depth, start_)
+                                    : std::pair(2 * to_.depth, end());
+  }
   double reach() const { return reach_; }
   double scale() const { return scale_; }
   bool uniform() const { return uniform_; }

@@ -2,6 +2,7 @@
 // The node of a sweep: all segments, or those that matter in the ball to which it was restricted.
 #include <vug/base/error.h>
 #include <vug/field/enclosing_ball.h>
+#include <vug/field/thickness.h>
 #include <vug/passages/sweep/batch_minimum.h>
 #include <vug/passages/sweep/lower_bounds.h>
 
@@ -55,7 +56,7 @@ void evaluate(const SweepParts& parts, const ActiveSet& set, const Point<Pack>* 
   BatchMinimum<T>(parts, set, points, count, scratch).run(out);
 }
 
-class SweepNode final : public field::EvaluationModes<SweepNode> {
+class SweepNode final : public field::EvaluationModes<SweepNode>, public field::VariesInThickness {
  public:
   SweepNode(field::Traits traits, PartsPtr parts)
       : EvaluationModes(std::move(traits)), parts_(std::move(parts)), whole_(true), many_(true) {}
@@ -99,6 +100,7 @@ class SweepNode final : public field::EvaluationModes<SweepNode> {
 
   field::Restriction restrict_to(const Ball& ball) const override;
   std::string name() const override { return "passages"; }
+  std::optional<Thin> thinner_than(double thickness) const override;
 
  private:
   static Vec3d centre_of(const Point<double>& p) { return field::vector(p); }
@@ -168,6 +170,25 @@ field::Restriction SweepNode::restrict_to(const Ball& ball) const {
   lower.append_below(highest, active);
   link(*parts_, active);
   return {range, std::make_shared<SweepNode>(traits(), parts_, std::move(active))};
+}
+
+std::optional<field::VariesInThickness::Thin> SweepNode::thinner_than(double thickness) const {
+  Thin thin{.thickness = kInfinity};
+  double whole = 0, part = 0;
+  for (const Segment& segment : parts_->sweep.segments) {
+    const double length = (segment.end() - segment.start()).length();
+    const auto [size, at] = segment.thinnest();
+    whole += length;
+    if (!(size < thickness)) continue;
+    part += length;
+    if (size < thin.thickness) {
+      thin.thickness = size;
+      thin.at = at;
+    }
+  }
+  if (part == 0) return std::nullopt;
+  thin.share = part / whole;
+  return thin;
 }
 
 field::Traits sweep_traits(const Sweep& sweep) {
