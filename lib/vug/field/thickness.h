@@ -12,7 +12,7 @@ class VariesInThickness {
  public:
   /// The parts of the node that are thinner than a length.
   struct Thin {
-    double share = 0;      ///< Of the whole length, 0..1.
+    double share = 0;      ///< The fraction of the whole length, 0..1.
     double thickness = 0;  ///< The least, in metres.
     Vec3d at{0.0};         ///< The place of the least, in the space of the node.
   };
