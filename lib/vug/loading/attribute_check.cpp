@@ -88,6 +88,7 @@ class AttributeChecker {
     for (const std::string& each : names_)
       if (const auto rock = mesh::material_of_attribute(each)) rocks.push_back(*rock);
     if (std::find(rocks.begin(), rocks.end(), name) != rocks.end()) return;
+    if (where.file != file_ && nearest_name(name, rocks).empty()) return;
     diagnostics_.warning(where, fmt::format("no rock is made of '{}'", name),
                          did_you_mean(name, rocks,
                                       rocks.empty() ? "made_of(FIELD, of: \"" + name +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "samples.h"
 
+#include <vug/field/material_source.h>
 #include <vug/field/registry.h>
 #include <vug/field/rock_material_kind.h>
 
@@ -109,6 +110,27 @@ TEST(Geology, Figure9DiffersOnlyWhereItsMorphsLieInTheSecondRock) {
     EXPECT_GT(most, 0.05) << seed;
   }
   EXPECT_GE(compared, 2);
+}
+
+// The local morph adds half of the shape's material where the shape is nearer.
+TEST(Geology, TheShapesOfACaveKeepTheirMaterials) {
+  const auto of = [](const Field& field, const char* name) {
+    return field::make("made_of", {{"field", field::as_value(field)}, {"of", name}});
+  };
+  Growth growth{Options()};
+  growth.apply(step(Operation::unite, of(ball(1), "limestone")), RandomKey(1));
+  ProductionStep melt = step(Operation::morph, of(box({0.5, 0.5, 0.5}), "calcite"));
+  melt.amount = 0.5;
+  growth.apply(melt, RandomKey(2));
+  const Field cave = with_places(growth.field(), {{"hall", {}}});
+  std::vector<std::string> names;
+  for (const field::RockMaterialPtr& each : field::materials_of(cave)) names.push_back(each->name);
+  EXPECT_EQ(names, (std::vector<std::string>{"calcite", "limestone"}));
+  const field::MaterialSample ahead = field::sample_materials(*cave.node(), {5, 0, 0}),
+                              behind = field::sample_materials(*cave.node(), {-5, 0, 0});
+  EXPECT_NEAR(ahead.value, cave.value({5, 0, 0}), 1e-12);
+  EXPECT_DOUBLE_EQ(ahead.mix.weight("calcite"), 0.5);
+  EXPECT_EQ(behind.mix.weight("limestone"), 1);
 }
 
 TEST(Geology, RefusesInvalidRanges) {

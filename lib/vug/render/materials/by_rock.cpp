@@ -24,7 +24,7 @@ struct ByRock {
                {.doc = "for each name the material of its surface", .required = true})
         .param("otherwise", &ByRock::otherwise,
                {.doc = "the material for other rocks and for meshes without weights; default: the "
-                       "first"});
+                       "named ones share the weight of other rocks"});
   }
   std::string fault() const {
     if (of.empty()) return "'of' needs the name of a rock material";
