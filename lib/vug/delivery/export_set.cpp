@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/atomic_file.h>
 #include <vug/base/memory.h>
+#include <vug/building/rock_weights.h>
 #include <vug/cells/to_points.h>
 #include <vug/delivery/assembly.h>
 #include <vug/delivery/cells_files.h>
@@ -167,8 +168,8 @@ class Exporter {
     write(file, volume.grids);
     exchange::Volume out{volume.name, file.filename().string(), {}, {}, volume.medium};
     for (const volume::Grid& grid : volume.grids) {
-      out.grids.push_back(
-          {grid.name(), volume::to_string(grid.grid_class()), exchange::is_color(grid.name())});
+      out.grids.push_back({grid.name(), volume::to_string(grid.grid_class()),
+                           exchange::is_color(grid.name()), grid.value_type() == "int32"});
       out.bounds.extendBy(grid.statistics().bounds);
     }
     return out;
@@ -181,6 +182,7 @@ class Exporter {
     require_memory(kBytes * static_cast<double>(layer->network().size()), builder_.memory_budget(),
                    fmt::format("the points of '{}'", plan->name), "exclude points from its files");
     volume::Points points = cells::to_points(layer->simulation);
+    building::add_rock_weights(points, *plan, layer->network());
     move(points);
     const std::filesystem::path file = names_.points(*plan);
     if (!options_.program->points_format.empty()) {

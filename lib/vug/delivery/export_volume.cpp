@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/memory.h>
 #include <vug/building/level_set_for_files.h>
+#include <vug/building/rock_weights.h>
 #include <vug/delivery/export_volume.h>
 #include <vug/delivery/write_products.h>
 #include <vug/volume/density.h>
@@ -40,6 +41,9 @@ ExportVolume export_volume(building::Builder& builder, const shot::VolumePtr& pl
       building::level_set_for_files(builder, plan, shot::DistanceValues::exact);
   const volume::Grid grid = volume_grid(*plan, level_set).named(grid_name(*plan));
   ExportVolume out{plan->name, {grid}, {}};
+  if (!plan->fog)
+    for (volume::Grid& rock : building::rock_grids(*plan, level_set, "", builder.memory_budget()))
+      out.grids.push_back(std::move(rock));
   for (const shot::MediumPlan& each : builder.shot().media)
     if (each.volume == plan && !out.medium) add_cloud(builder, *each.medium, grid, plan->half, out);
   return out;

@@ -20,7 +20,7 @@ struct ExportVolume {
 };
 
 /// A level set, with exact distances unless its plan requests bounds, as `surface` (as `air` if the
-/// scene calls it air), a fog as `density`. The fog of a cloud also gets `color`, `temperature` and
+/// scene calls it air), with the grids of its rock materials; a fog as `density`. The fog of a cloud also gets `color`, `temperature` and
 /// `flame` if these vary. Error(too_large).
 ExportVolume export_volume(building::Builder& builder, const shot::VolumePtr& plan);
 

@@ -63,6 +63,7 @@ struct VolumeGrid {
   std::string name;
   std::string grid_class;  ///< "level set", "fog volume", ...
   bool color = false;      ///< Vectors instead of numbers.
+  bool whole = false;      ///< Whole numbers, such as the numbers of materials.
 };
 struct Volume {
   std::string name;

@@ -167,7 +167,7 @@ void UsdaWriter::add(const Volume& volume) {
     out_.line("token fieldClass = \"{}\"", grid.grid_class == "level set"    ? "levelSet"
                                            : grid.grid_class == "fog volume" ? "fogVolume"
                                                                              : "unknown");
-    out_.line("token fieldDataType = \"{}\"", grid.color ? "float3" : "float");
+    out_.line("token fieldDataType = \"{}\"", grid.color ? "float3" : grid.whole ? "int" : "float");
     if (grid.color) out_.line("token vectorDataRoleHint = \"Color\"");
     out_.end();
   }

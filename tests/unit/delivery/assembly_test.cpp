@@ -9,6 +9,7 @@
 #include <vug/paint/leaf_pattern.h>
 #include <vug/volume/density.h>
 #include <vug/volume/io.h>
+#include <vug/volume/points.h>
 
 #include <gtest/gtest.h>
 
@@ -126,6 +127,35 @@ TEST(ExportSet, AirIsCalledAir) {
   export_set(builder, folder, options);
   EXPECT_EQ(volume::info(folder / "t_air.vdb").grids.at(0).name, "air");
   EXPECT_EQ(volume::info(folder / "t_rock.vdb").grids.at(0).name, "surface");
+}
+
+TEST(Assemble, RockMaterialsAreGridsOfTheVolumeAndAttributesOfPoints) {
+  const loading::Loaded scene = loading::load_text(
+      "volume rock = level_set(made_of(sphere(1m), of: \"limestone\"), voxel: 10cm)\n"
+      "mesh wall on rock {}\n"
+      "cells crust on wall { spacing 30cm  run random_color(share: 10%) }\n",
+      "t.vug", {});
+  ASSERT_TRUE(scene.usable()) << scene.report();
+  const ScratchFolder scratch("vug_export_rocks");
+  const std::filesystem::path& folder = scratch.path();
+  ExportOptions options;
+  options.program = &exchange::program("maya");
+  const shot::Shot shot = with_meshes(scene.shot);
+  building::Builder builder(shot);
+  export_set(builder, folder, options);
+  const std::vector<volume::Grid> grids = volume::read(folder / "t_rock.vdb");
+  ASSERT_EQ(grids.size(), 3u);
+  EXPECT_EQ(grids[1].name(), "material");
+  EXPECT_EQ(grids[2].name(), "w_limestone");
+  EXPECT_EQ(grids[1].voxel_size(), grids[0].voxel_size());  // Centimetres.
+  const std::string text = read_text(folder / "t.usda");
+  const size_t number = text.find("def OpenVDBAsset \"material\"");
+  ASSERT_NE(number, std::string::npos);
+  EXPECT_EQ(text.find("fieldDataType = \"int\"", number), text.find("fieldDataType", number));
+  const std::vector<float> weights =
+      volume::read_points(folder / "t_crust_points.vdb").values<float>("w_limestone");
+  EXPECT_FALSE(weights.empty());
+  for (const float weight : weights) EXPECT_EQ(weight, 1);
 }
 
 TEST(Assemble, WorldSpaceMaterialsAreBakedPerInstance) {
