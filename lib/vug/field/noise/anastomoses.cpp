@@ -2,10 +2,8 @@
 // Anastomoses: braided half-tubes that slow water dissolves along a bedding plane. The rock that is
 // left between deep ones are pendants.
 #include <vug/base/rng.h>
-#include <vug/field/lattice.h>
 #include <vug/field/noise_node.h>
-#include <vug/field/speleogens/frame.h>
-#include <vug/field/speleogens/plan_columns.h>
+#include <vug/field/speleogens/braid.h>
 
 namespace vug::field {
 namespace {
@@ -40,45 +38,29 @@ struct Anastomoses {
   }
 };
 
-class Braid {
+class Tubes {
  public:
-  explicit Braid(const Anastomoses& a)
-      : across_(a.normal), spacing_(a.spacing), width_(a.width), wander_(a.wander) {
-    RandomStream random(RandomKey(static_cast<uint64_t>(a.seed)).at("anastomoses"));
-    for (uint32_t& seed : seeds_) seed = random.bits();
-  }
+  explicit Tubes(const Anastomoses& a)
+      : braid_(a.normal, a.spacing, a.wander,
+               RandomStream(RandomKey(static_cast<uint64_t>(a.seed)).at("anastomoses"))),
+        width_(a.width) {}
 
-  /// The tubes follow the borders of cells in the plane, where the centres of two cells are equally
-  /// far. The difference of their distances is about twice the distance to the border.
   template <class T>
   T at(const Point<T>& p) const {
-    const T u = dot(p, constant<T>(across_.side)) * T(1 / spacing_),
-            v = dot(p, constant<T>(across_.up)) * T(1 / spacing_);
-    const Point<T> low{u * T(kBends), v * T(kBends), T(0.5)};
-    const T amount(wander_ / spacing_);
-    const T apart = plan_column(T(u + amount * gradient_noise(low, seeds_[1])),
-                                T(v + amount * gradient_noise(low, seeds_[2])), seeds_[0])
-                        .inside();
-    return -max(T(1.0) - square(apart * T(spacing_ / width_)), T(0.0));
+    return -max(T(1.0) - square(braid_.apart(p) * T(braid_.spacing() / width_)), T(0.0));
   }
   Interval over(const Ball& ball) const { return centred_bounds(*this, ball); }
   Interval range() const { return {-1, 0}; }
-  /// The parabola has the slope 2 at its rim; the difference has 2 per spacing.
-  double lipschitz() const {
-    return 2 * 2 / width_ *
-           (1 + std::sqrt(2.0) * kBends * kGradientNoiseSlope * wander_ / spacing_);
-  }
+  double lipschitz() const { return 2 / width_ * braid_.slope(); }  // A parabola at its rim.
 
  private:
-  static constexpr double kBends = 1.3;  // Waves of the deviation per spacing.
-  Across across_;
-  double spacing_, width_, wander_;
-  uint32_t seeds_[3] = {};
+  Braid braid_;
+  double width_;
 };
 
 }  // namespace
 }  // namespace vug::field
 
 VUG_NOISE_KIND(anastomoses) {
-  return noise_kind<Anastomoses>("anastomoses", [](const Anastomoses& a) { return Braid(a); });
+  return noise_kind<Anastomoses>("anastomoses", [](const Anastomoses& a) { return Tubes(a); });
 }

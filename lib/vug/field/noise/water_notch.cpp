@@ -4,6 +4,7 @@
 #include <vug/base/rng.h>
 #include <vug/field/lattice.h>
 #include <vug/field/noise_node.h>
+#include <vug/field/speleogens/notch_profile.h>
 
 #include <vector>
 
@@ -49,16 +50,13 @@ class Notch {
  public:
   explicit Notch(const WaterNotch& w)
       : w_(w),
+        profile_{w.height, w.roof},
         seed_(RandomStream(RandomKey(static_cast<uint64_t>(w.seed)).at("water_notch")).bits()) {}
 
   template <class T>
   T at(const Point<T>& p) const {
     T depth(0.0);
-    for (const double level : w_.levels) {
-      const T below = (T(level) - p.y) * T(1 / w_.height);  // 0 at the level, 1 at the foot.
-      depth = max(depth, min(below * T(1 / w_.roof), (T(1.0) - below) * T(1 / (1 - deepest()))));
-    }
-    depth = min(depth, T(1.0));
+    for (const double level : w_.levels) depth = max(depth, profile_.depth(T(level) - p.y));
     if (w_.wander == 0) return -depth;
     const Point<T> q{p.x * T(1 / w_.reach), T(0.5), p.z * T(1 / w_.reach)};
     const T wave = clamp(gradient_noise(q, seed_), T(-1.0), T(1.0));
@@ -67,14 +65,12 @@ class Notch {
   Interval over(const Ball& ball) const { return centred_bounds(*this, ball); }
   Interval range() const { return {-1, 0}; }
   double lipschitz() const {
-    const double rise = std::max(1 / w_.roof, 1 / (1 - deepest())) / w_.height;
-    return rise + 0.5 * w_.wander * kGradientNoiseSlope / w_.reach;
+    return profile_.slope() + 0.5 * w_.wander * kGradientNoiseSlope / w_.reach;
   }
 
  private:
-  /// The fraction of the height at which the notch is deepest.
-  double deepest() const { return std::min(w_.roof, 0.5); }
   WaterNotch w_;
+  NotchProfile profile_;
   uint32_t seed_;
 };
 

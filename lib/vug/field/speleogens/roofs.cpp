@@ -14,9 +14,24 @@ namespace {
 constexpr double kMostHollows = 1e6;  // More suggest a wrong unit.
 constexpr double kLineSteps = 400;    // Of the vertical lines, at most 5 cm each.
 
-/// The heights at which the value along the vertical line through (x, z) changes its sign, from top
-/// to bottom. Steps over distances within which it cannot change.
-std::vector<double> crossings(const Field& rock, double x, double z, double low, double high) {
+std::vector<Roof> roofs_at(const RoofHollows& h, const Vec3d& at, RandomStream& random) {
+  std::vector<Roof> out;
+  const std::vector<double> heights = surface_heights(h.field, at.x, at.z, h.from.y, h.to.y);
+  for (size_t i = 0; i < heights.size(); ++i) {
+    // Just below a roof is air.
+    if (!(h.field.value({at.x, heights[i] - 1e-6, at.z}) > 0)) continue;
+    const double floor = i + 1 < heights.size() ? heights[i + 1] : h.from.y;
+    Roof roof{{at.x, heights[i], at.z}, heights[i] - floor, {}};
+    for (double& r : roof.random) r = random.uniform();
+    out.push_back(roof);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<double> surface_heights(const Field& rock, double x, double z, double low,
+                                    double high) {
   const double step = std::min(0.05, (high - low) / kLineSteps);
   auto value = [&](double y) { return rock.value({x, y, z}); };
   std::vector<double> out;
@@ -37,22 +52,6 @@ std::vector<double> crossings(const Field& rock, double x, double z, double low,
   }
   return out;
 }
-
-std::vector<Roof> roofs_at(const RoofHollows& h, const Vec3d& at, RandomStream& random) {
-  std::vector<Roof> out;
-  const std::vector<double> heights = crossings(h.field, at.x, at.z, h.from.y, h.to.y);
-  for (size_t i = 0; i < heights.size(); ++i) {
-    // Just below a roof is air.
-    if (!(h.field.value({at.x, heights[i] - 1e-6, at.z}) > 0)) continue;
-    const double floor = i + 1 < heights.size() ? heights[i + 1] : h.from.y;
-    Roof roof{{at.x, heights[i], at.z}, heights[i] - floor, {}};
-    for (double& r : roof.random) r = random.uniform();
-    out.push_back(roof);
-  }
-  return out;
-}
-
-}  // namespace
 
 std::string RoofHollows::fault() const {
   const Vec3d size = to - from;

@@ -41,6 +41,10 @@ struct Roof {
   double random[3];
 };
 
+/// The heights between `low` and `high` at which the value along the vertical line through (x, z)
+/// changes its sign, from top to bottom. Steps over distances within which it cannot change.
+std::vector<double> surface_heights(const Field& rock, double x, double z, double low, double high);
+
 /// One place in each cell of a square lattice in plan where a mask lets it, at each of the roofs
 /// that a vertical line there crosses; in lattice order. Air is where the rock is positive.
 std::vector<Roof> find_roofs(const RoofHollows& hollows);
