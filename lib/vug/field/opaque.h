@@ -9,6 +9,7 @@ namespace vug::field {
 
 /// S has: Gradient sample(const Vec3d& p) const   (value in metres and gradient; thread-safe)
 ///        double value(const Vec3d& p) const      (optional: if the value alone costs less)
+///        NodePtr restricted(const Ball&, const Traits&) const   (optional: see Restriction::node)
 /// Batches are evaluated lane by lane in double precision; intervals use the Lipschitz constant.
 template <class S>
 class OpaqueNode final : public EvaluationModes<OpaqueNode<S>> {
@@ -44,6 +45,12 @@ class OpaqueNode final : public EvaluationModes<OpaqueNode<S>> {
       out[i] = {Pack::load(lanes.value), Pack::load(lanes.slope[0]), Pack::load(lanes.slope[1]),
                 Pack::load(lanes.slope[2])};
     }
+  }
+  Restriction restrict_to(const Ball& ball) const override {
+    Restriction out = Node::restrict_to(ball);
+    if constexpr (requires { source_.restricted(ball, this->traits()); })
+      out.node = source_.restricted(ball, this->traits());
+    return out;
   }
   std::string name() const override { return name_; }
   const S& source() const { return source_; }
