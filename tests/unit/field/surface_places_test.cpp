@@ -4,6 +4,7 @@
 
 #include <vug/base/parallel.h>
 #include <vug/field/boolean.h>
+#include <vug/field/deferred.h>
 #include <vug/field/registry.h>
 #include <vug/field/speleothems/element_field.h>
 #include <vug/field/speleothems/lobe.h>
@@ -121,6 +122,28 @@ TEST(SurfacePlaces, AreRarerWhereTheMaskIsLow) {
   const size_t masked = find_surface_places(scatter).size();
   EXPECT_LT(masked, all);
   EXPECT_GT(masked, all / 3);  // 0 means half of the candidates.
+}
+
+TEST(SurfacePlaces, RefuseRequestsForTooManyForms) {
+  const auto spar = [](double spacing) {
+    return make("dogtooth_spar", {{"field", as_value(make("half_space"))},
+                                  {"from", Vec3d(-5, -0.1, -5)},
+                                  {"to", Vec3d(5, 0.1, 5)},
+                                  {"spacing", spacing}});
+  };
+  try {
+    spar(0.004);
+    ADD_FAILURE() << "12 million crystals are accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::bad_input);
+    EXPECT_NE(std::string(error.what()).find("larger spacing"), std::string::npos);
+  }
+  try {  // 0.2 million crystals of over 200 bytes.
+    compute_deferred(spar(0.03), Progress::none(), 20'000'000);
+    ADD_FAILURE() << "no limit";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::too_large);
+  }
 }
 
 TEST(Exposure, IsThatOfPlanesTipsAndHollows) {

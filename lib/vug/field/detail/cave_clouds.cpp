@@ -67,7 +67,8 @@ struct CaveClouds : SurfaceScatter {
 
 VUG_FIELD_KIND(cave_clouds) {
   return field_kind<CaveClouds>("cave_clouds", "detail", [](const CaveClouds& c) {
-    return unite({c.field, deferred(surface_traits(c, c.reach()), "growing cave clouds",
-                                    [c] { return c.coating(); })});
+    return unite({c.field, deferred(
+                               surface_traits(c, c.reach()), "growing cave clouds",
+                               [c] { return c.coating(); }, c.bytes<Lobe>())});
   });
 }

@@ -56,7 +56,8 @@ struct DogtoothSpar : SurfaceScatter {
 
 VUG_FIELD_KIND(dogtooth_spar) {
   return field_kind<DogtoothSpar>("dogtooth_spar", "detail", [](const DogtoothSpar& d) {
-    return unite({d.field, deferred(surface_traits(d, d.reach()), "growing spar",
-                                    [d] { return d.crystals(); })});
+    return unite({d.field, deferred(
+                               surface_traits(d, d.reach()), "growing spar",
+                               [d] { return d.crystals(); }, d.bytes<Scalenohedron>())});
   });
 }

@@ -77,7 +77,9 @@ struct Frostwork : SurfaceScatter {
 
 VUG_FIELD_KIND(frostwork) {
   return field_kind<Frostwork>("frostwork", "detail", [](const Frostwork& f) {
-    return unite({f.field, deferred(surface_traits(f, f.reach()), "growing frostwork",
-                                    [f] { return f.bushes(); })});
+    return unite(
+        {f.field, deferred(
+                      surface_traits(f, f.reach()), "growing frostwork", [f] { return f.bushes(); },
+                      f.bytes<RoundCone>(f.needles * (1 + f.branches)))});
   });
 }

@@ -65,7 +65,8 @@ struct Hoar : SurfaceScatter {
 
 VUG_FIELD_KIND(hoar) {
   return field_kind<Hoar>("hoar", "detail", [](const Hoar& h) {
-    return unite({h.field, deferred(surface_traits(h, h.reach()), "growing hoar",
-                                    [h] { return h.plates(); })});
+    return unite({h.field, deferred(
+                               surface_traits(h, h.reach()), "growing hoar",
+                               [h] { return h.plates(); }, h.bytes<HexPlate>())});
   });
 }

@@ -68,7 +68,8 @@ struct Lavacicles : SurfaceScatter {
 
 VUG_FIELD_KIND(lavacicles) {
   return field_kind<Lavacicles>("lavacicles", "detail", [](const Lavacicles& l) {
-    return unite({l.field, deferred(surface_traits(l, l.reach()), "hanging lavacicles",
-                                    [l] { return l.cones(); })});
+    return unite({l.field, deferred(
+                               surface_traits(l, l.reach()), "hanging lavacicles",
+                               [l] { return l.cones(); }, l.bytes<RoundCone>())});
   });
 }

@@ -85,7 +85,8 @@ struct Popcorn : SurfaceScatter {
 
 VUG_FIELD_KIND(popcorn) {
   return field_kind<Popcorn>("popcorn", "detail", [](const Popcorn& p) {
-    return unite({p.field, deferred(surface_traits(p, p.reach()), "growing popcorn",
-                                    [p] { return p.crust(); })});
+    return unite({p.field, deferred(
+                               surface_traits(p, p.reach()), "growing popcorn",
+                               [p] { return p.crust(); }, p.bytes<Nodule>(p.cluster))});
   });
 }

@@ -73,7 +73,8 @@ struct Tafoni : SurfaceScatter {
 
 VUG_FIELD_KIND(tafoni) {
   return field_kind<Tafoni>("tafoni", "detail", [](const Tafoni& t) {
-    return subtract(t.field, {deferred(surface_traits(t, t.reach()), "weathering tafoni",
-                                       [t] { return t.cells(); })});
+    return subtract(t.field, {deferred(
+                                 surface_traits(t, t.reach()), "weathering tafoni",
+                                 [t] { return t.cells(); }, t.bytes<RoundCone>())});
   });
 }

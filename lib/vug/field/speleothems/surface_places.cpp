@@ -127,13 +127,18 @@ std::string SurfaceScatter::fault() const {
   const Vec3d size = to - from;
   if (!(size.x > 0 && size.y > 0 && size.z > 0))
     return "'from' must be less than 'to' in x, y and z";
-  const double area = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
-  if (!(area / (spacing * spacing) <= kMostPlaces))
+  if (!(most_places() <= kMostPlaces))
     return fmt::format(
         "a box of this size can have {:.0f} million places with this spacing, the limit is {:.0f} "
         "million; use a smaller box or a larger spacing",
-        1e-6 * area / (spacing * spacing), 1e-6 * kMostPlaces);
+        1e-6 * most_places(), 1e-6 * kMostPlaces);
   return "";
+}
+
+double SurfaceScatter::most_places() const {
+  const Vec3d size = to - from;
+  const double area = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+  return area / (spacing * spacing);
 }
 
 std::vector<SurfacePlace> find_surface_places(const SurfaceScatter& scatter) {

@@ -12,6 +12,12 @@
 
 namespace vug::field {
 
+/// A point of the surface, the unit normal into the air, and the key of its random numbers.
+struct SurfacePlace {
+  Vec3d at, normal;
+  RandomKey key;
+};
+
 struct SurfaceScatter {
   Field field;
   Vec3d from{-1, -1, -1}, to{1, 1, 1};  ///< Box in which the surface is covered, in metres.
@@ -20,6 +26,14 @@ struct SurfaceScatter {
   int seed = 1;
 
   std::string fault() const;
+  /// The number of places if the surface is as large as that of the box.
+  double most_places() const;
+  /// Memory in bytes for that number of places with `each` elements of the type E.
+  template <class E>
+  double bytes(int each = 1) const {
+    constexpr double kTree = 1.5;  // Elements, and the tree above them.
+    return most_places() * (sizeof(SurfacePlace) + kTree * sizeof(E) * each);
+  }
 };
 
 template <class P>
@@ -35,12 +49,6 @@ Schema<P>& describe_surface_scatter(Schema<P>& s) {
       .param("seed", &SurfaceScatter::seed,
              {.doc = "random seed; each seed gives different places"});
 }
-
-/// A point of the surface, the unit normal into the air, and the key of its random numbers.
-struct SurfacePlace {
-  Vec3d at, normal;
-  RandomKey key;
-};
 
 /// Places with one per spacing^2 of the surface on average and no two closer than 0.7 spacings,
 /// in the order of a lattice of space. Air is where the rock is positive.
