@@ -2,17 +2,15 @@
 #include <vug/base/error.h>
 #include <vug/mesh/refine.h>
 #include <vug/mesh/split_edge.h>
+#include <vug/mesh/split_triangle.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <unordered_map>
 
 namespace vug::mesh {
 namespace {
-
-constexpr uint32_t kNotSplit = ~0u;
 
 class Refiner {
  public:
@@ -25,7 +23,8 @@ class Refiner {
     for (const Triangle& t : mesh_.triangles) {
       const std::array<uint32_t, 3> m = {middle(t[0], t[1]), middle(t[1], t[2]),
                                          middle(t[2], t[0])};
-      split(t, m, finer);
+      split_triangle(
+          t, m, [&](uint32_t a, uint32_t b) { return length2(a, b); }, finer);
     }
     mesh_.triangles = std::move(finer);
     return !middles_.empty();
@@ -44,32 +43,6 @@ class Refiner {
     const auto half = [](const auto& x, const auto& y) { return (x + y) * 0.5f; };
     if (fresh) at->second = split_edge(mesh_, a, b, half, mesh_);
     return at->second;
-  }
-
-  /// The parts of a triangle; m[k] is the middle of the edge from corner k to the next.
-  void split(const Triangle& t, const std::array<uint32_t, 3>& m, std::vector<Triangle>& out) {
-    const auto halved =
-        std::count_if(m.begin(), m.end(), [](uint32_t v) { return v != kNotSplit; });
-    if (halved == 0) return out.push_back(t);
-    if (halved == 3) {
-      out.insert(out.end(), {{t[0], m[0], m[2]}, {t[1], m[1], m[0]}, {t[2], m[2], m[1]}});
-      return out.push_back({m[0], m[1], m[2]});
-    }
-    // Rotated such that the single unsplit edge, or the single split one, comes last.
-    size_t last = 0;
-    while ((m[last] == kNotSplit) != (halved == 2)) ++last;
-    const size_t first = (last + 1) % 3, second = (last + 2) % 3;
-    const uint32_t a = t[first], b = t[second], c = t[last];
-    if (halved == 1) {
-      out.push_back({a, b, m[last]});
-      return out.push_back({m[last], b, c});
-    }
-    const uint32_t ab = m[first], bc = m[second];
-    out.push_back({ab, b, bc});
-    if (length2(a, bc) <= length2(ab, c))
-      out.insert(out.end(), {{a, ab, bc}, {a, bc, c}});
-    else
-      out.insert(out.end(), {{a, ab, c}, {ab, bc, c}});
   }
 
   Mesh& mesh_;

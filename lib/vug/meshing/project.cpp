@@ -91,7 +91,7 @@ std::vector<SurfacePoint> SurfaceProjector::sample(const std::vector<Vec3d>& poi
 
 std::vector<SurfacePoint> SurfaceProjector::project(const std::vector<Vec3d>& starts,
                                                     const ProjectOptions& options) {
-  const double tolerance = in_double_ ? options.tolerance : std::max(options.tolerance, noise_);
+  const double tolerance = std::max(options.tolerance, resolution());
   const double longest = 0.5 * options.reach;
   std::vector<SurfacePoint> best(starts.size());
   std::vector<Vec3d> at = starts;            // The points still moving,

@@ -45,6 +45,8 @@ class SurfaceProjector {
                                     const ProjectOptions& options);
 
   bool in_double() const { return in_double_; }
+  /// Rounding error of positions in the evaluation, metres.
+  double resolution() const { return in_double_ ? 0 : noise_; }
 
  private:
   void evaluate(const std::vector<Vec3d>& points);

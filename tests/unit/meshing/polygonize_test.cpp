@@ -12,13 +12,6 @@
 namespace vug::meshing {
 namespace {
 
-double volume_of(const mesh::Mesh& mesh) {
-  double sum = 0;
-  for (size_t f = 0; f < mesh.triangles.size(); ++f)
-    sum += mesh::corners(mesh, f)[0].dot(mesh::double_area_vector(mesh, f)) / 6;
-  return sum;
-}
-
 void expect_closed_outward(const mesh::Mesh& mesh) {
   const mesh::Topology topology = mesh::inspect(mesh);
   EXPECT_EQ(topology.boundary_edges, 0U);

@@ -131,6 +131,13 @@ inline std::vector<Solid> solids() {
   };
 }
 
+inline double volume_of(const mesh::Mesh& mesh) {
+  double sum = 0;
+  for (size_t f = 0; f < mesh.triangles.size(); ++f)
+    sum += mesh::corners(mesh, f)[0].dot(mesh::double_area_vector(mesh, f)) / 6;
+  return sum;
+}
+
 inline double area(const mesh::Mesh& mesh) {
   double sum = 0;
   for (size_t f = 0; f < mesh.triangles.size(); ++f)
