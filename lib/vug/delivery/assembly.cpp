@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/building/flat_scene.h>
+#include <vug/building/dice_objects.h>
 #include <vug/delivery/assembly.h>
 #include <vug/delivery/bake.h>
 #include <vug/delivery/material_probe.h>
@@ -211,6 +211,7 @@ AssemblyResult build_assembly(building::Builder& builder) {
   out.assembly.name = shot.name;
   out.assembly.provenance = provenance_of(shot);
   building::FlatScene flat = building::flatten_scene(builder);
+  building::dice_objects(builder, shot, {}, flat.objects);
   const shot::MediumPlan* air = shot::find_air(shot, picture::plan_picture(shot).render.settings);
   building::add_default_light(flat, air ? air->medium.get() : nullptr);
   for (render::Object& object : flat.objects) object.name = shown_name(shot, object.name);

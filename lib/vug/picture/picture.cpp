@@ -4,6 +4,7 @@
 #include <vug/base/memory.h>
 #include <vug/building/flat_scene.h>
 #include <vug/loading/validate.h>
+#include <vug/picture/dicing_view.h>
 #include <vug/picture/motion.h>
 #include <vug/picture/picture.h>
 #include <vug/render/kinds.h>
@@ -221,6 +222,8 @@ render::Scene build_scene(building::Builder& builder, const PicturePlan& plan,
   if (bounds.isEmpty()) bounds = Box3d(Vec3d(-1), Vec3d(1));
   scene.omitted = shot::omitted_objects(builder.shot(), shot);
   scene.camera = settings.camera ? settings.camera : outside_camera(bounds);
+  building::dice_objects(
+      builder, shot, dicing_view(builder.shot(), plan, time_samples, scene.camera), scene.objects);
   warn_if_inside_solid(builder, plan.render, shot::shown_objects(shot), *scene.camera);
   scene = render::in_space(std::move(scene), settings.working_space);
   progress.end();

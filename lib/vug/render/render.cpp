@@ -17,8 +17,6 @@ namespace {
 /// for 10^5, 10^6 and 5 10^6 triangles of a wavy ball (growth of the resident set); plus its
 /// corners.
 constexpr double kEmbreeBytes = 125 + 36;
-/// Bytes per triangle of a mesh in the WideBvh: 86 were measured with 4 10^6 triangles.
-constexpr double kWideBvhBytes = 110;
 /// A brick of a level set in Embree's BVH.
 constexpr double kBrickBytes = 200;
 /// An instance in Embree's scene and in the list of objects.
@@ -103,7 +101,7 @@ double memory_estimate(const Scene& scene, const Options& options, bool whole_fi
     if (object.instance && !shared.insert(object.mesh.get()).second) continue;
     bytes += static_cast<double>(sizeof(Vec3f) * object.mesh->positions.size());
     const bool in_wide_bvh = !object.instance && !(object.material && object.material->cut_out());
-    bytes += (in_wide_bvh ? kWideBvhBytes : kEmbreeBytes) *
+    bytes += (in_wide_bvh ? kTriangleBytes : kEmbreeBytes) *
              static_cast<double>(object.mesh->triangles.size());
   }
   return bytes;

@@ -78,6 +78,10 @@ FilmLayout film_layout(const Options& options);
 /// Options::crop or the whole picture. Throws Error(bad_input) if the crop exceeds the picture.
 Region render_region(const Options& options);
 
+/// Bytes of a triangle in the acceleration structure while it is built, for meshes that are not
+/// instances; 86 were measured with 4 10^6 triangles.
+inline constexpr double kTriangleBytes = 110;
+
 /// Bytes that `render` needs in addition to the scene itself: acceleration structures, film and, if
 /// requested, the deep picture at its largest size. `whole_film`: the sums of all pixels are kept,
 /// not only those of one tile per thread.

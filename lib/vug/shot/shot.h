@@ -12,6 +12,7 @@
 #include <vug/paint/paint.h>
 #include <vug/render/scene.h>
 #include <vug/shot/caps.h>
+#include <vug/shot/dicing.h>
 #include <vug/shot/labels.h>
 #include <vug/shot/networks.h>
 #include <vug/shot/render_settings.h>
@@ -110,6 +111,8 @@ struct ObjectPlan {
   bool floating = false;    ///< Hangs in mid-air on purpose.
   Vec3d emission{0, 0, 0};  ///< W/sr/m^2.
   std::string light_group;
+  std::optional<Dicing> detail;  ///< Micro-displacement; none: the mesh as it is.
+  SourceLocation where;          ///< Location of the name in the text.
 };
 
 struct Shot;

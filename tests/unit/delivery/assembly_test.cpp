@@ -50,6 +50,21 @@ struct Made {
   }
 };
 
+/// The triangles of the only object, a ball with this detail.
+size_t triangles_with(const std::string& detail) {
+  const Made made(
+      "volume rock = level_set(sphere(1m), voxel: 20cm)\nmesh skin on rock {}\n"
+      "object ball on skin { " +
+      detail + " }\n");
+  return made.out.assembly.prototypes.at(0).mesh->triangles.size();
+}
+
+TEST(Assemble, DetailWithAFixedEdgeIsExported) {
+  const size_t plain = triangles_with("");
+  EXPECT_EQ(triangles_with("detail dice(pixels: 1)"), plain);
+  EXPECT_GT(triangles_with("detail dice(edge: 4cm)"), 16 * plain);
+}
+
 TEST(Assemble, WhatAShotShows) {
   const Made made;
   const exchange::Assembly& all = made.out.assembly;

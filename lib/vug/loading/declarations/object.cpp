@@ -28,6 +28,10 @@ Schema<ObjectBlock> object_schema() {
               .max = render::kMaxRadiance})
       .param("light_group", &ObjectBlock::light_group,
              {.doc = "light group of its emission, for light group AOVs"})
+      .param(
+          "detail", &ObjectBlock::detail,
+          {.doc = "micro-displacement: dice(...) divides the mesh down to the size of pixels and "
+                  "moves it onto the field"})
       .param("of", &ObjectBlock::of,
              {.doc = "one of several meshes with the same cells; default: all of them"});
   return s;
@@ -53,6 +57,22 @@ std::pair<std::string, std::string> fault(const shot::ObjectPlan& plan, const st
                                         : nullptr;
   if (!what) return {};
   return {fmt::format("'{}' {}, for which it needs a mesh", name, what), hint};
+}
+
+/// A conflict of the object's detail with its mesh, and a hint; empty if there is none.
+std::pair<std::string, std::string> detail_fault(const shot::ObjectPlan& plan) {
+  if (!plan.detail) return {};
+  if (plan.direct)
+    return {fmt::format("'{}' has both 'direct' and 'detail'", plan.name),
+            "remove 'direct': detail needs a mesh"};
+  if (plan.mesh->cells && plan.mesh->cells->move)
+    return {fmt::format("'{}' has 'detail', but cells displace its mesh", plan.name),
+            "set 'move false' in the cells, or remove 'detail'"};
+  const bool has_field = plan.mesh->volume && !plan.mesh->volume->source_mesh;
+  if (!has_field && !plan.detail->field)
+    return {fmt::format("'{}' has 'detail', but its mesh is not made from a field", plan.name),
+            "name the field: detail dice(field: NAME)"};
+  return {};
 }
 
 /// The parts of the mesh to show; empty, with a diagnostic, if `of` is not one of them.
@@ -82,8 +102,10 @@ const DeclarationKind& object_declaration() {
           shot::ObjectPlan plan = *block;
           plan.name = declaration.name;
           plan.mesh = part;
-          if (const auto [told, hint] = fault(plan, plan.name); !told.empty()) {
-            context.diagnostics.error(declaration.where, told, hint);
+          plan.where = declaration.where;
+          for (const auto& [problem, hint] : {fault(plan, plan.name), detail_fault(plan)}) {
+            if (problem.empty()) continue;
+            context.diagnostics.error(declaration.where, problem, hint);
             return Value();
           }
           context.shot.objects.push_back(std::move(plan));
