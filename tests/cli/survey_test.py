@@ -107,7 +107,12 @@ class Survey(VugTest):
         self.assertIn("'cave.svx' is a survey, not a scene\n", self.expect(2, "check", "cave.svx").err)
         self.assertIn("'cave.svx' is a survey, not a scene\n", self.expect(2, "render", "cave.svx", "-o", "a.exr").err)
         (self.folder / "empty.svx").write_text("*begin a\n*end a\n")
-        self.assertIn("the survey has no stations", self.expect(0, "survey", "empty.svx").err)
+        (self.folder / "empty.th").write_text("survey a\nendsurvey\n")
+        (self.folder / "empty.srv").write_text("\n")
+        for name, leg in (("svx", "tape, compass, clino"), ("th", "in a centreline"), ("srv", "azimuth, inclination")):
+            error = self.expect(2, "survey", f"empty.{name}").err
+            self.assertIn(f"empty.{name}:1:1: error: the survey has no stations\n", error)
+            self.assertIn(leg, error)
 
     def test_a_scene_names_the_line_of_its_survey(self):
         (self.folder / "bad.svx").write_text("*begin a\n1 2 3 x 5\n*end a\n")

@@ -80,8 +80,13 @@ DateText take_date(std::string_view& text) {
     return out;
   }
   if (digits <= 2) year += 1900;
-  if (take(text, separator)) month = take_number(text);
-  if (month != 0 && take(text, separator)) day = take_number(text);
+  // A written 0 is a fault, while a part that is not written is not given.
+  const auto take_part = [&] {
+    const int part = take_number(text);
+    return part == 0 ? -1 : part;
+  };
+  if (take(text, separator)) month = take_part();
+  if (month != 0 && take(text, separator)) day = take_part();
   DateText out = checked_date(year, month, day, whole.substr(0, before - text.size()));
   if (digits <= 2) out.warning = fmt::format("a year with two digits is taken as {}", year);
   return out;
@@ -144,9 +149,15 @@ DateText parse_date(const DateWords& words) {
 
 DateText parse_dates(std::string_view text) {
   DateText out;
+  bool first = true;
   do {
     const bool explored = take(text, "explored");
-    if (!explored) take(text, "surveyed");
+    if (!explored && !take(text, "surveyed") && !first) {
+      out.fault = fmt::format("unexpected '{}' after the date", text);
+      out.range.reset();
+      return out;
+    }
+    first = false;
     take_blanks(text);
     const DateText read = take_range(text);
     if (!read.fault.empty()) return read;

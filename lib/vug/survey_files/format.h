@@ -34,6 +34,8 @@ struct Format {
                    const ReadOptions& options, Diagnostics& warnings) = nullptr;
   /// The bytes of a file with this survey; null if the format is only read.
   std::string (*write)(const Survey& survey) = nullptr;
+  /// A line that makes stations in the syntax of a text format, for the hint of empty files.
+  const char* example = nullptr;
 };
 
 const std::vector<const Format*>& formats();

@@ -11,12 +11,17 @@
 
 namespace vug::survey {
 
-/// `name` is the extension in lower case; `write` is null if the format is only read.
+/// `name` is the extension in lower case; `write` is null if the format is only read;
+/// see Format for `example`.
 inline Format survey_format(std::string name, std::string doc, std::string cite,
                             Contents (*read)(std::string_view, const std::filesystem::path&,
                                              const ReadOptions&, Diagnostics&),
-                            std::string (*write)(const Survey&) = nullptr) {
-  return {{std::move(name), "survey format", std::move(doc), std::move(cite), {}}, read, write};
+                            std::string (*write)(const Survey&) = nullptr,
+                            const char* example = nullptr) {
+  return {{std::move(name), "survey format", std::move(doc), std::move(cite), {}},
+          read,
+          write,
+          example};
 }
 
 }  // namespace vug::survey

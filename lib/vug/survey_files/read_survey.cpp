@@ -23,10 +23,9 @@ Survey read_survey(const std::filesystem::path& file, const ReadOptions& options
       read ? std::move(*read) : adjust(std::get<Observations>(std::move(contents)), warnings);
   if (survey.files.empty()) survey.files = {file};
   if (survey.stations.empty())
-    warnings.warning(
-        {file.string(), 1, 1}, "the survey has no stations",
-        "a leg, for example a line of '*data normal from to tape compass clino', makes "
-        "its two stations");
+    throw Error(ErrorCode::bad_input, "the survey has no stations", {file.string(), 1, 1},
+                format.example ? fmt::format("write a leg, e.g. {}", format.example)
+                               : "save the survey again with the program that wrote it");
   return survey;
 }
 

@@ -6,7 +6,8 @@
 
 namespace vug::survey {
 
-/// The survey in a file. Throws Error(bad_input) with the line or byte of a fault; adds warnings.
+/// The survey in a file. Throws Error(bad_input) with the line or byte of a fault, also
+/// if the survey has no stations; adds warnings.
 Survey read_survey(const std::filesystem::path& file, const ReadOptions& options,
                    Diagnostics& warnings);
 

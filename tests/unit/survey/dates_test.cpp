@@ -53,7 +53,11 @@ TEST(Dates, FaultsAreNamed) {
   EXPECT_EQ(parse_dates("2001.02.29").fault, "the day of '2001.02.29' does not exist");
   EXPECT_EQ(parse_dates("2001.13").fault, "the month of '2001.13' is not from 1 to 12");
   EXPECT_EQ(parse_dates("yesterday").fault, "expected a date, found 'yesterday'");
-  EXPECT_EQ(parse_dates("2001.02.03 now").fault, "expected a date, found 'now'");
+  EXPECT_EQ(parse_dates("2001.02.03 now").fault, "unexpected 'now' after the date");
+  EXPECT_EQ(parse_dates("1990.01.02 1990.01.01-2020.12.31").fault,
+            "unexpected '1990.01.01-2020.12.31' after the date");
+  EXPECT_EQ(parse_dates("1990.01.0").fault, "the day of '1990.01.0' does not exist");
+  EXPECT_EQ(parse_dates("1990.0").fault, "the month of '1990.0' is not from 1 to 12");
   EXPECT_EQ(parse_dates("2001.02.03-2001.02.02").fault, "the second date is before the first");
   EXPECT_EQ(parse_dates("99999999999").fault, "expected a date, found '99999999999'");
 }

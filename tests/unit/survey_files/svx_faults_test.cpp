@@ -61,6 +61,10 @@ TEST(SvxFaults, MessagesAndLines) {
            "the covariances are too large for the standard deviations"},
           {"*cs nowhere\n", 1, "unknown coordinate system 'nowhere'"},
           {"*cs UTM30N\n*fix 1 0 0 0\n", 2, "*fix after '*cs' but before '*cs out'"},
+          {"*cs UTM30N\n*cs out UTM30N\n*declination auto 500000 5000000 0\n*date 1850.06.01\n"
+           "1 2 10 90 0\n",
+           5, "the magnetic declination of the year 1850 is unknown"},
+          {"*date 1990.01.0\n", 1, "the day of '1990.01.0' does not exist"},
           {"*equate 1\n", 1, "*equate names one station"},
           {"*export 1\n", 1, "*export outside of a survey"},
           {"*flags splat\n", 1, "expected a flag, found 'splat'"},

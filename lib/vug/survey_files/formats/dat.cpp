@@ -21,5 +21,6 @@ Contents read_dat(std::string_view bytes, const std::filesystem::path& file, con
 
 VUG_SURVEY_FORMAT(dat) {
   return survey_format("dat", "Compass surveys: legs, splays and distances to the walls",
-                       "compass2024", read_dat);
+                       "compass2024", read_dat, nullptr,
+                       "'A B 34.4 90 -5 1 2 3 4' below the header of a survey");
 }

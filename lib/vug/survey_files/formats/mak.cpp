@@ -20,5 +20,5 @@ Contents read_mak(std::string_view bytes, const std::filesystem::path& file,
 
 VUG_SURVEY_FORMAT(mak) {
   return survey_format("mak", "Compass projects: .dat files and fixed stations", "compass2024",
-                       read_mak);
+                       read_mak, nullptr, "'#cave.dat;', which names a file with legs");
 }

@@ -17,5 +17,6 @@ Contents read_srv(std::string_view bytes, const std::filesystem::path& file, con
 
 VUG_SURVEY_FORMAT(srv) {
   return survey_format("srv", "Walls surveys: legs, splays, walls and fixed stations",
-                       "mckenzie2008", read_srv);
+                       "mckenzie2008", read_srv, nullptr,
+                       "'1 2 10.5 90 -5': from, to, distance, azimuth, inclination");
 }

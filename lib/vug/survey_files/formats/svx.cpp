@@ -25,5 +25,6 @@ VUG_SURVEY_FORMAT(svx) {
   return survey_format("svx",
                        "Survex data: measurements of all data styles, with their errors, read with "
                        "the included files",
-                       "survex2024", read_svx, svx::write);
+                       "survex2024", read_svx, svx::write,
+                       "'1 2 10.5 90 -5': from, to, tape, compass, clino");
 }

@@ -18,6 +18,8 @@ Contents read_th(std::string_view bytes, const std::filesystem::path& file,
 }  // namespace vug::survey
 
 VUG_SURVEY_FORMAT(th) {
-  return survey_format("th", "Therion texts: centrelines in nested surveys", "therion2024",
-                       read_th);
+  return survey_format("th", "Therion texts: centrelines in nested surveys", "therion2024", read_th,
+                       nullptr,
+                       "'1 2 10.5 90 -5' below 'data normal from to length compass clino' in a "
+                       "centreline");
 }

@@ -18,9 +18,14 @@ double North::correction(const Settings& settings, const std::string& grid,
   const auto key = std::tuple(declination.coordinate_system, grid, declination.place.x,
                               declination.place.y, declination.place.z, day);
   if (const auto found = known_.find(key); found != known_.end()) return found->second;
-  const Geographic place = geodesy_.geographic(declination.coordinate_system, declination.place);
-  double angle = geodesy_.true_north(grid, place);
-  if (settings.date) angle += magnetic_declination(place, year_of(day));
+  double angle = 0;
+  try {
+    const Geographic place = geodesy_.geographic(declination.coordinate_system, declination.place);
+    angle = geodesy_.true_north(grid, place);
+    if (settings.date) angle += magnetic_declination(place, year_of(day));
+  } catch (const Error& error) {
+    throw error.at(where);
+  }
   return known_.emplace(key, angle).first->second;
 }
 
