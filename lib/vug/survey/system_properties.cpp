@@ -84,6 +84,22 @@ SystemProperties system_properties(const std::string& name) {
   return out;
 }
 
+std::string fault_of_survey_system(const std::string& name) {
+  const std::optional<CoordinateSystem> known = coordinate_system(name);
+  if (!known || known->definition.empty()) return "";
+  try {
+    const SystemProperties found = system_properties(name);
+    if (found.geographic)
+      return fmt::format("the coordinates of '{}' are degrees, but those of a survey are metres",
+                         name);
+    if (std::fabs(found.metres_per_unit - 1) < 1e-9) return "";
+    return fmt::format("the unit of '{}' is {:.6g} m, but the coordinates of a survey are metres",
+                       name, found.metres_per_unit);
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
 std::optional<double> geoid_above_ellipsoid(const Geographic& place) {
   const Context context = make_context();
   // The shift adds the geoid's height to heights above the geoid.

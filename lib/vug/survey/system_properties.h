@@ -22,6 +22,11 @@ struct SystemProperties {
 /// PROJ does not know, and for local ones.
 SystemProperties system_properties(const std::string& name);
 
+/// The reason why the coordinates of a survey cannot be in a system: it is not projected, or its
+/// unit is not the metre. Empty for projected systems in metres, for local ones, and for names that
+/// coordinate_system does not know.
+std::string fault_of_survey_system(const std::string& name);
+
 /// Metres of the geoid EGM96 above the ellipsoid of WGS 84; nothing if PROJ has no grid of it.
 std::optional<double> geoid_above_ellipsoid(const Geographic& place);
 

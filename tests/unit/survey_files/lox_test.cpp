@@ -106,6 +106,8 @@ TEST(Lox, FaultsNameTheirByte) {
       words({2, 52, 1, 4, 3, 7, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x61});  // 72 bytes
   std::string infinite = station;
   infinite.replace(16 + 28 + 6, 2, "\xf0\x7f");
+  std::string far = station;
+  far.replace(16 + 28 + 6, 2, "\x50\x7f");  // 1e307
   const std::string deep = [] {
     std::string records, header;
     for (uint32_t i = 0; i < 200; ++i) records += words({i, 0, 0, i + 1, 0, 0});
@@ -127,6 +129,7 @@ TEST(Lox, FaultsNameTheirByte) {
                  {station, 0, "survey 7 does not exist (byte 16)"},
                  {survey + station + station, 0, "two stations have the number 3 (byte 128)"},
                  {survey + infinite, 0, "a number is not finite (byte 84)"},
+                 {survey + far, 0, "a coordinate exceeds 1000000 km (byte 84)"},
                  {deep + station, 0, "surveys are nested more than 100 levels deep (byte 4832)"},
                  {survey + words({3, 92, 1, 0}) + std::string(92, '\0'), 0,
                   "station 0 does not exist (byte 56)"},

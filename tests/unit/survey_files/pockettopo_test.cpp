@@ -4,6 +4,8 @@
 
 #include <vug/base/atomic_file.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace vug::survey {
@@ -144,6 +146,13 @@ TEST(PocketTopo, FaultsNameTheirByte) {
           {with(75, "\2"), 0, "unknown element 2 of a drawing (byte 75)"},
           {with(76, four), 0, "the file is too short for 4294967295 entries (byte 76)"},
       });
+}
+
+TEST(PocketTopo, CoordinatesBeyondTheLimitAreRefused) {
+  std::string far = top_file({{id(1, 0), id(1, 1), 10000, 90, 0}}, true);
+  const size_t east = far.find("\3pit") - 20;
+  far[east + 7] = '\x10';  // 1e15 m
+  expect_faults("top", {{far, 0, fmt::format("a coordinate exceeds 1000000 km (byte {})", east)}});
 }
 
 TEST(PocketTopo, DamagedFilesAreRefusedOrRead) {

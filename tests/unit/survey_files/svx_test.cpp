@@ -152,6 +152,15 @@ std::string warnings_of(const std::string& text) {
   return all;
 }
 
+TEST(Svx, FeetOfASystemBecomeMetres) {
+  // EPSG:2277 (feet) and EPSG:32139 (metres) have the same projection and false origin.
+  const Survey survey = read_svx_text(
+                            "*cs EPSG:2277\n*cs out EPSG:32139\n"
+                            "*fix 1 2296583.333333333 9842500 100\n1 2 10 0 0\n")
+                            .survey;
+  expect_near(position_of(survey, "1"), {700000, 3000000, 100}, 1e-3);
+}
+
 TEST(Svx, SuspiciousReadingsAreWarnings) {
   EXPECT_EQ(warnings_of("1 2 10 365 0\n"), "the bearing is not between 0 and a full circle\n");
   EXPECT_EQ(warnings_of("1 2 10 360 -90\n"), "");

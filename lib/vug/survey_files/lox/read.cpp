@@ -2,6 +2,7 @@
 #include <vug/survey_files/byte_reader.h>
 #include <vug/survey_files/lox/chunks.h>
 #include <vug/survey_files/lox/read.h>
+#include <vug/survey_files/plausible.h>
 #include <vug/survey_files/text_encoding.h>
 
 #include <fmt/format.h>
@@ -130,7 +131,7 @@ class Reader {
     station.surface = flags & kStationSurface;
     station.entrance = flags & kStationEntrance;
     station.fixed = flags & kStationFixed;
-    for (int axis = 0; axis < 3; ++axis) station.position[axis] = record.number<double>();
+    for (int axis = 0; axis < 3; ++axis) station.position[axis] = read_coordinate<double>(record);
     if (!stations_.emplace(id, static_cast<int>(survey_.stations.size())).second)
       record.fail_at(offset, fmt::format("two stations have the number {}", id));
     survey_.stations.push_back(std::move(station));
@@ -151,8 +152,10 @@ class Reader {
     leg.from = station(record);
     leg.to = station(record);
     Sides from{}, to{};
-    for (double& side : from) side = record.number<double>();
-    for (double& side : to) side = record.number<double>();
+    require_plausible_leg(survey_.stations[static_cast<size_t>(leg.from)].position,
+                          survey_.stations[static_cast<size_t>(leg.to)].position, record, offset);
+    for (double& side : from) side = read_wall(record);
+    for (double& side : to) side = read_wall(record);
     const auto flags = record.number<uint32_t>();
     leg.surface = flags & kShotSurface;
     leg.duplicate = flags & kShotDuplicate;
@@ -202,7 +205,7 @@ class Reader {
       record.fail_at(offset, "the scraps have more points and triangles than the file");
     scrap.points.resize(points);
     for (Vec3d& p : scrap.points)
-      for (int axis = 0; axis < 3; ++axis) p[axis] = coordinates.number<double>();
+      for (int axis = 0; axis < 3; ++axis) p[axis] = read_coordinate<double>(coordinates);
     scrap.triangles.resize(triangles);
     for (std::array<int, 3>& triangle : scrap.triangles)
       for (int& corner : triangle) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/survey_files/byte_reader.h>
 #include <vug/survey_files/named_stations.h>
+#include <vug/survey_files/plausible.h>
 #include <vug/survey_files/pockettopo/read.h>
 #include <vug/survey_files/pockettopo/shots.h>
 #include <vug/survey_files/text_encoding.h>
@@ -102,9 +103,11 @@ class Reader {
     Trip trip;
     trip.date = date_of(in_.number<int64_t>());
     if (!trip.date)
-      warnings_.warning(where_, fmt::format("the date of a trip is not between 1900 and 2199 and "
-                                            "was dropped (byte {})",
-                                            offset));
+      warnings_.warning(where_,
+                        fmt::format("the date of a trip is not between 1900 and 2199 and "
+                                    "was dropped (byte {})",
+                                    offset),
+                        "set the date of the trip in PocketTopo");
     const std::string comment = text();
     if (result_.title.empty()) result_.title = comment.substr(0, comment.find_first_of("\r\n"));
     trip.declination = kAngleUnit * in_.number<int16_t>();
@@ -135,14 +138,16 @@ class Reader {
 
   void add_shot(int32_t from, int32_t to, int32_t trip, const Shot& shot) {
     if (from == kUndefined && to == kUndefined) {
-      warnings_.warning(where_, fmt::format("shot {} has no stations and was dropped", shot_));
+      warnings_.warning(where_, fmt::format("shot {} has no stations and was dropped", shot_),
+                        "name its stations in PocketTopo");
     } else if (from == kUndefined || to == kUndefined) {
       close_leg();
       const bool outward = to == kUndefined;
       if (shot.length > 0) add_splay(outward ? from : to, trip, outward ? shot : shot.reversed());
     } else if (from == to) {
-      warnings_.warning(where_, fmt::format("shot {} leads from {} to itself and was dropped",
-                                            shot_, name(from)));
+      warnings_.warning(
+          where_, fmt::format("shot {} leads from {} to itself and was dropped", shot_, name(from)),
+          "correct one of its stations in PocketTopo");
     } else if (shot.length == 0) {
       close_leg();
       result_.equates.push_back({station(from), station(to), where_});
@@ -163,7 +168,8 @@ class Reader {
       warnings_.warning(where_,
                         fmt::format("shot {} from {} to {} differs from the previous one by more "
                                     "than 5 cm or 1.7 degrees and became a leg of its own",
-                                    shot_, name(from), name(to)));
+                                    shot_, name(from), name(to)),
+                        "delete the wrong shot in PocketTopo");
     close_leg();
     open_ = OpenLeg{from, to, trip, RepeatedShot(shot)};
   }
@@ -201,9 +207,9 @@ class Reader {
     const size_t offset = in_.offset();
     const auto id = in_.number<int32_t>();
     Fix fix;
-    const auto east = in_.number<int64_t>(), north = in_.number<int64_t>();
-    fix.position = kMillimetre * Vec3d(static_cast<double>(east), static_cast<double>(north),
-                                       in_.number<int32_t>());
+    fix.position.x = read_coordinate<int64_t>(in_, kMillimetre);
+    fix.position.y = read_coordinate<int64_t>(in_, kMillimetre);
+    fix.position.z = read_coordinate<int32_t>(in_, kMillimetre);
     const std::string comment = text();
     if (id == kUndefined) in_.fail_at(offset, "a reference does not name a station");
     fix.station = station(id);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The commands about stations and their coordinates.
 #include <vug/survey/fix_covariance.h>
+#include <vug/survey/system_properties.h>
+#include <vug/survey_files/plausible.h>
 #include <vug/survey_files/svx/commands.h>
 
 #include <fmt/format.h>
@@ -45,6 +47,8 @@ void command_cs(Reader& reader, Line& line) {
               "known: EPSG:n, ESRI:n, UTM30N, OSGB:SD, S-MERC, long-lat, EUR79Z30, "
               "JTSK, iJTSK, JTSK03, iJTSK03, local, and custom \"PROJ definition\"");
   if (name == "local") name.clear();
+  if (const std::string fault = out ? fault_of_survey_system(name) : ""; !fault.empty())
+    line.fail(start, fault, "write a projected system in metres, e.g. '*cs out UTM30N'");
   if (out && !reader.out.fixes.empty() && name != reader.out.coordinate_system)
     line.fail(start, "'*cs out' after *fix", "write it above the first *fix");
   if (out)
@@ -72,8 +76,10 @@ void command_equate(Reader& reader, Line& line) {
     const size_t at = line.position();
     const int next = read();
     if (next == last)
-      reader.warnings.warning(line.range(at), fmt::format("the station '{}' is equated to itself",
-                                                          reader.stations[next].name));
+      reader.warnings.warning(
+          line.range(at),
+          fmt::format("the station '{}' is equated to itself", reader.stations[next].name),
+          "remove one of the two names");
     else
       reader.out.equates.push_back({last, next, line.range(at)});
     last = next;
@@ -99,7 +105,8 @@ void command_fix(Reader& reader, Line& line) {
   if (line.keyword() != "reference") line.set_position(start);
   if (line.at_end()) {
     reader.warnings.warning(fix.where,
-                            "*fix without coordinates; the station is fixed at (0, 0, 0)");
+                            "*fix without coordinates; the station is fixed at (0, 0, 0)",
+                            "write the easting, the northing and the altitude");
   } else {
     fix.position.x = line.number("the easting");
     fix.position.y = line.number("the northing");
@@ -119,6 +126,7 @@ void command_fix(Reader& reader, Line& line) {
       }
     }
   }
+  require_plausible(fix.position, fix.where);
   reader.stations.use(fix.station);
   reader.stations[fix.station].fixed = true;
   reader.out.fixes.push_back(fix);

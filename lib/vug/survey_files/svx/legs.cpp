@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/survey_files/svx/legs.h>
 
+#include <vug/survey_files/plausible.h>
 #include <vug/survey_files/svx/vectors.h>
 
 #include <fmt/format.h>
@@ -33,6 +34,7 @@ void add_leg(Reader& reader, const LegLine& line) {
   leg.to = line.backwards ? line.from.station : line.to.station;
   leg.style = leg_style(settings.order->style);
   leg.where = line.line.range(line.from.start);
+  require_plausible(read.measured, leg.where);
   for (const int station : {leg.from, leg.to}) reader.stations.use(station);
   if (settings.infer_equates && read.length == 0 && leg.style != Style::nosurvey) {
     reader.out.equates.push_back({leg.from, leg.to, leg.where});
@@ -57,6 +59,7 @@ void add_cross_section(Reader& reader, const StationName& station, const ItemVal
     if (!values[item].is_number()) return;
     const double metres = reader.settings.calibrations[quantity](values[item].number);
     if (metres >= 0) {
+      require_plausible_wall(metres, line.word_at(values[item].start));
       out = metres;
       return;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/survey/dates.h>
+#include <vug/survey/system_properties.h>
 #include <vug/survey_files/therion/centreline.h>
 
 #include <fmt/format.h>
@@ -177,7 +178,8 @@ void Centreline::read_date(const std::vector<Token>& line) {
   for (size_t i = 1; i < line.size(); ++i) text += line[i].text;
   const DateText date = parse_dates(text);
   if (!date.fault.empty()) fail(date.fault, line[1].where, "write a date such as 2024.07.12");
-  if (!date.warning.empty()) context_.warnings.warning(line[1].where, date.warning);
+  if (!date.warning.empty())
+    context_.warnings.warning(line[1].where, date.warning, "write the year with four digits");
   settings_.date = date.range;
 }
 
@@ -233,6 +235,8 @@ void Centreline::read_coordinate_system(const std::vector<Token>& line) {
     fail("coordinates in degrees are not supported", line[1].where,
          "convert them to metres, and write e.g. 'cs UTM33'");
   }
+  if (const std::string fault = fault_of_survey_system(system); !fault.empty())
+    fail(fault, line[1].where, "convert the coordinates to metres, and write e.g. 'cs UTM33'");
   std::string& known = context_.observations.coordinate_system;
   if (!known.empty() && known != system)
     fail(fmt::format("the coordinate system {} differs from {}", quote_text(system),
