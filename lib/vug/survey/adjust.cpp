@@ -140,6 +140,7 @@ Survey adjust(Observations observations, Diagnostics& warnings) {
   }
   for (size_t i = 0; i < sums.size(); ++i) place_chain(graph, traverses.chains[i], sums[i]);
   place_dead_ends(graph, traverses.dead_ends);
+  separate_components(graph);
 
   Survey survey = survey_of(std::move(observations), graph);
   for (OpenChain& each : open) survey.misclosures.push_back(std::move(each.misclosure));

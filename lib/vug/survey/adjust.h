@@ -11,9 +11,10 @@ namespace vug::survey {
 /// leg's covariance. Fixes without a covariance are met exactly. Legs of the style nosurvey have no
 /// effect. Reports a misclosure for every traverse that is part of a loop or lies between fixed
 /// stations, and likely blunders [@baarda1968].
-/// If nothing is fixed, the first station of the first leg is at the origin. A component without a
-/// fix next to others with one gets a warning, and is placed in the same way. Throws
-/// Error(bad_input) for a station that is fixed at two places.
+/// If nothing is fixed, the first station of the first leg is at the origin. Other
+/// components without a fix get a warning and are placed in a row east of the rest, 10 m apart, so
+/// that their stations do not share places. Throws Error(bad_input) for a station that is fixed at
+/// two places.
 Survey adjust(Observations observations, Diagnostics& warnings);
 
 }  // namespace vug::survey

@@ -42,7 +42,8 @@ void apply_fix(LegGraph& graph, const Fix& fix, const Observations& observations
                 fix.where, "equated stations are one place; remove a fix");
   if (position)
     warnings.warning(fix.where,
-                     fmt::format("the station '{}' is fixed again at the same place", name));
+                     fmt::format("the station '{}' is fixed again at the same place", name),
+                     "remove one of the fixes");
   position = fix.position;
 }
 
@@ -67,17 +68,20 @@ void anchor_components(LegGraph& graph, const Observations& observations, Diagno
   std::vector<bool> reached(as_index(graph.points), false);
   std::vector<int> open;
   const auto spread = [&](int from) {
+    std::vector<int> found;
     open.push_back(from);
     reached[as_index(from)] = true;
     while (!open.empty()) {
       const int point = open.back();
       open.pop_back();
+      found.push_back(point);
       for (const int edge : graph.edges_of[as_index(point)]) {
         const int next = graph.across(edge, point);
         if (!reached[as_index(next)]) open.push_back(next);
         reached[as_index(next)] = true;
       }
     }
+    return found;
   };
   for (int point = 0; point < graph.points; ++point)
     if (graph.positions[as_index(point)] && !reached[as_index(point)]) spread(point);
@@ -85,19 +89,40 @@ void anchor_components(LegGraph& graph, const Observations& observations, Diagno
   for (const int point : anchor_candidates(graph, observations)) {
     if (reached[as_index(point)]) continue;
     const Station& station = observations.stations[as_index(graph.station_of[as_index(point)])];
-    if (any_fix)
+    graph.positions[as_index(point)] = Vec3d(0);
+    std::vector<int> component = spread(point);
+    if (any_fix) {
       warnings.warning(station.where,
                        fmt::format("the station '{}' and those connected to it are not connected "
-                                   "to a fixed station; it is placed at the origin",
+                                   "to a fixed station; they are placed east of the rest",
                                    station.name),
-                       "connect them with *equate, or fix one of them");
+                       "equate one of them to a station of the rest, or fix one of them");
+      graph.loose.push_back(std::move(component));
+    }
     any_fix = true;
-    graph.positions[as_index(point)] = Vec3d(0);
-    spread(point);
   }
 }
 
+/// Metres between the bounding boxes of components.
+constexpr double kGap = 10;
+
 }  // namespace
+
+void separate_components(LegGraph& graph) {
+  std::vector<bool> is_loose(as_index(graph.points), false);
+  for (const std::vector<int>& component : graph.loose)
+    for (const int point : component) is_loose[as_index(point)] = true;
+  const auto position = [&](int point) -> Vec3d& { return *graph.positions[as_index(point)]; };
+  Box3d rest;
+  for (int point = 0; point < graph.points; ++point)
+    if (!is_loose[as_index(point)]) rest.extendBy(position(point));
+  for (const std::vector<int>& component : graph.loose) {
+    Box3d box;
+    for (const int point : component) box.extendBy(position(point));
+    const Vec3d shift = Vec3d(rest.max.x + kGap, rest.min.y, rest.min.z) - box.min;
+    for (const int point : component) rest.extendBy(position(point) += shift);
+  }
+}
 
 LegGraph make_leg_graph(const Observations& observations, Diagnostics& warnings) {
   LegGraph graph;

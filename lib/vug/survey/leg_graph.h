@@ -26,6 +26,9 @@ struct LegGraph {
   std::vector<Edge> edges;
   std::vector<std::vector<int>> edges_of;       ///< For each point; an edge to itself twice.
   std::vector<std::optional<Vec3d>> positions;  ///< For each point; initially of fixed ones.
+  /// The points of each component that is not fixed, other than the first component of a survey
+  /// without fixes. Its first point is at the origin until `separate_components`.
+  std::vector<std::vector<int>> loose;
 
   /// The other end of an edge.
   int across(int edge, int point) const {
@@ -36,5 +39,10 @@ struct LegGraph {
 
 /// The graph with at least one fixed point in each component; see adjust.
 LegGraph make_leg_graph(const Observations& observations, Diagnostics& warnings);
+
+/// Moves each loose component, whose positions are relative, so that its bounding box lies east of
+/// the rest with its south-western and lowest corner at the rest's latitude and height. Otherwise,
+/// stations of unconnected surveys would share places.
+void separate_components(LegGraph& graph);
 
 }  // namespace vug::survey

@@ -4,6 +4,8 @@
 #include "svx_text.h"
 
 #include <vug/base/maths.h>
+#include <vug/survey/adjust.h>
+#include <vug/survey/statistics.h>
 
 #include <fmt/format.h>
 
@@ -95,15 +97,32 @@ TEST(Adjust, BlundersAreErrorsThatAReadingCanHave) {
   }
 }
 
-TEST(Adjust, ComponentsWithoutAFixAreAtTheOrigin) {
+TEST(Adjust, ComponentsWithoutAFixLieEastOfTheRest) {
   const SvxResult out = read_svx_text("*fix a 1 2 3\na b 10 90 0\nc d 5 0 0\nd e 5 0 0\n");
-  expect_near(position_of(out.survey, "c"), {0, 0, 0}, 0);
-  expect_near(position_of(out.survey, "e"), {0, 10, 0}, 1e-12);
+  expect_near(position_of(out.survey, "c"), {21, 2, 3}, 1e-12);
+  expect_near(position_of(out.survey, "e"), {21, 12, 3}, 1e-12);
   ASSERT_EQ(out.warnings.all().size(), 1U);
   EXPECT_EQ(out.warnings.all()[0].where.line, 3);
   const SvxResult single = read_svx_text("a b 10 90 0\n");
   EXPECT_TRUE(single.warnings.all().empty());
   expect_near(position_of(single.survey, "b"), {10, 0, 0}, 1e-12);
+}
+
+TEST(Adjust, ComponentsStayApartInFilesOfCoordinates) {
+  const Survey survey =
+      read_svx_text("1 2 10 0 0\n2 3 5 90 0\na b 10 0 0\nb c 10 90 0\nx y 10 0 0\n").survey;
+  EXPECT_EQ(measure(survey).components, 3);
+  for (const char* file : {"x.3d", "x.lox", "x.svx"}) {
+    SCOPED_TRACE(file);
+    Diagnostics warnings;
+    Contents contents = format_of(file).read(format_of(file).write(survey), file, {}, warnings);
+    Survey* read = std::get_if<Survey>(&contents);
+    const Survey again =
+        read ? *read : adjust(std::get<Observations>(std::move(contents)), warnings);
+    EXPECT_EQ(measure(again).components, 3);
+    EXPECT_EQ(measure(again).loops, 0);
+    EXPECT_EQ(again.equates.size(), 0U);
+  }
 }
 
 TEST(Adjust, TraversesBetweenFixedStationsAreCorrected) {

@@ -4,6 +4,7 @@
 
 #include <vug/base/atomic_file.h>
 #include <vug/base/scratch_folder.h>
+#include <vug/survey/statistics.h>
 
 #include <fmt/format.h>
 
@@ -131,6 +132,34 @@ TEST(Survex3d, StationsAtOnePointAreOneAndLegsPreferTheirSurvey) {
   EXPECT_EQ(again.equates[0].b, 2);
 }
 
+TEST(Survex3d, PlacesInOneCentimetreStayApart) {
+  Survey survey;
+  survey.stations = {station("a.0", Vec3d(3, 0, 0)), station("a.1", Vec3d(0)),
+                     station("a.2", Vec3d(0.003, 0, 0)), station("b.1", Vec3d(0.003, 0, 0))};
+  survey.legs = {leg(0, 1, "a"), leg(0, 2, "a")};
+  survey.equates = {{2, 3, {}}};
+  const Survey again = read_3d(write_3d(survey));
+  ASSERT_EQ(again.equates.size(), 1U);
+  EXPECT_EQ(again.equates[0].a, 2);
+  EXPECT_EQ(again.equates[0].b, 3);
+  EXPECT_EQ(measure(again).loops, 0);
+  for (size_t i = 0; i < survey.stations.size(); ++i)
+    EXPECT_LE((again.stations[i].position - survey.stations[i].position).length(), 0.0151);
+}
+
+TEST(Survex3d, ALegInOneCentimetreIsNotALoop) {
+  Survey survey;
+  survey.stations = {station("a.1", Vec3d(0)), station("a.2", Vec3d(0)),
+                     station("a.3", Vec3d(5, 0, 0))};
+  survey.legs = {leg(0, 1, "a"), leg(1, 2, "a")};
+  const Survey again = read_3d(write_3d(survey));
+  EXPECT_TRUE(again.equates.empty());
+  ASSERT_EQ(again.legs.size(), 2U);
+  EXPECT_NE(again.legs[0].from, again.legs[0].to);
+  EXPECT_EQ(measure(again).loops, 0);
+  EXPECT_EQ(measure(again).components, 1);
+}
+
 TEST(Survex3d, WhatTheFormatCannotStoreIsRefused) {
   const auto expect = [](Survey survey, const char* message) {
     try {
@@ -142,9 +171,9 @@ TEST(Survex3d, WhatTheFormatCannotStoreIsRefused) {
   };
   Survey survey = small_survey();
   survey.stations[0].position.x = 3e7;
-  expect(survey, "the value 30000000 is not within 21474 km of zero");
+  expect(survey, "the value 30000000 of the station 'a.1' is not within 21474 km of zero");
   survey.stations[0].position.x = std::nan("");
-  expect(survey, "the value nan is not within 21474 km of zero");
+  expect(survey, "the value nan of the station 'a.1' is not within 21474 km of zero");
   survey = small_survey();
   survey.tubes = {{{0, -1, 1, 1, 1}}};
   expect(survey, "a cross-section at 'a.1' has a negative distance");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/survey_files/byte_reader.h>
+#include <vug/survey_files/plausible.h>
 #include <vug/survey_files/survex3d/items.h>
 #include <vug/survey_files/survex3d/read.h>
 #include <vug/survey_files/survex3d/stations_at.h>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 namespace vug::survey::survex3d {
@@ -197,6 +199,7 @@ class Reader {
     raw.leg.where.file = in_.file();
     raw.from = at_;
     raw.to = at_ = point();
+    require_plausible_leg(position(raw.from), position(raw.to), in_, offset);
     legs_.push_back(std::move(raw));
   }
 
@@ -214,8 +217,10 @@ class Reader {
 
   template <class T>
   std::optional<double> distance() {
+    const size_t offset = in_.offset();
     const auto value = in_.number<T>();
     if (value < 0) return std::nullopt;
+    if (!is_plausible_wall(kUnit * value)) in_.fail_at(offset, kImplausibleWall);
     return kUnit * value;
   }
 
@@ -243,12 +248,25 @@ class Reader {
     return added;
   }
 
+  /// A leg shorter than a centimetre joins two stations at one point, which are then not equated:
+  /// the leg and the equate would be a loop.
+  void place_short_leg(Leg& leg, const Point& p) {
+    const int other = stations_.find(p, leg.survey, survey_.stations, leg.from);
+    if (other < 0) return;
+    leg.to = other;
+    short_.insert(std::minmax({leg.from, leg.to}));
+  }
+
   void place_legs() {
     for (RawLeg& raw : legs_) {
       raw.leg.from = station_at(raw.from, raw.leg.survey);
       raw.leg.to = station_at(raw.to, raw.leg.survey);
+      if (raw.from == raw.to) place_short_leg(raw.leg, raw.to);
       survey_.legs.push_back(std::move(raw.leg));
     }
+    std::erase_if(survey_.equates, [&](const Equate& each) {
+      return short_.count(std::minmax({each.a, each.b})) > 0;
+    });
     for (const RawError& raw : errors_) {
       Misclosure misclosure;
       misclosure.legs = raw.legs;
@@ -276,7 +294,8 @@ class Reader {
         warnings_.warning({in_.file(), 0, 0},
                           fmt::format("the cross-section of the unknown station '{}' was dropped "
                                       "(byte {})",
-                                      raw.station, raw.offset));
+                                      raw.station, raw.offset),
+                          "the file may be damaged; make it again from the .svx file");
       } else {
         if (!open) survey_.tubes.emplace_back();
         open = true;
@@ -299,6 +318,7 @@ class Reader {
   size_t traverse_ = 0;  ///< The first leg since the last move.
   std::vector<RawLeg> legs_;
   std::vector<RawError> errors_;
+  std::set<std::pair<int, int>> short_;  ///< Stations that a short leg joins.
   std::vector<RawSection> sections_;
   StationsAt stations_;
   std::unordered_map<Point, int, PointHash> named_;  ///< The first station with a name.

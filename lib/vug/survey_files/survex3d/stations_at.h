@@ -31,9 +31,10 @@ class StationsAt {
  public:
   void add(const Point& p, int station) { stations_[p].push_back(station); }
 
-  /// The index of the station at `p`; of several stations the first whose name is in `survey`, else
-  /// the first. Returns -1 if none is there.
-  int find(const Point& p, const std::string& survey, const std::vector<Station>& stations) const {
+  /// The index of the station at `p` other than `except`; of several stations the first whose name
+  /// is in `survey`, else the first. Returns -1 if none is there.
+  int find(const Point& p, const std::string& survey, const std::vector<Station>& stations,
+           int except = -1) const {
     const auto found = stations_.find(p);
     if (found == stations_.end()) return -1;
     const auto in_survey = [&](const std::string& name) {
@@ -41,11 +42,14 @@ class StationsAt {
                                 name[survey.size()] == '.');
     };
     size_t compared = 0;
+    int first = -1;
     for (const int i : found->second) {
+      if (i == except) continue;
+      if (first < 0) first = i;
       if (in_survey(stations[static_cast<size_t>(i)].name)) return i;
       if (++compared == kMostCompared) break;
     }
-    return found->second.front();
+    return first;
   }
 
  private:

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 namespace vug::survey::survex3d {
 namespace {
@@ -18,11 +19,39 @@ namespace {
   throw Error(ErrorCode::bad_input, problem, where, "the .3d format cannot store this survey");
 }
 
-int32_t hundredths(double value, const SourceLocation& where) {
+/// The value of a station, or of a traverse if `station` is null.
+int32_t hundredths(double value, const Station* station) {
   const double scaled = std::round(value / kUnit);
   if (!(std::fabs(scaled) <= std::numeric_limits<int32_t>::max()))
-    refuse(fmt::format("the value {} is not within 21474 km of zero", value), where);
+    refuse(fmt::format("the value {:.10g} of {} is not within 21474 km of zero", value,
+                       !station               ? std::string("a misclosure")
+                       : station->anonymous() ? std::string("an anonymous station")
+                                              : "the station '" + station->name + "'"),
+           station ? station->where : SourceLocation{});
   return static_cast<int32_t>(scaled);
+}
+
+/// The points of all stations in centimetres. Named stations at different places have different
+/// points, because readers take those at one point for equated: if two places have the same whole
+/// centimetres, the second one is written a centimetre higher.
+std::vector<Point> written_points(const std::vector<Station>& stations) {
+  constexpr double kSamePlace = 1e-6;  // Metres.
+  constexpr int kMostSteps = 100;
+  std::vector<Point> points;
+  points.reserve(stations.size());
+  std::unordered_map<Point, Vec3d, PointHash> places;
+  for (const Station& station : stations) {
+    Point p{};
+    for (size_t axis = 0; axis < 3; ++axis)
+      p[axis] = hundredths(station.position[static_cast<int>(axis)], &station);
+    for (int step = 0; !station.anonymous() && step < kMostSteps; ++step) {
+      const auto [at, is_free] = places.emplace(p, station.position);
+      if (is_free || (at->second - station.position).length() <= kSamePlace) break;
+      if (p[2] < std::numeric_limits<int32_t>::max()) ++p[2];
+    }
+    points.push_back(p);
+  }
+  return points;
 }
 
 /// Text for the line of metadata, in which line feeds and zero bytes separate entries.
@@ -34,7 +63,10 @@ std::string one_line(std::string text) {
 
 class Writer {
  public:
-  explicit Writer(const Survey& survey) : survey_(survey), written_(survey.legs.size(), false) {}
+  explicit Writer(const Survey& survey)
+      : survey_(survey),
+        points_(written_points(survey.stations)),
+        written_(survey.legs.size(), false) {}
 
   std::string write() {
     out_ = fmt::format("{}\nv8\n{}", kMagic, one_line(survey_.title));
@@ -46,7 +78,7 @@ class Writer {
       if (!written_[i]) write_leg(i, survey_.legs[i].from, survey_.legs[i].to);
     for (const Tube& tube : survey_.tubes)
       for (const CrossSection& section : tube) write_section(section, &section == &tube.back());
-    for (const Station& station : survey_.stations) write_station(station);
+    for (size_t i = 0; i < survey_.stations.size(); ++i) write_station(static_cast<int>(i));
     if (style_ != Style::normal) out_ += '\0';
     out_ += '\0';
     return std::move(out_);
@@ -55,8 +87,8 @@ class Writer {
  private:
   const Station& station(int index) const { return survey_.stations[static_cast<size_t>(index)]; }
 
-  void write_point(const Station& s) {
-    for (int axis = 0; axis < 3; ++axis) append_bytes(out_, hundredths(s.position[axis], s.where));
+  void write_point(int index) {
+    for (const int32_t axis : points_[static_cast<size_t>(index)]) append_bytes(out_, axis);
   }
 
   void write_count(size_t count) {
@@ -109,14 +141,14 @@ class Writer {
     write_date(leg.date, leg.where);
     if (from != at_) {
       out_ += static_cast<char>(kMove);
-      write_point(station(from));
+      write_point(from);
     }
     const bool same = leg.survey == label_;
     out_ += static_cast<char>(kLine | (leg.surface ? kLegSurface : 0) |
                               (leg.duplicate ? kLegDuplicate : 0) | (leg.splay ? kLegSplay : 0) |
                               (same ? kSameLabel : 0));
     if (!same) write_label(leg.survey, leg.where);
-    write_point(station(to));
+    write_point(to);
     at_ = to;
   }
 
@@ -135,7 +167,7 @@ class Writer {
       out_ += static_cast<char>(kError);
       append_bytes(out_, static_cast<int32_t>(misclosure.legs));
       for (const double value : {misclosure.length, misclosure.e, misclosure.h, misclosure.v})
-        append_bytes(out_, hundredths(value, {}));
+        append_bytes(out_, hundredths(value, nullptr));
     }
     at_ = -1;
   }
@@ -148,7 +180,7 @@ class Writer {
     for (const auto& side : {section.left, section.right, section.up, section.down}) {
       if (side && *side < 0)
         refuse(fmt::format("a cross-section at '{}' has a negative distance", at.name), at.where);
-      sides[n] = side ? hundredths(*side, at.where) : -1;
+      sides[n] = side ? hundredths(*side, &at) : -1;
       largest = std::max(largest, sides[n++]);
     }
     const bool wide = largest > INT16_MAX;
@@ -161,17 +193,19 @@ class Writer {
         append_bytes(out_, static_cast<int16_t>(side));
   }
 
-  void write_station(const Station& s) {
+  void write_station(int index) {
+    const Station& s = station(index);
     out_ += static_cast<char>(
         kLabel | (s.surface ? kStationSurface : 0) | (s.underground ? kStationUnderground : 0) |
         (s.entrance ? kStationEntrance : 0) | (s.exported ? kStationExported : 0) |
         (s.fixed ? kStationFixed : 0) | (s.anonymous() ? kStationAnonymous : 0) |
         (s.wall ? kStationWall : 0));
     write_label(s.name, s.where);
-    write_point(s);
+    write_point(index);
   }
 
   const Survey& survey_;
+  std::vector<Point> points_;  ///< For each station.
   std::vector<bool> written_;  ///< For each leg.
   std::string out_;
   std::string label_;
