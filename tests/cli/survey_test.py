@@ -94,6 +94,26 @@ class Survey(VugTest):
             error = self.expect(2, "survey", "cave.svx", "-o", name).err
             self.assertIn("files that can be written: .lox, .3d, .svx", error)
 
+    def test_the_origin_can_be_copied(self):
+        (self.folder / "cave.svx").write_text(SURVEY.replace("*fix 1 100 200 300", "*fix 1 398378 5674300 300"))
+        report = json.loads(self.expect(0, "survey", "cave.svx", "--json").out)
+        origin = report["origin"]
+        self.assertIn(f"origin: ({origin[0]}, {origin[1]}, {origin[2]})\n", self.expect(0, "survey", "cave.svx").out)
+        scene = self.folder / "far.vug"
+        scene.write_text('network cave = survey(file: "cave.svx", recenter: false)\n')
+        error = self.expect(2, "check", "far.vug").err
+        self.assertIn("far.vug:1:16: error: the station 'cave.1' is 5688 km from the origin", error)
+        self.assertIn("'origin: ({}, {}, {})'".format(*origin), error)
+        scene.write_text('network cave = survey(file: "cave.svx", origin: ({}, {}, {}))\n'.format(*origin) +
+                         'volume walls = level_set(passages(of: cave), voxel: 50cm)\n')
+        self.expect(0, "check", "far.vug")
+
+    def test_warnings_of_a_survey_reach_the_scene(self):
+        (self.folder / "loose.svx").write_text("*fix 1 0 0 0\n1 2 3 4 5\n7 8 3 4 5\n")
+        (self.folder / "loose.vug").write_text('network cave = survey(file: "loose.svx")\n'
+                                               'volume walls = level_set(passages(of: cave), voxel: 50cm)\n')
+        self.assertIn("loose.svx:3:1: warning: the station '7'", self.expect(0, "check", "loose.vug").err)
+
     def test_errors_name_the_line(self):
         (self.folder / "bad.svx").write_text("*begin a\n1 2 3 x 5\n*end a\n")
         error = self.expect(2, "survey", "bad.svx").err

@@ -70,18 +70,19 @@ int station_index(mesh::TextScanner& scanner, std::string_view word, size_t stat
 
 }  // namespace
 
-Network parse_dat(const DatText& nodes, const DatText& links, const DatReadOptions& options) {
-  std::vector<Vec3d> points;
+Network parse_dat(const DatText& nodes, const DatText& links, const OriginOptions& options) {
+  std::vector<NamedPoint> points;
   for_each_line(nodes, kNodeForm, [&](mesh::TextScanner& scanner, std::string_view word) {
     const double x = coordinate(scanner, word);
     const double y = coordinate(scanner, scanner.word_in_line());
-    points.emplace_back(x, y, coordinate(scanner, scanner.word_in_line()));
+    const double z = coordinate(scanner, scanner.word_in_line());
+    points.push_back({std::to_string(points.size() + 1), {x, y, z}});
   });
   Network network;
-  if (options.recenter) network.origin = rounded_middle(points);
-  for (const Vec3d& point : points)
-    network.stations.push_back({.name = std::to_string(network.stations.size() + 1),
-                                .position = to_scene(point - network.origin)});
+  network.origin = scene_origin(points, options);
+  for (const NamedPoint& point : points)
+    network.stations.push_back(
+        {.name = point.name, .position = to_scene(point.position - network.origin)});
   for_each_line(links, kLinkForm, [&](mesh::TextScanner& scanner, std::string_view word) {
     const int from = station_index(scanner, word, points.size());
     const int to = station_index(scanner, scanner.word_in_line(), points.size());
@@ -95,7 +96,7 @@ bool is_dat_name(const std::filesystem::path& file) {
   return name.ends_with(kNodes) || name.ends_with(kLinks);
 }
 
-Network read_dat(const std::filesystem::path& file, const DatReadOptions& options) {
+Network read_dat(const std::filesystem::path& file, const OriginOptions& options) {
   const DatFiles files = files_of(file);
   const std::string nodes = read_text(files.nodes);
   const std::string links = read_text(files.links);

@@ -5,30 +5,26 @@
 #pragma once
 
 #include <vug/network/network.h>
+#include <vug/network/scene_origin.h>
 
 #include <filesystem>
 #include <string_view>
 
 namespace vug::network {
 
-struct DatReadOptions {
-  /// Moves the network so that the middle of its bounding box, rounded to metres, is the origin.
-  bool recenter = true;
-};
-
 /// Whether the name of the file ends in _nodes.dat or _links.dat.
 bool is_dat_name(const std::filesystem::path& file);
 
 /// Reads NAME_nodes.dat and NAME_links.dat, of which `file` is one. Throws Error(bad_input) with
 /// the line of the fault.
-Network read_dat(const std::filesystem::path& file, const DatReadOptions& options = {});
+Network read_dat(const std::filesystem::path& file, const OriginOptions& options = {});
 
 /// Parses the two texts; the file names are for messages only.
 struct DatText {
   std::string_view text;
   std::string file;
 };
-Network parse_dat(const DatText& nodes, const DatText& links, const DatReadOptions& options = {});
+Network parse_dat(const DatText& nodes, const DatText& links, const OriginOptions& options = {});
 
 /// The lines of the nodes and links in survey space; positions have the digits that reading needs
 /// to return the same numbers.

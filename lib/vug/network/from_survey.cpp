@@ -28,7 +28,7 @@ class Conversion {
     sort_legs();
     network_.coordinate_system = survey_.coordinate_system;
     network_.files = survey_.files;
-    if (options_.recenter) network_.origin = rounded_middle(kept_positions());
+    network_.origin = scene_origin(kept_points(), options_.place);
     add_stations();
     add_legs();
     add_sections();
@@ -130,11 +130,11 @@ class Conversion {
       if (on_surface[i] && !used[i]) kept_[i] = false;
   }
 
-  std::vector<Vec3d> kept_positions() const {
-    std::vector<Vec3d> positions;
+  std::vector<NamedPoint> kept_points() const {
+    std::vector<NamedPoint> points;
     for (size_t i = 0; i < kept_.size(); ++i)
-      if (kept_[i]) positions.push_back(survey_.stations[i].position);
-    return positions;
+      if (kept_[i]) points.push_back({survey_.stations[i].name, survey_.stations[i].position});
+    return points;
   }
 
   Vec3d scene_position(int station) const {

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vug::survey {
@@ -30,6 +31,15 @@ Json extent_json(const Survey& survey, const Extent& extent) {
           {"low_station", name_of(survey, extent.low_station)},
           {"high", rounded(extent.high)},
           {"high_station", name_of(survey, extent.high_station)}};
+}
+
+/// The middle of the stations, rounded to metres, as networks of scenes use it by default.
+Json origin_json(const Statistics& size) {
+  if (size.east.low_station < 0) return nullptr;
+  Json out = Json::array();
+  for (const Extent* axis : {&size.east, &size.north, &size.altitude})
+    out.push_back(std::llround(0.5 * axis->low + 0.5 * axis->high));
+  return out;
 }
 
 Json misclosure_json(const Survey& survey, const Misclosure& each) {
@@ -81,10 +91,15 @@ Json report(const Survey& survey) {
   out["altitude"] = extent_json(survey, size.altitude);
   out["north"] = extent_json(survey, size.north);
   out["east"] = extent_json(survey, size.east);
+  out["origin"] = origin_json(size);
   out["degrees"] = Json::object();
   for (const auto& [degree, count] : size.degrees) out["degrees"][std::to_string(degree)] = count;
   out["misclosures"] = Json::array();
-  for (const Misclosure& each : survey.misclosures)
+  // Those of a file have any order.
+  std::vector<Misclosure> misclosures = survey.misclosures;
+  std::stable_sort(misclosures.begin(), misclosures.end(),
+                   [](const Misclosure& a, const Misclosure& b) { return a.e > b.e; });
+  for (const Misclosure& each : misclosures)
     out["misclosures"].push_back(misclosure_json(survey, each));
   out["blunders"] = Json::array();
   for (const Blunder& each : survey.blunders) out["blunders"].push_back(blunder_json(survey, each));

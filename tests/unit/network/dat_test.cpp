@@ -38,8 +38,25 @@ TEST(Dat, RecentersAroundWholeMetres) {
   EXPECT_EQ(network.stations[0].position, Vec3d(-4.75, 4, 0));
 }
 
+TEST(Dat, RefusesOriginsFarFromTheStations) {
+  const char* const nodes = "739893.25 6301812 710\n739903.25 6301812 701\n";
+  try {
+    parse(nodes, "1 2");
+    FAIL() << "was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::bad_input);
+    EXPECT_NE(error.hint().find("'origin: (739898, 6301812, 706)'"), std::string::npos)
+        << error.hint();
+  }
+  const Vec3d near(739000, 6301000, 0);
+  const Network network = parse_dat({nodes, ""}, {"1 2", ""}, {.origin = near});
+  EXPECT_EQ(network.origin, near);
+  EXPECT_EQ(network.stations[0].position, Vec3d(893.25, 710, -812));
+  EXPECT_THROW(parse_dat({nodes, ""}, {"1 2", ""}, {.recenter = false, .origin = near}), Error);
+}
+
 TEST(Dat, WritesTheNumbersItRead) {
-  const std::string nodes = "739893.1 6301812.7 710.123456789\n0.1 -0.2 1e-05\n";
+  const std::string nodes = "9893.1 1812.7 710.123456789\n0.1 -0.2 1e-05\n";
   const Network network = parse(nodes, "2 1\n");
   EXPECT_EQ(nodes_dat(network), nodes);
   EXPECT_EQ(links_dat(network), "2 1\n");

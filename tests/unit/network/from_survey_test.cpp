@@ -56,6 +56,29 @@ TEST(FromSurvey, TurnsTheHeightUpAndStatesTheOffset) {
   EXPECT_EQ(network.stations[1].splays[0], Vec3d(2, 1, 3.5));
 }
 
+TEST(FromSurvey, SurveysWithTheSameOriginKeepTheirPlaces) {
+  const Vec3d origin(900, 2000, 100);
+  survey::Survey other = small_cave();
+  for (survey::Station& station : other.stations) station.position += Vec3d(35, -20, 4);
+  const Network a = from_survey(small_cave(), {.place = {.origin = origin}}),
+                b = from_survey(other, {.place = {.origin = origin}});
+  for (size_t i = 0; i < a.stations.size(); ++i)
+    EXPECT_EQ(b.stations[i].position - a.stations[i].position, Vec3d(35, 4, 20));
+}
+
+TEST(FromSurvey, RefusesCoordinatesFarFromTheOrigin) {
+  survey::Survey far = small_cave();
+  for (survey::Station& station : far.stations) station.position += Vec3d(398378, 5674300, 0);
+  EXPECT_NO_THROW(from_survey(far));
+  try {
+    from_survey(far, {.place = {.recenter = false}});
+    FAIL() << "was placed";
+  } catch (const Error& error) {
+    EXPECT_NE(error.hint().find("'origin: (399380, 5676305, 398)'"), std::string::npos)
+        << error.hint();
+  }
+}
+
 TEST(FromSurvey, ChoosesTheCompleteCrossSection) {
   const Network network = from_survey(small_cave());
   ASSERT_TRUE(network.stations[0].section && network.stations[1].section);

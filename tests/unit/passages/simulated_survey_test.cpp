@@ -168,7 +168,7 @@ RoundTrip round_trip(const network::Network& cave) {
   survey::write_survey(simulate_survey(before, cave).survey, file);
   Diagnostics warnings;
   const network::Network read =
-      network::from_survey(survey::read_survey(file, {}, warnings), {.recenter = false});
+      network::from_survey(survey::read_survey(file, {}, warnings), {.place = {.recenter = false}});
   std::filesystem::remove(file);
   const field::Field again = passages(read);
   RoundTrip out;
