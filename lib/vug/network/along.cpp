@@ -40,7 +40,8 @@ void add_points(const Network& network, const Branch& branch, size_t count,
 std::vector<Vec3d> points_along(const Network& network, double spacing) {
   if (!(spacing > 0))
     throw Error(ErrorCode::bad_input,
-                fmt::format("the spacing along the network is {} m; it must be positive", spacing));
+                fmt::format("the spacing along the network is {} m; it must be positive", spacing),
+                {}, "use a distance such as 5m");
   const Reduction reduction = reduce(network);
   double total = 0;
   for (const Branch& branch : reduction.branches) total += branch.length / spacing;

@@ -25,14 +25,14 @@ void for_each_name(const Station& station, const Visit& visit) {
   for (const std::string& name : station.equated) visit(name);
 }
 
-/// For example "the names of its 321 stations begin with a, b, c, d, e".
+/// For example "among its 321 stations are a, b, c, d, e".
 std::string first_stations(const Network& network) {
   constexpr size_t kShown = 5;
   std::vector<std::string> first;
   for (const Station& station : network.stations)
     if (!station.name.empty() && first.size() < kShown) first.push_back(station.name);
   if (first.empty()) return "its stations have no names";
-  return fmt::format("the names of its {} stations begin with {}", network.stations.size(),
+  return fmt::format("among its {} stations are {}", network.stations.size(),
                      fmt::join(first, ", "));
 }
 
@@ -41,8 +41,8 @@ std::string first_stations(const Network& network) {
   for (const Station& station : network.stations)
     for_each_name(station, [&](const std::string& full) {
       known.push_back(full);
-      const size_t dot = full.rfind('.');
-      if (dot != std::string::npos) known.push_back(full.substr(dot + 1));
+      for (size_t dot = full.find('.'); dot != std::string::npos; dot = full.find('.', dot + 1))
+        known.push_back(full.substr(dot + 1));
     });
   throw Error(ErrorCode::bad_input, fmt::format("the network has no station '{}'", name), {},
               did_you_mean(name, known, first_stations(network)));

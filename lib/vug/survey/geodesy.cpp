@@ -71,7 +71,8 @@ CoordinateSystem require_system(const std::string& name) {
   const std::optional<CoordinateSystem> system = coordinate_system(name);
   if (!system || system->definition.empty())
     throw Error(ErrorCode::bad_input,
-                fmt::format("'{}' is not a coordinate system on the Earth", name));
+                fmt::format("'{}' is not a coordinate system on the Earth", name), {},
+                "systems are named as in Survex, e.g. \"EPSG:27700\" or \"UTM30N\"");
   return *system;
 }
 

@@ -12,9 +12,11 @@ constexpr double kSuspicious = 3;
 Reading checked(const Averaged& both, const char* name, const SourceLocation& where,
                 Diagnostics& warnings) {
   if (both.disagreement > kSuspicious)
-    warnings.warning(where, fmt::format("the readings of the {} in both directions differ by "
-                                        "{:.1f} standard deviations",
-                                        name, both.disagreement));
+    warnings.warning(where,
+                     fmt::format("the readings of the {} in both directions differ by "
+                                 "{:.1f} standard deviations",
+                                 name, both.disagreement),
+                     "compare them with the notes: a reading may be wrong, or a number swapped");
   return both.reading;
 }
 

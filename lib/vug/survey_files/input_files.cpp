@@ -56,8 +56,10 @@ std::filesystem::path InputFiles::find(const std::string& name, const std::strin
     const std::filesystem::path path = folder / attempt;
     // The check comes first, so that the existence of files outside does not show.
     if (!root_.empty() && !is_within(resolved(path), root_))
-      refuse(fmt::format("the file {} is outside of the survey's folder", quote_text(name)), where,
-             "move it into the folder of the survey, or allow files outside with --allow-outside");
+      refuse(
+          fmt::format("the file {} is outside of the survey's folder", quote_text(name)), where,
+          "move it into the folder of the survey, or write one file with all of them: vug survey "
+          "FILE --allow-outside -o ALL.svx");
     if (unreadable_reason(path).empty()) return path;
   }
   refuse(fmt::format("cannot read the file {}: {}", quote_text(name),

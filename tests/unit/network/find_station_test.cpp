@@ -50,8 +50,10 @@ TEST(FindStation, ReportsUnknownAndAmbiguousNames) {
             "2 stations end in 'entrance' (write more of its name: dow.entrance, ppot.entrance)");
   EXPECT_NE(problem(network, "").find("no station ''"), std::string::npos);
   EXPECT_EQ(problem(network, "sump"),
-            "the network has no station 'sump' (the names of its 4 stations begin with "
+            "the network has no station 'sump' (among its 4 stations are "
             "dow.entrance, ppot.entrance, dow.1)");
+  EXPECT_EQ(problem(named({"creek.stream.6", "creek.upper.2"}), "stream.7"),
+            "the network has no station 'stream.7' (did you mean 'stream.6'?)");
   EXPECT_EQ(problem({}, "a"), "the network has no station 'a' (its stations have no names)");
 }
 

@@ -73,6 +73,9 @@ TEST(Walls, FaultsNameTheirLine) {
                            {"#units restore\n", 1, "RESTORE without SAVE"},
                            {"#fix A 1 2\n", 1, "'#fix' has a station and three coordinates"},
                            {"#fix A 1 2 x\n", 1, "'x' is not a length"},
+                           {"#fix A W97:43:52.5 N31:16:45 323f\n", 1,
+                            "'W97:43:52.5' is a latitude or longitude, which '#fix' does not "
+                            "support here"},
                            {"#date 2001\n", 1, "'#date' has no date"},
                            {"#date 2/x/2001\n", 1, "'2001-2-x' is not a date"},
                            {"\nA\n", 2, "the line names fewer than two stations"},

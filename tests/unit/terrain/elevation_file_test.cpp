@@ -81,6 +81,10 @@ TEST_F(ElevationFiles, ReportsFilesThatAreNotTerrain) {
   flat.transform = {0, 1, 1, 0, 1, 1};
   EXPECT_NE(fault_of(write("flat.tif", flat.bytes())).find("cells without area"),
             std::string::npos);
+  std::string negative = kGrid;
+  negative.replace(negative.find("cellsize 10"), 11, "cellsize -5");
+  EXPECT_NE(fault_of(write("negative.asc", negative)).find("has a cell size of -5"),
+            std::string::npos);
   const GeoTiff deep{.height = [](int, int) { return -3.4e38f; }};
   EXPECT_NE(fault_of(write("deep.tif", deep.bytes())).find("at column 1, row 1"),
             std::string::npos);

@@ -72,9 +72,11 @@ Indices indices_of(const std::vector<std::string>& names) {
       throw Error(ErrorCode::bad_input,
                   fmt::format("invalid station name '{}': a name has at least one character and no "
                               "spaces",
-                              name));
+                              name),
+                  {}, "separate the levels of a name with full stops, e.g. \"stream.3\"");
     if (!indices.emplace(name, static_cast<int>(indices.size())).second)
-      throw Error(ErrorCode::bad_input, fmt::format("two stations are named '{}'", name));
+      throw Error(ErrorCode::bad_input, fmt::format("two stations are named '{}'", name), {},
+                  "give each station another name");
   }
   return indices;
 }
@@ -97,7 +99,8 @@ void add_path(const std::string& path, const Indices& indices, network::Network&
     if (found == indices.end()) refuse_unknown(path, name, indices);
     if (previous == found->second)
       throw Error(ErrorCode::bad_input,
-                  fmt::format("the path '{}' joins the station '{}' to itself", path, name));
+                  fmt::format("the path '{}' joins the station '{}' to itself", path, name), {},
+                  "remove one of the two names");
     if (previous >= 0) network.legs.push_back({.from = previous, .to = found->second});
     previous = found->second;
   }

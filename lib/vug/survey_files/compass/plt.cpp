@@ -73,9 +73,11 @@ class PltReader {
       unique = name_ + '.' + name;
       index = stations_.find(unique);
       if (index < 0)
-        warnings_.warning(lines_.at(), fmt::format("the name {} is used at two places; here it "
-                                                   "becomes {}",
-                                                   quote_text(name), quote_text(unique)));
+        warnings_.warning(lines_.at(),
+                          fmt::format("the name {} is used at two places; here it "
+                                      "becomes {}",
+                                      quote_text(name), quote_text(unique)),
+                          "give one of the two stations another name");
     }
     if (index >= 0) return index;
     index = stations_.find_or_add(unique, lines_.at());

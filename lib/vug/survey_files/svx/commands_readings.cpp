@@ -94,7 +94,8 @@ void command_date(Reader& reader, Line& line) {
   if (text.empty()) line.fail_expected("a date", "e.g. 2024.07.12 or 2024.07.12-2024.07.14");
   const DateText date = parse_dates(text);
   if (!date.fault.empty()) line.fail(start, date.fault, "e.g. 2024.07.12 or 2024.07.12-2024.07.14");
-  if (!date.warning.empty()) reader.warnings.warning(line.range(start), date.warning);
+  if (!date.warning.empty())
+    reader.warnings.warning(line.range(start), date.warning, "write the year with four digits");
   reader.settings.date = date.range;
 }
 

@@ -42,7 +42,8 @@ FullName read_full_name(Line& line, const Settings& settings, Diagnostics& warni
     line.skip(1);
   }
   if (line.is(first, kRoot))
-    warnings.warning(line.range(start), "names that begin at the root are deprecated");
+    warnings.warning(line.range(start), "names that begin at the root are deprecated",
+                     "write the name relative to its survey, and *equate it there");
   return name;
 }
 

@@ -152,6 +152,11 @@ class Reader {
     Fix fix;
     fix.where = lines_.at();
     fix.station = station(words[1]);
+    for (size_t i = 2; i < 4; ++i)
+      if (std::string_view("nsewNSEW").find(words[i].text[0]) != std::string_view::npos)
+        lines_.fail(fmt::format("{} is a latitude or longitude, which '#fix' does not support here",
+                                quote_text(words[i].text)),
+                    words[i], "write the easting, the northing and the height as lengths");
     for (size_t i = 0; i < 3; ++i) {
       const std::string_view letter = settings_.rect_order;
       const size_t axis = i < letter.size() ? std::string_view("enu").find(letter[i]) : 2;

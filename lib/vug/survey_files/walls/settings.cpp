@@ -116,6 +116,16 @@ const std::map<std::string, Setter>& setters() {
   return all;
 }
 
+/// "known: A, AB, ...", in alphabetical order.
+std::string known_settings() {
+  std::string out = "known: ";
+  for (const auto& each : setters()) {
+    for (const char c : each.first) out += static_cast<char>(c - 'a' + 'A');
+    out += ", ";
+  }
+  return out + "PREFIX";
+}
+
 }  // namespace
 
 void read_units(const TextLines& lines, const std::vector<Word>& words, size_t first,
@@ -134,16 +144,14 @@ void read_units(const TextLines& lines, const std::vector<Word>& words, size_t f
         settings.distance_unit = settings.wall_unit = *unit;
       else
         lines.fail(fmt::format("unknown setting {}", quote_text(words[i].text)), words[i],
-                   "known: METERS, FEET, CT, RECT, RESET, and settings with '='");
+                   "known: METERS, FEET, CT, RECT, SAVE, RESTORE, RESET, and settings with '='");
     } else if (key == "prefix") {
       settings.prefixes[0] = words[i].text.substr(equals + 1);
     } else {
       const auto setter = setters().find(key);
       if (setter == setters().end())
-        lines.fail(
-            fmt::format("the setting {} is not supported", quote_text(words[i].text)), words[i],
-            "known: D, S, A, AB, V, VB, ORDER, DECL, GRID, INCD, INCA, INCV, TYPEAB, TYPEVB, "
-            "CASE, LRUD, PREFIX");
+        lines.fail(fmt::format("the setting {} is not supported", quote_text(words[i].text)),
+                   words[i], known_settings());
       if (!setter->second(value, settings))
         lines.fail(fmt::format("invalid value of {}", quote_text(words[i].text)), words[i],
                    "check the unit, the number or the order of the setting");

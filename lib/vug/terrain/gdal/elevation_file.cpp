@@ -3,6 +3,7 @@
 #include <vug/terrain/elevation_file.h>
 
 #include <fmt/format.h>
+#include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/base/memory.h>
 #include <vug/terrain/gdal/library.h>
@@ -94,7 +95,9 @@ struct ElevationFile::Dataset {
     const int count = gdal.GetRasterCount(handle);
     if (count < 1) throw fault(file, "contains no raster", "name a file of elevations");
     if (wanted > count)
-      throw fault(file, fmt::format("has {} bands, so it has no band {}", count, wanted),
+      throw fault(file,
+                  fmt::format("has {} {}, so it has no band {}", count,
+                              count == 1 ? "band" : "bands", wanted),
                   "bands count from 1");
     if (wanted == 0 && count > 1)
       throw fault(file, fmt::format("has {} bands, and one of them must be the heights", count),
@@ -156,6 +159,10 @@ ElevationFile::ElevationFile(std::filesystem::path file, int band)
       throw fault(path_, "has a georeference that is not finite", "repair it with gdal_edit.py");
   if (!(std::fabs(transform_.determinant()) > 1e-20))
     throw fault(path_, "has cells without area", "repair its georeference with gdal_edit.py");
+  // GDAL reads a negative cell size of an ASC file as a grid that is turned by 180 degrees.
+  if (extension_of(path_) == ".asc" && transform_.c[1] < 0)
+    throw fault(path_, fmt::format("has a cell size of {:g}", transform_.c[1]),
+                "write a positive 'cellsize'");
   if (const char* const text = gdal.GetProjectionRef(dataset_->handle)) system_ = text;
 }
 
