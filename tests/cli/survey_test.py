@@ -74,6 +74,17 @@ class Survey(VugTest):
         self.assertEqual([each["name"] for each in listed], [f"cave.{i}" for i in (1, 2, 3, 4, 5)])
         self.assertEqual(listed[0], {"name": "cave.1", "east": 100, "north": 200, "up": 300, "flags": ["entrance", "fixed"]})
 
+    def test_stations_of_a_scene(self):
+        (self.folder / "two.vug").write_text(SCENE + 'network real = survey(file: "cave.svx", origin: (90, 200, 280))\n')
+        lines = self.expect(0, "survey", "two.vug", "--stations").out.splitlines()
+        self.assertEqual(lines[0].split(), ["x", "y", "z", "name"])
+        self.assertEqual(lines[2].split(), ["9.00", "-1.00", "2.00", "fork"])
+        self.assertEqual(len(lines), 5)
+        listed = json.loads(self.expect(0, "survey", "two.vug", "--stations", "--network", "real", "--json").out)
+        self.assertEqual(listed[0], {"name": "cave.1", "equated": [], "position": [10, 20, 0], "flags": ["entrance"]})
+        self.assertIn("--stations", self.expect(2, "survey", "two.vug").err)
+        self.assertIn("'none'", self.expect(2, "survey", "two.vug", "--stations", "--network", "none").err)
+
     def test_drawings(self):
         self.expect(0, "survey", "cave.svx", "--plan", "out/plan.svg", "--elevation", "out/side.svg")
         for name, lines in (("plan", 6 + 2 + 1), ("side", 5 + 1)):
@@ -93,6 +104,12 @@ class Survey(VugTest):
         for name in ("x.th", "x.xyz"):
             error = self.expect(2, "survey", "cave.svx", "-o", name).err
             self.assertIn("files that can be written: .lox, .3d, .svx", error)
+
+    def test_a_failing_conversion_writes_nothing(self):
+        (self.folder / "far.svx").write_text("*fix 1 30000000 0 0\n1 2 3 4 5\n")
+        error = self.expect(2, "survey", "far.svx", "-o", "far.3d", "--plan", "far.svg").err
+        self.assertIn("far.svx:1:6: error: the value 30000000 of the station '1'", error)
+        self.assertFalse((self.folder / "far.svg").exists() or (self.folder / "far.3d").exists())
 
     def test_the_origin_can_be_copied(self):
         (self.folder / "cave.svx").write_text(SURVEY.replace("*fix 1 100 200 300", "*fix 1 398378 5674300 300"))
@@ -145,6 +162,14 @@ class Survey(VugTest):
         (self.folder / "below/all.svx").write_text("*include ../cave\n")
         self.assertIn("outside of the survey's folder", self.expect(2, "survey", "below/all.svx").err)
         self.expect(0, "survey", "below/all.svx", "--allow-outside")
+
+    def test_a_survey_of_a_volume_elsewhere_is_refused(self):
+        (self.folder / "far.vug").write_text(
+            'network plan = graph(names: ["a", "b"], at: [(900, 0, 0), (910, 0, 0)], paths: ["a b"])\n'
+            'volume ball = level_set(sphere(3m), voxel: 20cm)\n')
+        error = self.expect(2, "survey", "--shoot", "far.vug").err
+        self.assertIn("no wall of 'ball' is within 100 m of 3 of the 3 stations of 'plan'", error)
+        self.assertIn("--volume", error)
 
     def shoot(self, *args):
         return json.loads(self.expect(0, "survey", "--shoot", "plan.vug", *args, "--json").out)

@@ -10,6 +10,7 @@
 #include <vug/shot/queries.h>
 
 #include <algorithm>
+#include <map>
 
 namespace vug::cli {
 namespace {
@@ -25,6 +26,40 @@ shot::VolumePtr surveyed_volume(const shot::Shot& shot, const std::string& name)
               fmt::format("the volume '{}' is {}, which cannot be surveyed", volume->name,
                           volume->fog ? "a fog" : "made of a mesh"),
               volume->where, "--volume names a level set of a field");
+}
+
+/// Stations with cross-sections, and those of them without a single distance to a wall.
+struct MeasuredStations {
+  int all = 0;
+  int without_walls = 0;
+};
+
+MeasuredStations count_measured(const survey::Survey& survey) {
+  std::map<int, bool> has_wall;
+  for (const survey::Tube& tube : survey.tubes)
+    for (const survey::CrossSection& each : tube)
+      has_wall[each.station] |= each.left || each.right || each.up || each.down;
+  for (const survey::Leg& leg : survey.legs)
+    if (leg.splay) has_wall[leg.from] = true;
+  MeasuredStations out;
+  out.all = static_cast<int>(has_wall.size());
+  for (const auto& [station, found] : has_wall) out.without_walls += !found;
+  return out;
+}
+
+/// Reports stations from which no wall was found: the volume is probably not around the network.
+void require_walls(const survey::Survey& survey, const std::string& network,
+                   const std::string& volume, double reach) {
+  const MeasuredStations found = count_measured(survey);
+  if (found.without_walls == 0) return;
+  const std::string problem =
+      fmt::format("no wall of '{}' is within {:.0f} m of {} of the {} stations of '{}'", volume,
+                  reach, found.without_walls, found.all, network);
+  if (found.without_walls == found.all)
+    throw Error(ErrorCode::bad_input, problem, {},
+                "name the volume whose passages follow the network with --volume, or the network "
+                "with --along");
+  fmt::print(stderr, "warning: {}\n", problem);
 }
 
 /// Whether a format that stores walls is among the outputs.
@@ -76,6 +111,7 @@ survey::Survey ShootOptions::survey(const std::vector<std::filesystem::path>& ou
                "warning: {} of the stations lie in the rock of '{}'; they have no distances to the "
                "walls and no splays\n",
                simulated.in_rock, walls->name);
+  require_walls(simulated.survey, plan.name, walls->name, options.reach);
   simulated.survey.title = fmt::format("{} of {}", plan.name, loaded.shot.name);
   if (stores_walls(outputs)) {
     const WorkOptions work;

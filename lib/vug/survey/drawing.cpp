@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace vug::survey {
 namespace {
@@ -59,6 +60,34 @@ double bar_length(double width) {
   return length;
 }
 
+/// The radius of the dot of a fixed station.
+double dot_radius(const Canvas& canvas) {
+  const Vec2d size = canvas.high - canvas.low;
+  return 0.005 * std::max({size.x, size.y, 1.0});
+}
+
+/// The dot of a station, with the name of an entrance next to it.
+void draw_station(Canvas& canvas, const Station& station, const Vec2d& p, double radius) {
+  if (station.anonymous()) return;
+  const double share = station.entrance ? 1.5 : station.fixed ? 1.0 : 0.4;
+  canvas.dot(p, share * radius,
+             station.entrance ? "entrance"
+             : station.fixed  ? "fixed"
+                              : "station",
+             station.name);
+  if (station.entrance) canvas.label(p + Vec2d(2 * radius, 2 * radius), station.name);
+}
+
+/// An arrow to the north in the upper right corner, of a height in metres.
+void draw_north(Canvas& canvas, double height) {
+  const double x = canvas.high.x, top = -canvas.high.y;
+  canvas.content += fmt::format(
+      "<path class=\"north\" d=\"M{0:.2f} {1:.2f}V{2:.2f}M{3:.2f} {4:.2f}L{0:.2f} {2:.2f}L{5:.2f} "
+      "{4:.2f}\"/>\n<text class=\"north\" x=\"{0:.2f}\" y=\"{6:.2f}\">N</text>\n",
+      x, top + height, top, x - 0.2 * height, top + 0.35 * height, x + 0.2 * height,
+      top - 0.15 * height);
+}
+
 /// The document, with a margin, a title and a scale bar.
 std::string document(Canvas& canvas, const Survey& survey, const char* view) {
   if (canvas.content.empty()) canvas.extend({0, 0});
@@ -73,10 +102,12 @@ std::string document(Canvas& canvas, const Survey& survey, const char* view) {
       "<title>{}: {}</title>\n<style>line{{stroke:#222;stroke-width:{:.3f};stroke-linecap:round}}"
       ".splay,.width{{stroke:#9ab}}.surface{{stroke:#5a5;stroke-dasharray:{:.3f}}}"
       ".duplicate{{stroke:#999}}.nosurvey,.cut{{stroke-dasharray:{:.3f}}}"
-      ".station{{fill:#222}}.entrance{{fill:#c33}}.fixed{{fill:#36c}}text{{font:{:.3f}px "
+      ".north{{fill:none;stroke:#222;stroke-width:{:.3f}}}text.north{{fill:#222;stroke:none;"
+      "text-anchor:middle}}.station{{fill:#222}}.entrance{{fill:#c33}}.fixed{{fill:#36c}}text{{"
+      "font:{:.3f}px "
       "sans-serif}}</style>\n",
       left, top, width, height, xml_text(survey.title.empty() ? "Cave survey" : survey.title), view,
-      0.002 * extent, 0.01 * extent, 0.005 * extent, text);
+      0.002 * extent, 0.01 * extent, 0.005 * extent, 0.002 * extent, text);
   out += canvas.content;
   const double y = top + height - 0.4 * margin, x = left + 0.5 * margin;
   out += fmt::format(
@@ -117,32 +148,27 @@ std::string plan_svg(const Survey& survey) {
     return Vec2d(p.x, p.y);
   };
   for (const Leg& leg : survey.legs) canvas.line(place(leg.from), place(leg.to), style_of_leg(leg));
-  const Vec2d size = canvas.high - canvas.low;
-  const double radius = 0.005 * std::max({size.x, size.y, 1.0});
-  for (size_t i = 0; i < survey.stations.size(); ++i) {
-    const Station& station = survey.stations[i];
-    if (station.anonymous()) continue;
-    const Vec2d p = place(static_cast<int>(i));
-    canvas.dot(p,
-               (station.entrance ? 1.5
-                : station.fixed  ? 1.0
-                                 : 0.4) *
-                   radius,
-               station.entrance ? "entrance"
-               : station.fixed  ? "fixed"
-                                : "station",
-               station.name);
-    if (station.entrance) canvas.label(p + Vec2d(2 * radius, 2 * radius), station.name);
-  }
+  const double radius = dot_radius(canvas);
+  for (size_t i = 0; i < survey.stations.size(); ++i)
+    draw_station(canvas, survey.stations[i], place(static_cast<int>(i)), radius);
+  if (!survey.stations.empty()) draw_north(canvas, 12 * radius);
   return document(canvas, survey, "plan");
 }
 
 std::string elevation_svg(const Survey& survey) {
   Canvas canvas;
-  for (const ElevationLeg& each : extend_elevation(survey)) {
+  const std::vector<ElevationLeg> legs = extend_elevation(survey);
+  for (const ElevationLeg& each : legs) {
     const Leg& leg = survey.legs[static_cast<size_t>(each.leg)];
     canvas.line(each.ends[0], each.ends[1], each.cut ? "cut" : style_of_leg(leg));
   }
+  const double radius = dot_radius(canvas);
+  std::set<std::pair<int, double>> drawn;  // A station at a cut is at several places.
+  for (const ElevationLeg& each : legs)
+    for (size_t end = 0; end < 2; ++end)
+      if (drawn.emplace(each.stations[end], each.ends[end].x).second)
+        draw_station(canvas, survey.stations[static_cast<size_t>(each.stations[end])],
+                     each.ends[end], radius);
   return document(canvas, survey, "extended elevation");
 }
 

@@ -15,7 +15,8 @@ size_t index_of(int i) { return static_cast<size_t>(i); }
 struct Unfolding {
   const Survey& survey;
   DisjointSets<int> points;
-  std::vector<std::vector<int>> legs_of;          ///< By the root of a point.
+  std::vector<std::vector<int>> legs_of;  ///< By the root of a point.
+  std::vector<int> shown;  ///< By the root of a point: its entrance, else its first station.
   std::vector<std::optional<double>> horizontal;  ///< By the root of a point, in metres.
   std::vector<bool> drawn;                        ///< By leg.
   std::vector<ElevationLeg> out;
@@ -25,9 +26,16 @@ struct Unfolding {
       : survey(all),
         points(all.stations.size()),
         legs_of(all.stations.size()),
+        shown(all.stations.size(), -1),
         horizontal(all.stations.size()),
         drawn(all.legs.size(), false) {
     for (const Equate& each : survey.equates) points.join(each.a, each.b);
+    for (size_t i = shown.size(); i-- > 0;) {
+      const int root = points.root(static_cast<int>(i));
+      int& name = shown[index_of(root)];
+      if (name < 0 || survey.stations[i].entrance || !survey.stations[index_of(name)].entrance)
+        name = static_cast<int>(i);
+    }
     for (size_t i = 0; i < survey.legs.size(); ++i)
       if (!survey.legs[i].splay)
         for (const int end : {survey.legs[i].from, survey.legs[i].to})
@@ -48,7 +56,10 @@ struct Unfolding {
     const double there = here + std::hypot(step.x, step.y);
     std::optional<double>& known = horizontal[index_of(next)];
     const bool cut = known && std::fabs(*known - there) > 1e-6;
-    out.push_back({leg, {Vec2d(here, position(point).z), Vec2d(there, position(next).z)}, cut});
+    out.push_back({leg,
+                   {Vec2d(here, position(point).z), Vec2d(there, position(next).z)},
+                   {shown[index_of(point)], shown[index_of(next)]},
+                   cut});
     right = std::max(right, there);
     if (known) return std::nullopt;
     known = there;

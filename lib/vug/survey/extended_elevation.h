@@ -13,6 +13,8 @@ namespace vug::survey {
 struct ElevationLeg {
   int leg = 0;  ///< Index in Survey::legs.
   std::array<Vec2d, 2> ends;
+  /// The station at both ends: of those that are equated the entrance, else the first.
+  std::array<int, 2> stations{};
   bool cut = false;  ///< The second end is elsewhere in the drawing, too.
 };
 

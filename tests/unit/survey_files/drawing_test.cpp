@@ -64,5 +64,18 @@ TEST(Drawings, ThePlanNamesStations) {
   EXPECT_NE(text.find(">2</text>"), std::string::npos) << text;
 }
 
+TEST(Drawings, TheElevationNamesStations) {
+  const std::string text =
+      elevation_svg(read_svx_text("*entrance gate\n1 2 10 0 0\n*equate 2 gate\n").survey);
+  EXPECT_NE(text.find("<title>1</title></circle>"), std::string::npos) << text;
+  EXPECT_NE(text.find(">gate</text>"), std::string::npos) << text;
+}
+
+TEST(Drawings, OnlyThePlanHasAnArrowToTheNorth) {
+  const Survey survey = read_svx_text("1 2 10 0 0\n").survey;
+  EXPECT_NE(plan_svg(survey).find(">N</text>"), std::string::npos);
+  EXPECT_EQ(elevation_svg(survey).find(">N</text>"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace vug::survey

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arguments.h"
+#include "network_stations.h"
 #include "print.h"
 #include "shoot_options.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
+#include <vug/network/dat.h>
 #include <vug/scene/report.h>
 #include <vug/survey/drawing.h>
 #include <vug/survey/report.h>
@@ -20,6 +22,7 @@ struct SurveyOptions {
   bool stations = false;
   bool allow_outside = false;
   std::string plan, elevation, output;
+  std::string network;
   ShootOptions shoot;
 };
 
@@ -27,7 +30,16 @@ struct SurveyOptions {
 survey::Survey read_or_shoot(const SurveyOptions& options,
                              const std::vector<std::filesystem::path>& outputs) {
   if (options.shoot.given()) return options.shoot.survey(outputs);
-  require_no_scene(options.file);
+  if (extension_of(options.file) == ".vug")
+    throw Error(ErrorCode::bad_input, fmt::format("'{}' is a scene, not a survey", options.file),
+                {},
+                "vug survey --shoot SCENE surveys its passages, and vug survey SCENE --stations "
+                "lists the stations of its network");
+  if (network::is_dat_name(options.file))
+    throw Error(ErrorCode::bad_input,
+                fmt::format("'{}' is a network of karst research, not a survey", options.file), {},
+                "vug measure FILE --score compares it with real caves; scenes read it with "
+                "nodes_links(file: \"FILE\")");
   Diagnostics warnings;
   survey::ReadOptions reading;
   reading.allow_outside = options.allow_outside;
@@ -53,6 +65,10 @@ int run_survey(const SurveyOptions& options) {
   if (options.file.empty() && !options.shoot.given())
     throw Error(ErrorCode::bad_input, "the survey is missing", {},
                 "write vug survey FILE, or vug survey --shoot SCENE --along NETWORK");
+  if (options.stations && extension_of(options.file) == ".vug") {
+    print_network_stations(options.file, options.network, options.json);
+    return kDone;
+  }
   std::vector<std::filesystem::path> outputs;
   for (const std::string* each : {&options.plan, &options.elevation, &options.output})
     if (!each->empty()) outputs.emplace_back(*each);
@@ -61,9 +77,14 @@ int run_survey(const SurveyOptions& options) {
   if (!options.output.empty()) survey::writable_format_of(options.output);
 
   const survey::Survey read = read_or_shoot(options, outputs);
-  if (!options.plan.empty()) write_text(options.plan, survey::plan_svg(read));
-  if (!options.elevation.empty()) write_text(options.elevation, survey::elevation_svg(read));
-  if (!options.output.empty()) survey::write_survey(read, options.output);
+  // All texts exist before the first file is written, so that a conversion that fails leaves none.
+  std::vector<std::pair<std::string, std::string>> files;
+  if (!options.plan.empty()) files.emplace_back(options.plan, survey::plan_svg(read));
+  if (!options.elevation.empty())
+    files.emplace_back(options.elevation, survey::elevation_svg(read));
+  if (!options.output.empty())
+    files.emplace_back(options.output, survey::writable_format_of(options.output).write(read));
+  for (const auto& [file, text] : files) write_text(file, text);
   if (options.stations)
     print_stations(survey::station_list(read), options.json);
   else
@@ -85,8 +106,13 @@ Verb survey_verb() {
                            "Survey in a format of Survex, Therion, Compass, Walls or PocketTopo");
         options->shoot.add_to(app, file);
         app.add_flag("--json", options->json, "Machine-readable output");
-        app.add_flag("--stations", options->stations,
-                     "List the stations with their coordinates instead of the report");
+        CLI::Option* stations = app.add_flag(
+            "--stations", options->stations,
+            "List the stations with their coordinates instead of the report; of a scene, those of "
+            "a network in the space of the scene");
+        app.add_option("--network", options->network,
+                       "Network of a scene whose stations are listed; default the first")
+            ->needs(stations);
         app.add_option("--plan", options->plan, "SVG file for a drawing of the plan");
         app.add_option("--elevation", options->elevation,
                        "SVG file for a drawing of the extended elevation");
