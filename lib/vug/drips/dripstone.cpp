@@ -8,12 +8,22 @@
 namespace vug::drips {
 namespace {
 
-/// Radii of the thickest stalagmites with the scatter of drops and their coat, in metres.
-constexpr double kThickestForm = 0.46;
+/// Radii of the thickest stalagmites with the scatter of drops, their foot and their coat, in
+/// metres.
+constexpr double kThickestForm = 0.8;
 /// Outlines exceed their radii by girdles, and roots continue by twice the radius and a tip.
 constexpr double kWiden = 1.25, kDeepen = 2.1;
 
 }  // namespace
+
+Dripstone grow_dripstone(const field::Field& rock, const GraphOptions& options,
+                         const FormOptions& form_options) {
+  const Graph graph = build_graph(rock, options);
+  std::vector<Form> forms = forms_of(graph, form_options);
+  const std::vector<Form> pieces = fallen_pieces(rock, forms, graph, form_options);
+  forms.insert(forms.end(), pieces.begin(), pieces.end());
+  return {forms_field(forms, form_options), field::thickness_field(skirts_of(graph, forms))};
+}
 
 Box3d dripstone_bounds(const Box3d& rock, const GraphOptions& graph, const FormOptions& forms) {
   const double fastest =

@@ -4,8 +4,22 @@
 
 #include <vug/drips/build_graph.h>
 #include <vug/drips/form_fields.h>
+#include <vug/drips/layers.h>
 
 namespace vug::drips {
+
+struct Dripstone {
+  field::Field solids;     ///< The solids of all forms.
+  field::Field thickness;  ///< The thickness of the flowstone on the rock, see thickness_field.
+};
+
+/// Bounds of the slope of the solids, and of their growth; see field::Traits.
+inline constexpr double kDripstoneSlope = 2.3, kDripstoneGrowth = 0.7;
+
+/// The speleothems of a rock, whose air is where it is positive. The result is the same for any
+/// number of threads. Throws as build_graph.
+Dripstone grow_dripstone(const field::Field& rock, const GraphOptions& graph,
+                         const FormOptions& forms);
 
 /// Bounds of the speleothems of all drips that rock with these bounds can have.
 Box3d dripstone_bounds(const Box3d& rock, const GraphOptions& graph, const FormOptions& forms);

@@ -28,7 +28,7 @@ std::string interval_text(double seconds) {
                        : fmt::format("{} min a drop", grouped(rounded(seconds / 60)));
 }
 
-constexpr const char* kNames[] = {"straw", "stalactite", "stalagmite", "column"};
+constexpr const char* kNames[] = {"straw", "stalactite", "stalagmite", "column", "broken piece"};
 
 }  // namespace
 

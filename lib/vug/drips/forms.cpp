@@ -22,8 +22,22 @@ constexpr double kCandle = 20, kFastestDrip = 2, kSteepest = 0.75;
 constexpr double kThickestTrunk = 0.155;  // Of stalagmites, metres.
 constexpr double kLeastWaist = 0.4, kMostWaist = 0.65;
 constexpr double kCoat = 0.15, kCoatYears = 12000;
-/// The lean of a stalagmite in radians.
-constexpr double kTrunkLean = 0.012, kMostTrunkLean = 0.035;
+/// The foot of a stalagmite is aside of its apex where the drip has moved, by an angle in radians
+/// with this standard deviation and maximum, and downhill by this share of the floor's slope.
+constexpr double kTrunkLean = 0.022, kMostTrunkLean = 0.05, kDownhill = 0.08;
+/// The foot is aside by at most this number of radii, and this share of the height.
+constexpr double kMostAside = 1.6, kMostTilt = 0.08;
+/// On this share of the stumps an end has grown again, of up to that share of the lost length.
+constexpr double kRegrown = 0.55, kMostRegrown = 0.5;
+/// Ribs form at the wavelength of a film, 2.7 cm, of which 1 to 4 merge; trunks of this radius in
+/// metres have them.
+constexpr double kFluteWave = 0.027, kFlutedRadius = 0.07;
+constexpr int kFewestFlutes = 6, kMostFlutes = 20;
+/// Both parts of a column meet aside of each other by this share of the radius at most.
+constexpr double kOffset = 0.4;
+/// Domes grow at the feet of stalagmites under drips faster than this in seconds; their scale in
+/// radii of the trunk.
+constexpr double kDomeInterval = 15, kDomeScale = 0.45;
 
 /// The tangent of a slope's angle, at most 2.
 double slope_tangent(const Vec3d& normal) {
@@ -43,7 +57,11 @@ class Grower {
     const double break_at = random.uniform(0.2, 0.7);
     const double lean = std::clamp(kTrunkLean * random.normal(), -kMostTrunkLean, kMostTrunkLean);
     const double heading = random.uniform(0, kPi);
+    const bool regrows = random.uniform() < kRegrown;
+    const double regrown = kMostRegrown * random.uniform(), merged = random.uniform(1, 4);
+    const double offset = kOffset * random.uniform();
     Form common;
+    common.heading = 2 * heading;
     common.drip = drop.id;
     common.interval = graph_.interval(drop);
     common.age = drop.water.age;
@@ -51,27 +69,45 @@ class Grower {
     const double gap = drop.position.y - landing.position.y;
     const bool stands = chosen && landing.growth > 0;
     if (stands && drop.growth + landing.growth >= gap) {
-      out.push_back(column(common, drop, landing));
+      Form form = column(common, drop, landing);
+      form.flutes = flutes(form.radius + form.coat, merged);
+      form.offset = offset * form.radius;
+      out.push_back(form);
       return;
     }
     const double longest = stands ? gap - landing.growth : kMostHanging * gap;
     const double length = std::min(drop.growth, longest);
     if (length >= kLeastHanging * std::max(o_.tip, 0.5 * straw_diameter(drop.water.temperature))) {
       Form form = hanging(common, drop, length);
-      if (breaks && form.kind == FormKind::stalactite) form.broken = break_at;
+      if (breaks && form.kind == FormKind::stalactite) {
+        form.broken = break_at;
+        if (regrows) form.regrown = regrown * break_at * length;
+      }
       out.push_back(form);
     }
     if (stands && landing.growth >= kLeastStanding * o_.tip) {
       Form form = standing(common, drop, landing);
       form.top = landing.position + Vec3d(0, landing.growth, 0);
       const double aside = landing.growth * maths::tan(lean);
-      form.bottom += Vec3d(aside * maths::cos(heading), 0, aside * maths::sin(heading));
-      form.root += std::fabs(aside) * slope_tangent(landing.normal);
+      Vec3d foot(aside * maths::cos(heading), 0, aside * maths::sin(heading));
+      foot += Vec3d(landing.normal.x, 0, landing.normal.z) * (kDownhill * landing.growth);
+      const double most = std::min(kMostAside * form.radius, kMostTilt * landing.growth);
+      if (foot.length() > most) foot *= most / foot.length();
+      form.bottom += foot;
+      form.root += foot.length() * slope_tangent(landing.normal);
+      if (form.radius >= kFlutedRadius) form.flutes = flutes(form.radius, merged);
+      if (form.interval < kDomeInterval)
+        form.dome = kDomeScale * form.radius * (1 - form.interval / kDomeInterval);
       out.push_back(form);
     }
   }
 
  private:
+  static int flutes(double radius, double merged) {
+    const auto ribs = static_cast<int>(2 * kPi * radius / (kFluteWave * merged));
+    return std::clamp(ribs, kFewestFlutes, kMostFlutes);
+  }
+
   Form hanging(Form form, const Node& drop, double length) const {
     const double straw = 0.5 * straw_diameter(drop.water.temperature);
     form.kind = drop.straw && o_.tip <= 2 * straw ? FormKind::straw : FormKind::stalactite;

@@ -5,6 +5,7 @@
 #include <vug/field/registry.h>
 #include <vug/field/speleothems/stalactite_curve.h>
 #include <vug/field/speleothems/stalagmite_curve.h>
+#include <vug/field/speleothems/travertine_dome.h>
 
 #include <gtest/gtest.h>
 
@@ -71,6 +72,22 @@ TEST(StalagmiteCurve, HasTheDepthsOfTheCandle) {
     EXPECT_NEAR(candle.depth_at(x), closed_form(x), 1e-8) << x;
   EXPECT_NEAR(candle.depth_at(0.5), 0.19661, 1e-5);
   EXPECT_NEAR(candle.depth_at(0.999), 3.33304, 1e-5);
+}
+
+TEST(TravertineDome, HasItsClosedFormAndDepths) {
+  // Radii and depths of the unit dome at 15, 30, 45, 60 and 75 degrees, by a sum of 200,000 steps.
+  const struct {
+    double degrees, radius, depth;
+  } points[] = {{15, 0.5358983849, 0.0497196281},
+                {30, 0.8773826753, 0.1941972997},
+                {45, 1.4142135624, 0.6217279480},
+                {60, 2.6321480259, 2.3071788170},
+                {75, 7.4641016151, 15.8280508418}};
+  for (const auto& p : points) {
+    const double angle = p.degrees * kPi / 180;
+    EXPECT_NEAR(dome_radius(2, angle), 2 * p.radius, 1e-8 * p.radius);
+    EXPECT_NEAR(dome_depth(2, angle), 2 * p.depth, 1e-6 * p.depth);
+  }
 }
 
 TEST(StalagmiteCurve, HasTheDepthsOfFlatTopsAndCones) {

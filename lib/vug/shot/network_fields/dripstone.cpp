@@ -1,37 +1,93 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rock with the speleothems of its drips.
+#include <vug/drips/dripstone.h>
 #include <vug/field/boolean.h>
+#include <vug/field/deferred.h>
+#include <vug/field/speleothems/deposits.h>
+#include <vug/field/thickened.h>
 #include <vug/shot/drip_params.h>
 #include <vug/shot/networks.h>
-#include <vug/shot/speleothem_field.h>
+
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
 
 namespace vug::shot {
 namespace {
 
 struct Dripstone : DripParams {
+  double tip = 0.01;
+  double stalagmites = 0.6;
+  double broken = 0.07;
   double root = 0.3;
 
   static void describe(Schema<Dripstone>& s) {
+    const auto share = [](std::string doc) {
+      return ParamSpec{.doc = std::move(doc), .dimension = Dimension::ratio, .min = 0, .max = 1};
+    };
     s.doc(
          "Rock with stalactites and straws at its drips, stalagmites vertically below them, and "
          "columns where they have met.")
         .cite("short2005");
     describe_drips(s);
-    describe_forms(s);
-    s.param("root", &Dripstone::root,
-            positive_length("distance over which roots blend into the rock"));
+    s.param("tip", &Dripstone::tip,
+            positive_length("least radius of every form: 2.55 mm in nature, but at least 0.75 "
+                            "voxels. Stalactites of less than six radii are left out"))
+        .param("stalagmites", &Dripstone::stalagmites,
+               share("share of the drips with a stalagmite below"))
+        .param("broken", &Dripstone::broken, share("share of the stalactites that broke"))
+        .param("root", &Dripstone::root,
+               positive_length("distance over which roots blend into the rock"));
   }
+
+  drips::FormOptions forms() const {
+    return {.girth = girth,
+            .tip = tip,
+            .stalagmites = stalagmites,
+            .broken = broken,
+            .seed = static_cast<uint64_t>(seed)};
+  }
+};
+
+/// All that has grown on a rock, computed once for both of its fields.
+class Grown {
+ public:
+  Grown(field::Field rock, drips::GraphOptions graph, drips::FormOptions forms)
+      : rock_(std::move(rock)), graph_(std::move(graph)), forms_(forms) {}
+
+  field::Field solids() { return computed().solids; }
+  field::Field thickness() { return computed().thickness; }
+
+ private:
+  const drips::Dripstone& computed() {
+    const std::lock_guard lock(computing_);
+    if (!dripstone_) dripstone_ = drips::grow_dripstone(rock_, graph_, forms_);
+    return *dripstone_;
+  }
+  field::Field rock_;
+  drips::GraphOptions graph_;
+  drips::FormOptions forms_;
+  std::mutex computing_;
+  std::optional<drips::Dripstone> dripstone_;
 };
 
 field::Field with_dripstone(const Dripstone& p) {
   drips::GraphOptions graph = p.graph();
-  drips::require_valid(graph.edits, graph);
   graph.run_out = false;
   graph.memory = std::numeric_limits<uint64_t>::max();  // Checked before it is computed.
-  const auto grow = [rock = p.field, graph, forms = p.forms()] {
-    return drips::forms_of(drips::build_graph(rock, graph), forms);
-  };
-  return field::unite({p.field, speleothem_field(p, grow)}, {field::Profile::smooth, p.root});
+  const drips::FormOptions forms = p.forms();
+  const auto grown = std::make_shared<Grown>(p.field, graph, forms);
+  const Box3d bounds = drips::dripstone_bounds(p.field.bounds(), graph, forms);
+  const double bytes = drips::graph_memory(graph);
+  const field::Field solids = field::deferred(
+      {drips::kDripstoneSlope, field::Exactness::sign, bounds, drips::kDripstoneGrowth},
+      "finding drips", [grown] { return grown->solids(); }, bytes);
+  const field::Field thickness = field::deferred(
+      {field::kSteepestDeposit, field::Exactness::sign, infinite_box(), 0}, "laying flowstone",
+      [grown] { return grown->thickness(); }, bytes);
+  return field::unite({field::thickened(p.field, thickness, field::kThickestDeposit), solids},
+                      {field::Profile::smooth, p.root});
 }
 
 }  // namespace

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// Standing forms, their feet, and the pieces that lie between them.
+#include <vug/base/parallel.h>
+#include <vug/drips/chemistry.h>
+#include <vug/drips/dripstone.h>
+#include <vug/drips/growth.h>
+#include <vug/drips/trunk.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "rooms.h"
+
+namespace vug::drips {
+namespace {
+
+GraphOptions dripping(double half = 3) {
+  GraphOptions o = graph_options(half);
+  o.run_out = false;
+  o.oldest = 40000;
+  return o;
+}
+
+Form candle(double height, double radius) {
+  Form form;
+  form.kind = FormKind::stalagmite;
+  form.top = Vec3d(0, height, 0);
+  form.radius = radius;
+  return form;
+}
+
+TEST(Trunk, StaysAsItIsWhileTheApexGrows) {
+  // No girdle moves: below the reach of the film, the outline does not depend on the height.
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const DripHistory history(RandomKey(seed), 0.05, 0.0);
+    const std::vector<Vec2d> young = grown_trunk(candle(0.8, 0.05), 0.8, history),
+                             old = grown_trunk(candle(1.6, 0.05), 1.6, history);
+    for (double y = 0.02; y < 0.8 - 4 * 0.05; y += 0.05)
+      EXPECT_NEAR(radius_at(young, y), radius_at(old, y), 0.12 * radius_at(old, y)) << seed;
+  }
+}
+
+TEST(Trunk, HasGirdlesAndAFootButTheRadiusOfItsDripAtTheApex) {
+  int waists = 0, feet = 0;
+  for (uint64_t seed = 0; seed < 50; ++seed) {
+    const DripHistory history(RandomKey(seed), 0.05, 0.0);
+    const std::vector<Vec2d> outline = grown_trunk(candle(1.5, 0.05), 1.5, history);
+    EXPECT_NEAR(outline.front().y, 1.5, 1e-9);
+    EXPECT_NEAR(outline.back().y, 0, 1e-9);
+    for (size_t i = 1; i < outline.size(); ++i) {
+      EXPECT_LT(outline[i].y, outline[i - 1].y);
+      EXPECT_GT(outline[i].x, 0.008);
+      EXPECT_LT(outline[i].x, 0.3);
+    }
+    bool waist = false;
+    for (double y = 0.2; y < 1.2; y += 0.02)
+      waist |= radius_at(outline, y) < 0.98 * radius_at(outline, y + 0.06) &&
+               radius_at(outline, y) < 0.98 * radius_at(outline, y - 0.06);
+    waists += waist;
+    feet += radius_at(outline, 0) > 1.15 * radius_at(outline, 0.4);
+  }
+  EXPECT_GT(waists, 25) << "no candles";
+  EXPECT_GT(feet, 35);
+}
+
+TEST(Skirts, HoldTheCalciteThatTheirWaterLost) {
+  const Graph graph = build_graph(hall(), dripping());
+  const std::vector<Form> forms = forms_of(graph, {});
+  std::map<int64_t, const Node*> landings;
+  for (const Node& node : graph.nodes)
+    if (node.kind == NodeKind::landing) landings[node.id] = &node;
+  int free = 0;
+  for (const field::Deposit& skirt : skirts_of(graph, forms)) {
+    ASSERT_TRUE(landings.contains(skirt.drip));
+    const Node& at = *landings[skirt.drip];
+    EXPECT_EQ(skirt.from, at.position);
+    const double volume =
+        field::kRoundShare * skirt.half_width_from * skirt.half_width_from * skirt.thickness_from;
+    const Water& w = at.water;
+    const double left = 0.5 * (w.calcium + equilibrium_calcium(w.temperature));
+    const double lost = deposited_volume(w, w.calcium, left);
+    EXPECT_LE(volume, lost * (1 + 1e-9));
+    if (skirt.half_width_from > 0.05 && skirt.half_width_from < 0.68) {
+      EXPECT_NEAR(volume, lost, 1e-3 * lost);
+      ++free;
+    }
+  }
+  EXPECT_GT(free, 10);
+}
+
+TEST(Pieces, LieOnTheRockBelowTheirStumps) {
+  const field::Field rock = cave(8, 0.1, 8);
+  GraphOptions o = dripping(4);
+  o.straws = 0;
+  const Graph graph = build_graph(rock, o);
+  FormOptions forms;
+  forms.broken = 1;
+  const std::vector<Form> all = forms_of(graph, forms);
+  std::map<int64_t, const Form*> stumps;
+  int regrown = 0;
+  for (const Form& form : all)
+    if (form.broken > 0) {
+      stumps[form.drip] = &form;
+      regrown += form.regrown > 0;
+    }
+  EXPECT_GT(regrown, 20);
+  const std::vector<Form> pieces = fallen_pieces(rock, all, graph, forms);
+  EXPECT_GT(pieces.size(), 20u);
+  for (const Form& piece : pieces) {
+    ASSERT_TRUE(stumps.contains(piece.drip));
+    const Form& stump = *stumps[piece.drip];
+    const double length = (piece.top - piece.bottom).length();
+    EXPECT_LE(length, stump.broken * (stump.top - stump.bottom).length() + 1e-9);
+    EXPECT_LT(std::hypot(piece.top.x - stump.bottom.x, piece.top.z - stump.bottom.z),
+              0.36 + length);
+    // It touches the rock somewhere along its lower side and does not sink in.
+    double gap = 1;
+    for (double t = 0; t <= 1; t += 0.05) {
+      const double radius = forms.tip + t * (piece.radius - forms.tip);
+      const field::Gradient g = rock.gradient(piece.bottom + (piece.top - piece.bottom) * t);
+      gap = std::min(gap, g.value / g.gradient.length() - radius);
+    }
+    EXPECT_LT(gap, 0.001);
+    EXPECT_GT(gap, -0.5 * piece.radius - 0.01);
+  }
+}
+
+TEST(Dripstone, KeepsItsPromises) {
+  const field::Field rock = cave(8, 0.2, 8);
+  GraphOptions o = dripping(4);
+  const FormOptions forms{.tip = 0.01};
+  const Dripstone grown = grow_dripstone(rock, o, forms);
+  EXPECT_LE(grown.solids.lipschitz(), kDripstoneSlope);
+  EXPECT_GE(grown.solids.node()->traits().growth_rate(), kDripstoneGrowth);
+  EXPECT_LE(grown.thickness.lipschitz(), field::kSteepestDeposit);
+  const Box3d bounds = dripstone_bounds(rock.bounds(), o, forms);
+  EXPECT_TRUE(bounds.intersects(grown.solids.bounds().min));
+  EXPECT_TRUE(bounds.intersects(grown.solids.bounds().max));
+  RandomStream random(RandomKey(7));
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3d p(random.uniform(-4, 4), random.uniform(-2.2, 2.2), random.uniform(-4, 4));
+    const Vec3d q = p + Vec3d(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02),
+                              random.uniform(-0.02, 0.02));
+    const double way = (q - p).length() + 1e-9;
+    EXPECT_LE(std::fabs(grown.solids.value(p) - grown.solids.value(q)), kDripstoneSlope * way);
+    const double thickness = grown.thickness.value(p);
+    EXPECT_GE(thickness, 0);
+    EXPECT_LE(thickness, field::kThickestDeposit);
+    EXPECT_LE(std::fabs(thickness - grown.thickness.value(q)), field::kSteepestDeposit * way);
+    // A restriction has the same values.
+    const field::Ball ball{p, 0.1};
+    const auto local = grown.thickness.restricted(ball);
+    EXPECT_NEAR(local.field.value(q), grown.thickness.value(q), 1e-9);
+    EXPECT_LE(local.range.lo - 1e-9, thickness);
+    EXPECT_GE(local.range.hi + 1e-9, thickness);
+  }
+}
+
+TEST(Dripstone, IsTheSameForAnyNumberOfThreads) {
+  const field::Field rock = cave();
+  std::vector<double> first;
+  for (const int threads : {1, 2, 7}) {
+    const Dripstone grown =
+        with_threads(threads, [&] { return grow_dripstone(rock, dripping(), {.tip = 0.01}); });
+    std::vector<double> values;
+    RandomStream random(RandomKey(3));
+    for (int i = 0; i < 500; ++i) {
+      const Vec3d p(random.uniform(-3, 3), random.uniform(-2.2, 2.2), random.uniform(-3, 3));
+      values.push_back(grown.solids.value(p));
+      values.push_back(grown.thickness.value(p));
+    }
+    if (first.empty()) first = values;
+    EXPECT_EQ(values, first) << threads;
+  }
+}
+
+}  // namespace
+}  // namespace vug::drips
