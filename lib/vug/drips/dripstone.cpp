@@ -2,6 +2,7 @@
 #include <vug/drips/chemistry.h>
 #include <vug/drips/dripstone.h>
 #include <vug/drips/growth.h>
+#include <vug/field/boolean.h>
 
 #include <algorithm>
 
@@ -17,12 +18,15 @@ constexpr double kWiden = 1.25, kDeepen = 2.1;
 }  // namespace
 
 Dripstone grow_dripstone(const field::Field& rock, const GraphOptions& options,
-                         const FormOptions& form_options) {
+                         const FormOptions& form_options, const DraperyOptions& draperies) {
   const Graph graph = build_graph(rock, options);
   std::vector<Form> forms = forms_of(graph, form_options);
   const std::vector<Form> pieces = fallen_pieces(rock, forms, graph, form_options);
   forms.insert(forms.end(), pieces.begin(), pieces.end());
-  return {forms_field(forms, form_options), field::thickness_field(skirts_of(graph, forms))};
+  std::vector<field::Field> solids{forms_field(forms, form_options)};
+  if (const auto hung = draperies_of(rock, graph, draperies); !hung.empty())
+    solids.push_back(draperies_field(hung, draperies));
+  return {field::unite(std::move(solids)), field::thickness_field(skirts_of(graph, forms))};
 }
 
 Box3d dripstone_bounds(const Box3d& rock, const GraphOptions& graph, const FormOptions& forms) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vug/drips/build_graph.h>
+#include <vug/drips/draperies.h>
 #include <vug/drips/form_fields.h>
 #include <vug/drips/layers.h>
 
@@ -14,12 +15,12 @@ struct Dripstone {
 };
 
 /// Bounds of the slope of the solids, and of their growth; see field::Traits.
-inline constexpr double kDripstoneSlope = 2.3, kDripstoneGrowth = 0.7;
+inline constexpr double kDripstoneSlope = 2.3, kDripstoneGrowth = 0.5;
 
 /// The speleothems of a rock, whose air is where it is positive. The result is the same for any
 /// number of threads. Throws as build_graph.
 Dripstone grow_dripstone(const field::Field& rock, const GraphOptions& graph,
-                         const FormOptions& forms);
+                         const FormOptions& forms, const DraperyOptions& draperies);
 
 /// Bounds of the speleothems of all drips that rock with these bounds can have.
 Box3d dripstone_bounds(const Box3d& rock, const GraphOptions& graph, const FormOptions& forms);

@@ -2,6 +2,7 @@
 #include <vug/base/cell.h>
 #include <vug/drips/chemistry.h>
 #include <vug/drips/film_network.h>
+#include <vug/field/path.h>
 
 #include <algorithm>
 #include <map>
@@ -58,18 +59,12 @@ std::vector<Join> join_films(std::vector<Film>& films, double merging) {
   return joins;
 }
 
-double length_of(const std::vector<Vec3d>& path) {
-  double length = 0;
-  for (size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).length();
-  return length;
-}
-
 }  // namespace
 
 Water after_film(Water water, const std::vector<Vec3d>& path, double width) {
   if (water.discharge > 0)
-    water.calcium =
-        calcium_after(water.calcium, water.temperature, width * length_of(path), water.discharge);
+    water.calcium = calcium_after(water.calcium, water.temperature,
+                                  width * field::path_length(path), water.discharge);
   return water;
 }
 

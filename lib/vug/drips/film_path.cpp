@@ -17,8 +17,9 @@ constexpr double kLevel = 0.05;
 /// drops fall off walls that lean out by more than the second.
 constexpr double kRoof = -0.17, kOverhang = -0.5, kFloor = 0.5;
 /// A film detaches freely under roofs flatter than the first cosine, not under those steeper than
-/// the second (60 and 72 degrees).
-constexpr double kFreeCosine = 0.5, kHeldCosine = 0.3;
+/// the second (20 and 50 degrees): there it deposits a rib along its path, along which it keeps
+/// running, and which becomes a drapery.
+constexpr double kFreeCosine = 0.94, kHeldCosine = 0.64;
 /// Drops fall from overhangs that are higher than this above the rock below, in metres.
 constexpr double kCrack = 0.1;
 /// The radius of the ball to which the rock is restricted along a path.

@@ -15,7 +15,7 @@ struct FilmOptions {
   double temperature = 10;   ///< Degrees Celsius.
   double roof_step = 0.02;   ///< Metres between the points of a path on a roof.
   double floor_step = 0.05;  ///< The same on walls and floors.
-  double roof_length = 1;    ///< Length of the longest path on a roof; there it drips.
+  double roof_length = 2;    ///< Length of the longest path on a roof; there it drips.
   double floor_length = 40;  ///< Length of the longest path on walls and floors.
   /// A film under a level roof drips after this number of wavelengths on average (drip_spacing):
   /// drops that form nearer to each other merge.

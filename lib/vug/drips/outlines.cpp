@@ -20,7 +20,9 @@ constexpr double kWaves = 0.07, kColumnWaves = 0.1;
 constexpr double kWaistCoat = 0.7, kEndCoat = 1.8;
 /// Passes of a mean of three neighbours over the radii of a column.
 constexpr int kFillings = 4;
-/// No column is thinner than three straws.
+/// No column is thinner than three straws, or than this share of the lower trunk: the film that
+/// runs over the place where both met coats it.
+constexpr double kLeastWaist = 0.4;
 constexpr double kLeastStraws = 3;
 
 /// The lower end of a stalactite of that radius and slope: part of a sphere, as of a drop.
@@ -106,7 +108,8 @@ std::vector<Vec2d> column(const Form& form, const FormOptions& o,
   const std::vector<Vec2d> lower = grown_trunk(form, form.waist * height, history);
   const double tip = tip_radius(o, curve);
   const double end = curve.height_at(tip),
-               least = std::max(tip, kLeastStraws * 0.5 * straw_diameter(10));
+               least = std::max(
+                   {tip, kLeastStraws * 0.5 * straw_diameter(10), kLeastWaist * form.radius});
   std::vector<double> radii;
   for (int i = 0; i <= kColumnPoints; ++i) {
     const double y = height * (1 - static_cast<double>(i) / kColumnPoints);

@@ -14,6 +14,13 @@ inline std::string path_fault(const std::vector<Vec3d>& path) {
   return path.size() < 2 ? "a path needs at least two points" : "";
 }
 
+/// The length of a path in metres.
+inline double path_length(const std::vector<Vec3d>& path) {
+  double length = 0;
+  for (size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).length();
+  return length;
+}
+
 /// The union of `segment(from, to, index)` over the segments of a path of at least two points; the
 /// solid itself if there is one segment.
 template <class Segment>

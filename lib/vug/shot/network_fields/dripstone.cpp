@@ -20,6 +20,8 @@ struct Dripstone : DripParams {
   double tip = 0.01;
   double stalagmites = 0.6;
   double broken = 0.07;
+  double draperies = 0.5;
+  double folds = 0.12;
   double root = 0.3;
 
   static void describe(Schema<Dripstone>& s) {
@@ -27,8 +29,9 @@ struct Dripstone : DripParams {
       return ParamSpec{.doc = std::move(doc), .dimension = Dimension::ratio, .min = 0, .max = 1};
     };
     s.doc(
-         "Rock with stalactites and straws at its drips, stalagmites vertically below them, and "
-         "columns where they have met.")
+         "Rock with stalactites and straws at its drips, stalagmites vertically below them, "
+         "columns "
+         "where they have met, and draperies along sloping roofs.")
         .cite("short2005");
     describe_drips(s);
     s.param("tip", &Dripstone::tip,
@@ -37,6 +40,9 @@ struct Dripstone : DripParams {
         .param("stalagmites", &Dripstone::stalagmites,
                share("share of the drips with a stalagmite below"))
         .param("broken", &Dripstone::broken, share("share of the stalactites that broke"))
+        .param("draperies", &Dripstone::draperies,
+               share("share of the films under sloping roofs along which draperies hang"))
+        .param("folds", &Dripstone::folds, positive_length("mean distance of their folds"))
         .param("root", &Dripstone::root,
                positive_length("distance over which roots blend into the rock"));
   }
@@ -48,13 +54,22 @@ struct Dripstone : DripParams {
             .broken = broken,
             .seed = static_cast<uint64_t>(seed)};
   }
+
+  drips::DraperyOptions sheets() const {
+    return {.share = draperies,
+            .fold = folds,
+            .tip = tip,
+            .floor = from.y,
+            .seed = static_cast<uint64_t>(seed)};
+  }
 };
 
 /// All that has grown on a rock, computed once for both of its fields.
 class Grown {
  public:
-  Grown(field::Field rock, drips::GraphOptions graph, drips::FormOptions forms)
-      : rock_(std::move(rock)), graph_(std::move(graph)), forms_(forms) {}
+  Grown(field::Field rock, drips::GraphOptions graph, drips::FormOptions forms,
+        drips::DraperyOptions draperies)
+      : rock_(std::move(rock)), graph_(std::move(graph)), forms_(forms), draperies_(draperies) {}
 
   field::Field solids() { return computed().solids; }
   field::Field thickness() { return computed().thickness; }
@@ -62,12 +77,13 @@ class Grown {
  private:
   const drips::Dripstone& computed() {
     const std::lock_guard lock(computing_);
-    if (!dripstone_) dripstone_ = drips::grow_dripstone(rock_, graph_, forms_);
+    if (!dripstone_) dripstone_ = drips::grow_dripstone(rock_, graph_, forms_, draperies_);
     return *dripstone_;
   }
   field::Field rock_;
   drips::GraphOptions graph_;
   drips::FormOptions forms_;
+  drips::DraperyOptions draperies_;
   std::mutex computing_;
   std::optional<drips::Dripstone> dripstone_;
 };
@@ -77,7 +93,7 @@ field::Field with_dripstone(const Dripstone& p) {
   graph.run_out = false;
   graph.memory = std::numeric_limits<uint64_t>::max();  // Checked before it is computed.
   const drips::FormOptions forms = p.forms();
-  const auto grown = std::make_shared<Grown>(p.field, graph, forms);
+  const auto grown = std::make_shared<Grown>(p.field, graph, forms, p.sheets());
   const Box3d bounds = drips::dripstone_bounds(p.field.bounds(), graph, forms);
   const double bytes = drips::graph_memory(graph);
   const field::Field solids = field::deferred(
