@@ -20,8 +20,6 @@
 namespace vug::drips {
 namespace {
 
-/// Widths of films in metres, and the distances at which they merge, on walls and on floors.
-constexpr double kWallWidth = 0.03, kFloorWidth = 0.05;
 /// Stalagmites stand on floors that face up by this cosine; elsewhere drops run off.
 constexpr double kStandingCosine = 0.45;
 /// Standard deviation and maximum of the lean of stalactites in radians.
@@ -130,7 +128,7 @@ class Builder {
     FilmNetwork network{.kind = EdgeKind::wall_film, .sources = walls};
     network.films =
         films(walls, [&](const Node& n) { return wall_film(rock_, n.position, film_); });
-    network.merging = network.width = kWallWidth;
+    network.merging = film_width(network.kind);
     std::vector<FilmEnd> kinds;
     for (const Film& film : network.films) kinds.push_back(film.end);
     const std::vector<int> ends = add_films(graph_, std::move(network));
@@ -226,7 +224,7 @@ class Builder {
     FilmNetwork network{.kind = EdgeKind::floor_film, .sources = sources};
     network.films =
         films(sources, [&](const Node& n) { return floor_film(rock_, n.position, film_); });
-    network.merging = network.width = kFloorWidth;
+    network.merging = film_width(network.kind);
     std::vector<FilmEnd> kinds;
     for (const Film& film : network.films) kinds.push_back(film.end);
     const std::vector<int> ends = add_films(graph_, std::move(network));

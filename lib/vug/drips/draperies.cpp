@@ -4,7 +4,6 @@
 #include <vug/drips/chemistry.h>
 #include <vug/drips/draperies.h>
 #include <vug/drips/surface.h>
-#include <vug/field/boolean.h>
 #include <vug/field/path.h>
 
 #include <algorithm>
@@ -105,21 +104,23 @@ std::vector<HungDrapery> draperies_of(const field::Field& rock, const Graph& gra
                     .edge = edge,
                     .root_thickness = std::max(kRootThickness, 1.5 * edge),
                     .fold = o.fold * folds,
-                    .root = 0.02 + o.tip}});
+                    .root = 0.02 + o.tip,
+                    .finest = 1.2 * o.tip}});
   }
   std::sort(out.begin(), out.end(),
             [](const HungDrapery& a, const HungDrapery& b) { return a.drip < b.drip; });
   return out;
 }
 
-field::Field draperies_field(const std::vector<HungDrapery>& draperies, const DraperyOptions& o) {
+std::vector<field::Field> drapery_fields(const std::vector<HungDrapery>& draperies,
+                                         const DraperyOptions& o) {
   std::vector<field::Field> fields(draperies.size());
   parallel_for(fields.size(), [&](size_t i) {
     const RandomKey key =
         RandomKey(o.seed).at("folds").at(static_cast<uint64_t>(draperies[i].drip));
     fields[i] = field::sheet_field("drapery", field::drapery_sheet(draperies[i].sheet, key));
   });
-  return field::unite(std::move(fields));
+  return fields;
 }
 
 }  // namespace vug::drips

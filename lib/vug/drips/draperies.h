@@ -30,8 +30,8 @@ std::vector<HungDrapery> draperies_of(const field::Field& rock, const Graph& gra
 /// The share of the films with a mean slope in radians that grow draperies: 0 to 1.
 double drapery_share(double slope);
 
-/// The union of their solids.
-field::Field draperies_field(const std::vector<HungDrapery>& draperies,
-                             const DraperyOptions& options);
+/// Their solids.
+std::vector<field::Field> drapery_fields(const std::vector<HungDrapery>& draperies,
+                                         const DraperyOptions& options);
 
 }  // namespace vug::drips

@@ -17,16 +17,20 @@ constexpr double kWiden = 1.25, kDeepen = 2.1;
 
 }  // namespace
 
-Dripstone grow_dripstone(const field::Field& rock, const GraphOptions& options,
-                         const FormOptions& form_options, const DraperyOptions& draperies) {
-  const Graph graph = build_graph(rock, options);
-  std::vector<Form> forms = forms_of(graph, form_options);
-  const std::vector<Form> pieces = fallen_pieces(rock, forms, graph, form_options);
+Dripstone grow_dripstone(const field::Field& rock, const DripstoneOptions& o) {
+  const Graph graph = build_graph(rock, o.graph);
+  std::vector<Form> forms = forms_of(graph, o.forms);
+  std::vector<field::Deposit> layers = skirts_of(graph, forms);
+  for (const field::Deposit& layer : flowstone_of(graph, forms, o.flowstone))
+    layers.push_back(layer);
+  const std::vector<Form> pieces = fallen_pieces(rock, forms, graph, o.forms);
   forms.insert(forms.end(), pieces.begin(), pieces.end());
-  std::vector<field::Field> solids{forms_field(forms, form_options)};
-  if (const auto hung = draperies_of(rock, graph, draperies); !hung.empty())
-    solids.push_back(draperies_field(hung, draperies));
-  return {field::unite(std::move(solids)), field::thickness_field(skirts_of(graph, forms))};
+  // One union: it is restricted once, by the boxes of all its operands.
+  std::vector<field::Field> solids = form_fields(forms, o.forms);
+  for (const field::Field& sheet :
+       drapery_fields(draperies_of(rock, graph, o.draperies), o.draperies))
+    solids.push_back(sheet);
+  return {field::unite(std::move(solids)), field::thickness_field(layers)};
 }
 
 Box3d dripstone_bounds(const Box3d& rock, const GraphOptions& graph, const FormOptions& forms) {

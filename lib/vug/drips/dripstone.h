@@ -9,6 +9,13 @@
 
 namespace vug::drips {
 
+struct DripstoneOptions {
+  GraphOptions graph{};
+  FormOptions forms{};
+  DraperyOptions draperies{};
+  FlowstoneOptions flowstone{};
+};
+
 struct Dripstone {
   field::Field solids;     ///< The solids of all forms.
   field::Field thickness;  ///< The thickness of the flowstone on the rock, see thickness_field.
@@ -19,8 +26,7 @@ inline constexpr double kDripstoneSlope = 2.3, kDripstoneGrowth = 0.5;
 
 /// The speleothems of a rock, whose air is where it is positive. The result is the same for any
 /// number of threads. Throws as build_graph.
-Dripstone grow_dripstone(const field::Field& rock, const GraphOptions& graph,
-                         const FormOptions& forms, const DraperyOptions& draperies);
+Dripstone grow_dripstone(const field::Field& rock, const DripstoneOptions& options);
 
 /// Bounds of the speleothems of all drips that rock with these bounds can have.
 Box3d dripstone_bounds(const Box3d& rock, const GraphOptions& graph, const FormOptions& forms);

@@ -61,6 +61,19 @@ std::vector<Join> join_films(std::vector<Film>& films, double merging) {
 
 }  // namespace
 
+double film_width(EdgeKind kind) {
+  switch (kind) {
+    case EdgeKind::wall_film:
+      return 0.03;
+    case EdgeKind::floor_film:
+      return 0.05;
+    case EdgeKind::overflow:
+      return 0.1;
+    default:
+      return 0.012;
+  }
+}
+
 Water after_film(Water water, const std::vector<Vec3d>& path, double width) {
   if (water.discharge > 0)
     water.calcium = calcium_after(water.calcium, water.temperature,
@@ -121,7 +134,7 @@ std::vector<int> add_films(Graph& graph, FilmNetwork network) {
       edge.path.assign(path.begin() + static_cast<std::ptrdiff_t>(from->first),
                        path.begin() + static_cast<std::ptrdiff_t>(to->first) + 1);
       edge.water = graph.nodes[static_cast<size_t>(from->second)].water;
-      const Water arrived = after_film(edge.water, edge.path, network.width);
+      const Water arrived = after_film(edge.water, edge.path, film_width(network.kind));
       Water& there = graph.nodes[static_cast<size_t>(to->second)].water;
       there = mixed(there, arrived);
       graph.edges.push_back(std::move(edge));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to drips: films that run side by side become nodes and edges of a graph.
+// Films that run side by side become nodes and edges of a graph.
 #pragma once
 
 #include <vug/drips/film_path.h>
@@ -14,8 +14,10 @@ struct FilmNetwork {
   std::vector<Film> films{};
   double merging = 0.024;  ///< Metres: films that come nearer than this to a lower point of another
                            ///< one run into it.
-  double width = 0.012;    ///< Width of a film in metres.
 };
+
+/// The width in metres of the films of a kind.
+double film_width(EdgeKind kind);
 
 /// Adds the films to the graph: a node for each film's end, of kind `sink` with the source's id,
 /// and confluences. Water loses calcium on its way. Returns the nodes of the ends, -1 for films

@@ -4,7 +4,6 @@
 #include <vug/drips/form_fields.h>
 #include <vug/drips/growth.h>
 #include <vug/field/affine.h>
-#include <vug/field/boolean.h>
 #include <vug/field/lathe.h>
 #include <vug/field/speleothems/turned.h>
 
@@ -55,11 +54,11 @@ field::Field form_field(const Form& form, const FormOptions& o,
   return field::transformed(uneven(turned, form, aside, key), placed);
 }
 
-field::Field forms_field(const std::vector<Form>& forms, const FormOptions& o) {
+std::vector<field::Field> form_fields(const std::vector<Form>& forms, const FormOptions& o) {
   const field::StalactiteCurve curve = common_curve(o.girth);
   std::vector<field::Field> fields(forms.size());
   parallel_for(fields.size(), [&](size_t i) { fields[i] = form_field(forms[i], o, curve); });
-  return field::unite(std::move(fields));
+  return fields;
 }
 
 }  // namespace vug::drips

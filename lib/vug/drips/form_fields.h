@@ -17,7 +17,7 @@ std::vector<Vec2d> outline_of(const Form& form, const FormOptions& options,
 field::Field form_field(const Form& form, const FormOptions& options,
                         const field::StalactiteCurve& curve);
 
-/// The union of all.
-field::Field forms_field(const std::vector<Form>& forms, const FormOptions& options);
+/// The solids of all.
+std::vector<field::Field> form_fields(const std::vector<Form>& forms, const FormOptions& options);
 
 }  // namespace vug::drips

@@ -30,8 +30,8 @@ constexpr double kMostAside = 1.6, kMostTilt = 0.08;
 /// On this share of the stumps an end has grown again, of up to that share of the lost length.
 constexpr double kRegrown = 0.55, kMostRegrown = 0.5;
 /// Ribs form at the wavelength of a film, 2.7 cm, of which 1 to 4 merge; trunks of this radius in
-/// metres have them.
-constexpr double kFluteWave = 0.027, kFlutedRadius = 0.07;
+/// metres and height in radii have them.
+constexpr double kFluteWave = 0.027, kFlutedRadius = 0.07, kFlutedHeight = 7;
 constexpr int kFewestFlutes = 6, kMostFlutes = 20;
 /// Both parts of a column meet aside of each other by this share of the radius at most.
 constexpr double kOffset = 0.4;
@@ -95,7 +95,8 @@ class Grower {
       if (foot.length() > most) foot *= most / foot.length();
       form.bottom += foot;
       form.root += foot.length() * slope_tangent(landing.normal);
-      if (form.radius >= kFlutedRadius) form.flutes = flutes(form.radius, merged);
+      if (form.radius >= kFlutedRadius && landing.growth > kFlutedHeight * form.radius)
+        form.flutes = flutes(form.radius, merged);
       if (form.interval < kDomeInterval)
         form.dome = kDomeScale * form.radius * (1 - form.interval / kDomeInterval);
       out.push_back(form);

@@ -12,7 +12,6 @@ namespace {
 
 /// A pool is searched once for all lows that are nearer to each other than this, in metres.
 constexpr double kSamePool = 0.15;
-constexpr double kOverflowWidth = 0.1;  // Of the film below the lip, metres.
 
 class Pools {
  public:
@@ -95,7 +94,7 @@ class Pools {
     Edge edge{EdgeKind::overflow, from.node, node, {at(from.node)}, {}};
     edge.path.insert(edge.path.end(), film.path.begin(), film.path.end());
     edge.water = graph_.nodes[static_cast<size_t>(from.node)].water;
-    const Water arrived = after_film(edge.water, film.path, kOverflowWidth);
+    const Water arrived = after_film(edge.water, film.path, film_width(edge.kind));
     Node& there = graph_.nodes[static_cast<size_t>(node)];
     there.water = mixed(there.water, arrived);
     graph_.edges.push_back(std::move(edge));

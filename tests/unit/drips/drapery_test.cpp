@@ -58,7 +58,7 @@ TEST(Draperies, KeepToTheRoofAndToTheWaysOfTheirWater) {
     }
     EXPECT_NEAR(sheet.edge, 0.0051, 2e-4);
     // It ends above the floor.
-    const field::Field solid = draperies_field({drapery}, o);
+    const field::Field solid = drapery_fields({drapery}, o)[0];
     EXPECT_GT(solid.bounds().min.y, -1.99);
     EXPECT_LE(sheet.width, 1.4);
     EXPECT_GE(solid.node()->traits().growth_rate(), kDripstoneGrowth);

@@ -128,7 +128,7 @@ TEST(Forms, AnyGirthTipAndAgeGiveSolids) {
         FormOptions forms;
         forms.girth = girth, forms.tip = tip, forms.stalagmites = 1;
         const std::vector<Form> all = forms_of(build_graph(hall(), o), forms);
-        const field::Field grown = forms_field(all, forms);
+        const field::Field grown = field::unite(form_fields(all, forms));
         if (all.empty()) continue;
         const Box3d bounds = dripstone_bounds(hall().bounds(), o, forms);
         EXPECT_TRUE(bounds.intersects(grown.bounds().min) && bounds.intersects(grown.bounds().max))

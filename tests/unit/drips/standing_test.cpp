@@ -130,8 +130,9 @@ TEST(Pieces, LieOnTheRockBelowTheirStumps) {
 TEST(Dripstone, KeepsItsPromises) {
   const field::Field rock = cave(8, 0.2, 8);
   GraphOptions o = dripping(4);
+  o.run_out = true;
   const FormOptions forms{.tip = 0.01};
-  const Dripstone grown = grow_dripstone(rock, o, forms, {});
+  const Dripstone grown = grow_dripstone(rock, {o, forms, {}, {}});
   EXPECT_LE(grown.solids.lipschitz(), kDripstoneSlope);
   EXPECT_GE(grown.solids.node()->traits().growth_rate(), kDripstoneGrowth);
   EXPECT_LE(grown.thickness.lipschitz(), field::kSteepestDeposit);
@@ -162,8 +163,9 @@ TEST(Dripstone, IsTheSameForAnyNumberOfThreads) {
   const field::Field rock = cave();
   std::vector<double> first;
   for (const int threads : {1, 2, 7}) {
-    const Dripstone grown =
-        with_threads(threads, [&] { return grow_dripstone(rock, dripping(), {.tip = 0.01}, {}); });
+    const Dripstone grown = with_threads(threads, [&] {
+      return grow_dripstone(rock, {dripping(), {.tip = 0.01}, {}, {}});
+    });
     std::vector<double> values;
     RandomStream random(RandomKey(3));
     for (int i = 0; i < 500; ++i) {

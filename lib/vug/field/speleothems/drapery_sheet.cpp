@@ -71,7 +71,8 @@ Sheet drapery_sheet(const Drapery& d, RandomKey key) {
   for (int row = 0; row <= kRows; ++row) bands.push_back(kBands * random.uniform(-1, 1));
   const double length = path_length(d.path);
   const double step = d.fold > 0 ? d.fold / kPointsPerFold : length / kPlainSteps;
-  const std::vector<Vec3d> path = resampled(d.path, std::max(step, length / kMostSteps));
+  const std::vector<Vec3d> path =
+      resampled(d.path, std::max({step, length / kMostSteps, d.finest}));
   Sheet sheet;
   sheet.across = kRows + 2;
   Vec3d side(0, 0, 1);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/field/boolean.h>
 #include <vug/field/enclosing_ball.h>
 #include <vug/field/speleothems/sheet.h>
 
@@ -7,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <type_traits>
 
 namespace vug::field {
 namespace {
@@ -83,16 +83,73 @@ struct Facet {
   }
 };
 
+/// Consecutive facets within a ball that also contains their thickness.
+struct Group {
+  Vec3d centre{0.0};
+  double radius = 0;
+  size_t begin = 0, end = 0;
+
+  /// A lower bound of the values of its facets.
+  template <class S>
+  S bound(const Point<S>& p) const {
+    return length(p - constant<S>(centre)) * S(1 - 1e-6) - S(radius * (1 + 1e-6) + 1e-9);
+  }
+};
+
+constexpr size_t kGroup = 12;
+
+inline const double& value_of(const double& x) { return x; }
+inline const Pack& value_of(const Pack& x) { return x; }
+template <class S>
+const S& value_of(const Dual<S>& x) {
+  return x.v;
+}
+inline bool any(bool condition) { return condition; }
+
 class SheetNode final : public EvaluationModes<SheetNode> {
  public:
   SheetNode(Traits traits, std::string name, std::vector<Facet> facets)
-      : EvaluationModes(std::move(traits)), name_(std::move(name)), facets_(std::move(facets)) {}
+      : EvaluationModes(std::move(traits)), name_(std::move(name)), facets_(std::move(facets)) {
+    for (size_t begin = 0; begin < facets_.size(); begin += kGroup) {
+      Group group{.begin = begin, .end = std::min(begin + kGroup, facets_.size())};
+      Box3d box;
+      for (size_t i = begin; i < group.end; ++i) box.extendBy(facets_[i].box());
+      group.centre = box.center();
+      group.radius = 0.5 * box.size().length();
+      groups_.push_back(group);
+    }
+  }
 
+  /// Groups that cannot contain the least value are not evaluated. Derivatives are computed for the
+  /// facets with the least value only.
   template <class T>
   T at(const Point<T>& p) const {
-    T least = facets_[0].distance(p);
-    for (size_t i = 1; i < facets_.size(); ++i) least = min(least, facets_[i].distance(p));
-    return least;
+    using S = std::decay_t<decltype(value_of(p.x))>;
+    const Point<S> q{value_of(p.x), value_of(p.y), value_of(p.z)};
+    S least = facets_[0].distance(q), which(0.0);
+    for (const Group& group : groups_) {
+      if (!any(group.bound(q) < least)) continue;
+      for (size_t i = group.begin; i < group.end; ++i) {
+        const S value = facets_[i].distance(q);
+        which = select(value < least, S(static_cast<double>(i)), which);
+        least = min(least, value);
+      }
+    }
+    if constexpr (std::is_same_v<T, S>) {
+      return least;
+    } else if constexpr (std::is_same_v<S, double>) {
+      return facets_[static_cast<size_t>(which)].distance(p);
+    } else {
+      float lanes[Pack::kLanes];
+      which.store(lanes);
+      T out = facets_[static_cast<size_t>(lanes[0])].distance(p);
+      for (int k = 1; k < Pack::kLanes; ++k) {
+        if (std::find(lanes, lanes + k, lanes[k]) != lanes + k) continue;
+        const auto same = abs(which - Pack(lanes[k])) < Pack(0.5);
+        out = select(same, facets_[static_cast<size_t>(lanes[k])].distance(p), out);
+      }
+      return out;
+    }
   }
   Interval at(const Point<Interval>& p) const {
     const Ball ball = enclosing_ball(p);
@@ -102,20 +159,25 @@ class SheetNode final : public EvaluationModes<SheetNode> {
   void fill(const Point<Pack>* points, int count, T* out, Scratch&) const {
     for (int i = 0; i < count; ++i) out[i] = at(point_for<T>(points[i]));
   }
-  /// Keeps the facets that can be nearest within the ball.
+  /// Keeps the facets that can be nearest within the ball, the nearest to its centre first.
   Restriction restrict_to(const Ball& ball) const override {
     const Point<double> centre = field::point(ball.centre);
-    std::vector<double> values(facets_.size());
-    double least = kInfinity;
-    for (size_t i = 0; i < facets_.size(); ++i)
-      least = std::min(least, values[i] = facets_[i].distance(centre));
+    const double least = at(centre);
+    const Interval range = centre_form(least, ball);
+    if (!(ball.radius < 1e6)) return {range, nullptr};
     const double slack = 1e-6 * (1 + ball.centre.length() + ball.radius);
     const double reach = 2 * traits().lipschitz * (ball.radius + slack);
     std::vector<Facet> kept;
-    for (size_t i = 0; i < facets_.size(); ++i)
-      if (values[i] <= least + reach) kept.push_back(facets_[i]);
-    const Interval range = centre_form(least, ball);
-    if (kept.size() == facets_.size()) return {range, nullptr};
+    for (const Group& group : groups_) {
+      if (group.bound(centre) > least + reach) continue;
+      for (size_t i = group.begin; i < group.end; ++i) {
+        const double value = facets_[i].distance(centre);
+        if (value > least + reach) continue;
+        kept.push_back(facets_[i]);
+        if (value <= least) std::swap(kept.front(), kept.back());
+      }
+    }
+    if (kept.empty() || kept.size() == facets_.size()) return {range, nullptr};
     return {range, std::make_shared<SheetNode>(traits(), name_, std::move(kept))};
   }
   std::string name() const override { return name_; }
@@ -123,12 +185,10 @@ class SheetNode final : public EvaluationModes<SheetNode> {
  private:
   std::string name_;
   std::vector<Facet> facets_;
+  std::vector<Group> groups_;
 };
 
-/// Facets in the leaves of the tree of unions.
-constexpr size_t kLeaf = 16;
-
-Field leaf(const std::string& name, std::vector<Facet> facets) {
+Field sheet_of(const std::string& name, std::vector<Facet> facets) {
   Traits traits;
   double slope = 0;
   for (const Facet& facet : facets) {
@@ -139,19 +199,6 @@ Field leaf(const std::string& name, std::vector<Facet> facets) {
   traits.exactness = slope > 0 ? Exactness::sign : Exactness::eikonal;
   traits.growth = 1 / (1 + slope);
   return Field(std::make_shared<SheetNode>(traits, name, std::move(facets)));
-}
-
-/// Halves along the longest side of their box until they fit into leaves.
-Field tree(const std::string& name, std::vector<Facet> facets) {
-  if (facets.size() <= kLeaf) return leaf(name, std::move(facets));
-  Box3d box;
-  for (const Facet& f : facets) box.extendBy(f.a);
-  const Vec3d size = box.size();
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  std::stable_sort(facets.begin(), facets.end(),
-                   [axis](const Facet& f, const Facet& g) { return f.a[axis] < g.a[axis]; });
-  const auto middle = facets.begin() + static_cast<std::ptrdiff_t>(facets.size() / 2);
-  return unite({tree(name, {facets.begin(), middle}), tree(name, {middle, facets.end()})});
 }
 
 }  // namespace
@@ -169,7 +216,7 @@ Field sheet_field(const std::string& name, const Sheet& sheet) {
     add(i, i + 1, i + across);
     add(i + across + 1, i + across, i + 1);
   }
-  return facets.empty() ? empty() : tree(name, std::move(facets));
+  return facets.empty() ? Field() : sheet_of(name, std::move(facets));
 }
 
 }  // namespace vug::field

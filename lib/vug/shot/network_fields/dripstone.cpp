@@ -22,6 +22,7 @@ struct Dripstone : DripParams {
   double broken = 0.07;
   double draperies = 0.5;
   double folds = 0.12;
+  double flowstone = 0.6;
   double root = 0.3;
 
   static void describe(Schema<Dripstone>& s) {
@@ -31,7 +32,7 @@ struct Dripstone : DripParams {
     s.doc(
          "Rock with stalactites and straws at its drips, stalagmites vertically below them, "
          "columns "
-         "where they have met, and draperies along sloping roofs.")
+         "where they have met, draperies along sloping roofs, and flowstone on walls and floors.")
         .cite("short2005");
     describe_drips(s);
     s.param("tip", &Dripstone::tip,
@@ -43,6 +44,8 @@ struct Dripstone : DripParams {
         .param("draperies", &Dripstone::draperies,
                share("share of the films under sloping roofs along which draperies hang"))
         .param("folds", &Dripstone::folds, positive_length("mean distance of their folds"))
+        .param("flowstone", &Dripstone::flowstone,
+               share("share of the films on walls and floors that leave a skin of flowstone"))
         .param("root", &Dripstone::root,
                positive_length("distance over which roots blend into the rock"));
   }
@@ -55,6 +58,9 @@ struct Dripstone : DripParams {
             .seed = static_cast<uint64_t>(seed)};
   }
 
+  drips::FlowstoneOptions layers() const {
+    return {.share = flowstone, .seed = static_cast<uint64_t>(seed)};
+  }
   drips::DraperyOptions sheets() const {
     return {.share = draperies,
             .fold = folds,
@@ -67,9 +73,8 @@ struct Dripstone : DripParams {
 /// All that has grown on a rock, computed once for both of its fields.
 class Grown {
  public:
-  Grown(field::Field rock, drips::GraphOptions graph, drips::FormOptions forms,
-        drips::DraperyOptions draperies)
-      : rock_(std::move(rock)), graph_(std::move(graph)), forms_(forms), draperies_(draperies) {}
+  Grown(field::Field rock, drips::DripstoneOptions options)
+      : rock_(std::move(rock)), options_(std::move(options)) {}
 
   field::Field solids() { return computed().solids; }
   field::Field thickness() { return computed().thickness; }
@@ -77,25 +82,22 @@ class Grown {
  private:
   const drips::Dripstone& computed() {
     const std::lock_guard lock(computing_);
-    if (!dripstone_) dripstone_ = drips::grow_dripstone(rock_, graph_, forms_, draperies_);
+    if (!dripstone_) dripstone_ = drips::grow_dripstone(rock_, options_);
     return *dripstone_;
   }
   field::Field rock_;
-  drips::GraphOptions graph_;
-  drips::FormOptions forms_;
-  drips::DraperyOptions draperies_;
+  drips::DripstoneOptions options_;
   std::mutex computing_;
   std::optional<drips::Dripstone> dripstone_;
 };
 
 field::Field with_dripstone(const Dripstone& p) {
-  drips::GraphOptions graph = p.graph();
-  graph.run_out = false;
-  graph.memory = std::numeric_limits<uint64_t>::max();  // Checked before it is computed.
-  const drips::FormOptions forms = p.forms();
-  const auto grown = std::make_shared<Grown>(p.field, graph, forms, p.sheets());
-  const Box3d bounds = drips::dripstone_bounds(p.field.bounds(), graph, forms);
-  const double bytes = drips::graph_memory(graph);
+  drips::DripstoneOptions options{p.graph(), p.forms(), p.sheets(), p.layers()};
+  options.graph.run_out = p.flowstone > 0;
+  options.graph.memory = std::numeric_limits<uint64_t>::max();  // Checked before it is computed.
+  const Box3d bounds = drips::dripstone_bounds(p.field.bounds(), options.graph, options.forms);
+  const double bytes = drips::graph_memory(options.graph);
+  const auto grown = std::make_shared<Grown>(p.field, std::move(options));
   const field::Field solids = field::deferred(
       {drips::kDripstoneSlope, field::Exactness::sign, bounds, drips::kDripstoneGrowth},
       "finding drips", [grown] { return grown->solids(); }, bytes);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flowstone lies along the films of walls and floors, and consists of the calcium that they lost.
+#include <vug/drips/dripstone.h>
+#include <vug/drips/film_network.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "rooms.h"
+
+namespace vug::drips {
+namespace {
+
+Graph wet_cave(const field::Field& rock, double oldest) {
+  GraphOptions o = graph_options(3);
+  o.density = 1;
+  o.oldest = oldest;
+  return build_graph(rock, o);
+}
+
+bool is_wet(const Edge& edge) {
+  return edge.kind == EdgeKind::wall_film || edge.kind == EdgeKind::floor_film;
+}
+
+/// The part of a film that lies above the pool at its end.
+std::vector<Vec3d> above_water(const Graph& graph, const Edge& edge) {
+  const Node& end = graph.nodes[static_cast<size_t>(edge.to)];
+  std::vector<Vec3d> path;
+  for (const Vec3d& p : edge.path)
+    if (end.kind != NodeKind::pool || p.y > end.level) path.push_back(p);
+  return path;
+}
+
+TEST(Flowstone, ConsistsOfTheCalciumThatItsFilmsLost) {
+  // Young: no layer is as thick as the limit.
+  const Graph graph = wet_cave(cave(), 1000);
+  double lost = 0;
+  for (const Edge& edge : graph.edges) {
+    const std::vector<Vec3d> path = above_water(graph, edge);
+    if (is_wet(edge) && path.size() > 1)
+      lost += deposited_volume(edge.water, edge.water.calcium,
+                               after_film(edge.water, path, film_width(edge.kind)).calcium);
+  }
+  double laid = 0;
+  for (const field::Deposit& layer : flowstone_of(graph, {}, {.share = 1}))
+    laid +=
+        0.5 * field::kSectionShare *
+        (layer.half_width_from * layer.thickness_from + layer.half_width_to * layer.thickness_to) *
+        (layer.to - layer.from).length();
+  EXPECT_NEAR(laid, lost, 0.1 * lost);
+}
+
+TEST(Flowstone, LiesOnTheRockAndNotUnderWater) {
+  const field::Field rock = cave();
+  const Graph graph = wet_cave(rock, 20000);
+  std::map<int64_t, double> levels;
+  const std::vector<field::Deposit> layers = flowstone_of(graph, {}, {.share = 1});
+  EXPECT_GT(layers.size(), 100u);
+  for (const field::Deposit& layer : layers) {
+    EXPECT_LT(std::fabs(rock.value(layer.from)), 0.01);
+    EXPECT_LT(layer.to.y, layer.from.y + 0.001) << "water runs down";
+    EXPECT_GT(layer.half_width_from, 0.049);
+    EXPECT_LE(layer.thickness_from, 0.14);
+  }
+  for (const Node& pool : graph.nodes) {
+    if (pool.kind != NodeKind::pool) continue;
+    for (const field::Deposit& layer : layers) {
+      EXPECT_FALSE((layer.from - pool.position).length() < 0.05 && layer.to.y < pool.level - 0.05);
+    }
+  }
+}
+
+TEST(Flowstone, ContinuesWhereFilmsMeet) {
+  const Graph graph = wet_cave(cave(), 20000);
+  std::set<int64_t> half, all;
+  for (const field::Deposit& layer : flowstone_of(graph, {}, {.share = 0.5}))
+    half.insert(layer.drip);
+  for (const field::Deposit& layer : flowstone_of(graph, {}, {.share = 1})) all.insert(layer.drip);
+  EXPECT_TRUE(flowstone_of(graph, {}, {.share = 0}).empty());
+  EXPECT_GT(half.size(), all.size() / 5);
+  EXPECT_LT(half.size(), all.size());
+  for (const int64_t drip : half) EXPECT_TRUE(all.contains(drip));
+}
+
+}  // namespace
+}  // namespace vug::drips
