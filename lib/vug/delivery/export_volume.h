@@ -20,8 +20,8 @@ struct ExportVolume {
 };
 
 /// A level set, with exact distances unless its plan requests bounds, as `surface` (as `air` if the
-/// scene calls it air), with the grids of its rock materials; a fog as `density`. The fog of a cloud also gets `color`, `temperature` and
-/// `flame` if these vary. Error(too_large).
+/// scene calls it air), with the grids of its rock materials; a fog as `density`. The fog of a
+/// cloud also gets `color`, `temperature` and `flame` if these vary. Error(too_large).
 ExportVolume export_volume(building::Builder& builder, const shot::VolumePtr& plan);
 
 /// Whether the medium has its own grids, from a file.

@@ -17,8 +17,7 @@ constexpr double kWiden = 1.25, kDeepen = 2.1;
 
 }  // namespace
 
-Dripstone grow_dripstone(const field::Field& rock, const DripstoneOptions& o) {
-  const Graph graph = build_graph(rock, o.graph);
+Dripstone grow_dripstone(const field::Field& rock, const Graph& graph, const DripstoneOptions& o) {
   std::vector<Form> forms = forms_of(graph, o.forms);
   std::vector<field::Deposit> layers = skirts_of(graph, forms);
   for (const field::Deposit& layer : flowstone_of(graph, forms, o.flowstone))
@@ -30,7 +29,7 @@ Dripstone grow_dripstone(const field::Field& rock, const DripstoneOptions& o) {
   for (const field::Field& sheet :
        drapery_fields(draperies_of(rock, graph, o.draperies), o.draperies))
     solids.push_back(sheet);
-  return {field::unite(std::move(solids)), field::thickness_field(layers)};
+  return {std::move(forms), field::unite(std::move(solids)), field::thickness_field(layers)};
 }
 
 Box3d dripstone_bounds(const Box3d& rock, const GraphOptions& graph, const FormOptions& forms) {

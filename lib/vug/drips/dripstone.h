@@ -17,16 +17,18 @@ struct DripstoneOptions {
 };
 
 struct Dripstone {
-  field::Field solids;     ///< The solids of all forms.
-  field::Field thickness;  ///< The thickness of the flowstone on the rock, see thickness_field.
+  std::vector<Form> forms;  ///< Those of forms_of, then the pieces that broke off.
+  field::Field solids;      ///< The solids of all forms and draperies.
+  field::Field thickness;   ///< The thickness of the flowstone on the rock, see thickness_field.
 };
 
 /// Bounds of the slope of the solids, and of their growth; see field::Traits.
 inline constexpr double kDripstoneSlope = 2.3, kDripstoneGrowth = 0.5;
 
-/// The speleothems of a rock, whose air is where it is positive. The result is the same for any
-/// number of threads. Throws as build_graph.
-Dripstone grow_dripstone(const field::Field& rock, const DripstoneOptions& options);
+/// The speleothems of a rock, whose air is where it is positive, from its drips. The result is the
+/// same for any number of threads.
+Dripstone grow_dripstone(const field::Field& rock, const Graph& graph,
+                         const DripstoneOptions& options);
 
 /// Bounds of the speleothems of all drips that rock with these bounds can have.
 Box3d dripstone_bounds(const Box3d& rock, const GraphOptions& graph, const FormOptions& forms);

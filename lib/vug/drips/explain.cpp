@@ -32,12 +32,13 @@ constexpr const char* kNames[] = {"straw", "stalactite", "stalagmite", "column",
 
 }  // namespace
 
+const char* kind_name(FormKind kind) { return kNames[static_cast<size_t>(kind)]; }
+
 std::string explain(const Form& form, size_t number, const Graph& graph) {
   const std::string on =
       form.plane < 0 ? "" : " on " + graph.planes[static_cast<size_t>(form.plane)];
-  return fmt::format("{} {}: drip {}{}, {}, {} years", kNames[static_cast<int>(form.kind)], number,
-                     form.drip, on, interval_text(form.interval),
-                     form.age > 0 ? grouped(rounded(form.age)) : "0");
+  return fmt::format("{} {}: drip {}{}, {}, {} years", kind_name(form.kind), number, form.drip, on,
+                     interval_text(form.interval), form.age > 0 ? grouped(rounded(form.age)) : "0");
 }
 
 }  // namespace vug::drips

@@ -13,6 +13,9 @@ namespace vug::drips {
 /// A piece is the lower end of a stalactite that broke, and lies on the floor.
 enum class FormKind { straw, stalactite, stalagmite, column, piece };
 
+/// E.g. "stalactite" or "broken piece".
+const char* kind_name(FormKind kind);
+
 struct Form {
   FormKind kind = FormKind::stalactite;
   int64_t drip = 0;   ///< The id of its drop.

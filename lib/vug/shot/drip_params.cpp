@@ -3,7 +3,8 @@
 
 namespace vug::shot {
 
-drips::GraphOptions DripParams::graph() const {
+drips::DripstoneOptions DripParams::options() const {
+  const auto random = static_cast<uint64_t>(seed);
   drips::GraphOptions o;
   o.from = from;
   o.to = to;
@@ -24,16 +25,12 @@ drips::GraphOptions DripParams::graph() const {
   o.straws = straws;
   if (budget > 0) o.edits.budget = static_cast<size_t>(budget);
   for (const DripEditPtr& edit : edits) (*edit)(o.edits);
-  o.seed = static_cast<uint64_t>(seed);
-  return o;
-}
-
-drips::FormOptions DripParams::forms() const {
-  return {.girth = girth,
-          .tip = tip,
-          .stalagmites = stalagmites,
-          .broken = broken,
-          .seed = static_cast<uint64_t>(seed)};
+  o.seed = random;
+  return {
+      std::move(o),
+      {.girth = girth, .tip = tip, .stalagmites = stalagmites, .broken = broken, .seed = random},
+      {.share = draperies, .fold = folds, .tip = tip, .floor = from.y, .seed = random},
+      {.share = flowstone, .seed = random}};
 }
 
 std::string DripParams::fault() const {

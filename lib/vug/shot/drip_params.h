@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vug/drips/build_graph.h>
-#include <vug/drips/forms.h>
+#include <vug/drips/dripstone.h>
 #include <vug/field/kind.h>
 #include <vug/shot/drip_edits.h>
 #include <vug/shot/geology.h>
@@ -31,9 +31,11 @@ struct DripParams {
   double tip = 0.01;
   double stalagmites = drips::FormOptions().stalagmites;
   double broken = drips::FormOptions().broken;
+  double draperies = drips::DraperyOptions().share;
+  double folds = drips::DraperyOptions().fold;
+  double flowstone = drips::FlowstoneOptions().share;
 
-  drips::GraphOptions graph() const;
-  drips::FormOptions forms() const;
+  drips::DripstoneOptions options() const;
   std::string fault() const;
 };
 
@@ -95,7 +97,12 @@ void describe_forms(Schema<P>& s) {
                           "voxels. Stalactites of less than six radii are left out"))
       .param("stalagmites", &DripParams::stalagmites,
              share("share of the drips with a stalagmite below"))
-      .param("broken", &DripParams::broken, share("share of the stalactites that broke"));
+      .param("broken", &DripParams::broken, share("share of the stalactites that broke"))
+      .param("draperies", &DripParams::draperies,
+             share("share of the films under sloping roofs along which draperies hang"))
+      .param("folds", &DripParams::folds, positive_length("mean distance of their folds"))
+      .param("flowstone", &DripParams::flowstone,
+             share("share of the films on walls and floors that leave a skin of flowstone"));
 }
 
 }  // namespace vug::shot

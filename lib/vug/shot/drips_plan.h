@@ -3,32 +3,38 @@
 #pragma once
 
 #include <vug/base/kind.h>
-#include <vug/drips/forms.h>
 #include <vug/shot/drip_params.h>
 
 #include <memory>
 #include <mutex>
+#include <optional>
 
 namespace vug::shot {
 
 /// Immutable. Throws the errors of drips::build_graph.
 class DripsPlan {
  public:
-  explicit DripsPlan(DripParams params) : params_(std::move(params)) {}
+  /// Throws Error(bad_input) for edits that are invalid.
+  explicit DripsPlan(const DripParams& params);
 
-  const DripParams& params() const { return params_; }
-  /// The graph with all films and pools.
+  const field::Field& rock() const { return rock_; }
+  const drips::DripstoneOptions& options() const { return options_; }
   const drips::Graph& graph() const;
-  /// The speleothems that grow from the graph.
-  std::vector<drips::Form> forms() const { return drips::forms_of(graph(), params_.forms()); }
+  const drips::Dripstone& grown() const;
 
  private:
-  const DripParams params_;
+  field::Field rock_;
+  drips::DripstoneOptions options_;
   mutable std::mutex computing_;
-  mutable std::unique_ptr<const drips::Graph> graph_;
+  mutable std::optional<drips::Graph> graph_;
+  mutable std::optional<drips::Dripstone> grown_;
 };
 
 using DripsPtr = std::shared_ptr<const DripsPlan>;
+
+/// The rock of the plan with its speleothems, whose roots blend into it over a distance in metres.
+/// They are computed on first use.
+field::Field with_speleothems(const DripsPtr& drips, double root);
 
 /// The kinds listed in CMakeLists.txt.
 const Kinds<DripsPtr>& drips_kinds();

@@ -132,7 +132,7 @@ TEST(Dripstone, KeepsItsPromises) {
   GraphOptions o = dripping(4);
   o.run_out = true;
   const FormOptions forms{.tip = 0.01};
-  const Dripstone grown = grow_dripstone(rock, {o, forms, {}, {}});
+  const Dripstone grown = grow_dripstone(rock, build_graph(rock, o), {o, forms, {}, {}});
   EXPECT_LE(grown.solids.lipschitz(), kDripstoneSlope);
   EXPECT_GE(grown.solids.node()->traits().growth_rate(), kDripstoneGrowth);
   EXPECT_LE(grown.thickness.lipschitz(), field::kSteepestDeposit);
@@ -164,7 +164,8 @@ TEST(Dripstone, IsTheSameForAnyNumberOfThreads) {
   std::vector<double> first;
   for (const int threads : {1, 2, 7}) {
     const Dripstone grown = with_threads(threads, [&] {
-      return grow_dripstone(rock, {dripping(), {.tip = 0.01}, {}, {}});
+      return grow_dripstone(rock, build_graph(rock, dripping()),
+                            {dripping(), {.tip = 0.01}, {}, {}});
     });
     std::vector<double> values;
     RandomStream random(RandomKey(3));

@@ -29,7 +29,7 @@ TEST(DripsDeclaration, GivesPointsAndFields) {
   size_t landings = 0, hanging = 0;
   for (const drips::Node& node : plan.graph().nodes)
     landings += node.kind == drips::NodeKind::landing;
-  for (const drips::Form& form : plan.forms())
+  for (const drips::Form& form : plan.grown().forms)
     hanging += form.kind == drips::FormKind::straw || form.kind == drips::FormKind::stalactite;
   EXPECT_GT(landings, 5u);
   EXPECT_LE(landings, 12u);
@@ -39,7 +39,8 @@ TEST(DripsDeclaration, GivesPointsAndFields) {
 
 TEST(DripsDeclaration, ItsSpeleothemsAreSolidAtTheirDrips) {
   const Loaded scene = load_text(
-      drips_with(", density: 0, stalagmites: 1, edits: [add_drip(at: (0.5, 0, 0), interval: 30, "
+      drips_with(", density: 0, stalagmites: 1, broken: 0, edits: [add_drip(at: (0.5, 0, 0), "
+                 "interval: 30, "
                  "age: 9000)]") +
           "volume rock = level_set(speleothems(of: water), voxel: 5cm)\n"
           "volume films = level_set(water_paths(of: water, only: falls, radius: 2cm), voxel: "
@@ -47,7 +48,7 @@ TEST(DripsDeclaration, ItsSpeleothemsAreSolidAtTheirDrips) {
       "t.vug", {});
   ASSERT_EQ(scene.report(), "");
   const shot::DripsPlan& plan = *scene.shot.drips.at(0).drips;
-  const std::vector<drips::Form> forms = plan.forms();
+  const std::vector<drips::Form> forms = plan.grown().forms;
   ASSERT_EQ(forms.size(), 2u);
   const auto value = [&](size_t volume, const Vec3d& p) {
     return scene.shot.volumes.at(volume)->field.value(p);

@@ -26,8 +26,6 @@ struct DripsOptions {
   bool json = false;
 };
 
-constexpr const char* kForms[] = {"straw", "stalactite", "stalagmite", "column"};
-
 Json json_of(const Vec3d& p) { return Json::array({p.x, p.y, p.z}); }
 
 Json json_of(const drips::Node& node) {
@@ -40,7 +38,7 @@ Json json_of(const drips::Node& node) {
 }
 
 Json json_of(const drips::Form& form, const drips::Graph& graph) {
-  Json out{{"kind", kForms[static_cast<size_t>(form.kind)]},
+  Json out{{"kind", drips::kind_name(form.kind)},
            {"drip", form.drip},
            {"top", json_of(form.top)},
            {"bottom", json_of(form.bottom)},
@@ -104,9 +102,9 @@ int run_drips(const DripsOptions& options) {
   const drips::Graph& graph = plan.graph();
   if (!options.points.empty()) write_points(options.points, delivery::drip_points(graph));
   if (options.json)
-    fmt::print("{}\n", json_of(graph, plan.forms()).dump(2));
+    fmt::print("{}\n", json_of(graph, plan.grown().forms).dump(2));
   else
-    print_text(graph, plan.forms());
+    print_text(graph, plan.grown().forms);
   return kDone;
 }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rock of named drips with their speleothems.
-#include <vug/field/boolean.h>
 #include <vug/shot/drips_plan.h>
 #include <vug/shot/networks.h>
-#include <vug/shot/speleothem_field.h>
 
 namespace vug::shot {
 namespace {
@@ -21,15 +19,10 @@ struct Speleothems {
   }
 };
 
-field::Field with_speleothems(const Speleothems& p) {
-  return field::unite({p.of->params().field,
-                       speleothem_field(p.of->params(), [drips = p.of] { return drips->forms(); })},
-                      {field::Profile::smooth, p.root});
-}
-
 }  // namespace
 }  // namespace vug::shot
 
 VUG_NETWORK_FIELD_KIND(speleothems) {
-  return field::field_kind<Speleothems>("speleothems", "detail", with_speleothems);
+  return field::field_kind<Speleothems>(
+      "speleothems", "detail", [](const Speleothems& p) { return with_speleothems(p.of, p.root); });
 }

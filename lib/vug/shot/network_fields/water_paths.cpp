@@ -43,7 +43,7 @@ std::vector<passages::AxisLine> lines(const WaterPaths& p) {
 }
 
 field::Field tubes(const WaterPaths& p) {
-  const drips::GraphOptions options = p.of->params().graph();
+  const drips::GraphOptions options = p.of->options().graph;
   const field::Traits traits{1, field::Exactness::eikonal,
                              grown(Box3d(options.from, options.to), p.radius), 1};
   return field::deferred(

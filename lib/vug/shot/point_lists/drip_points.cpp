@@ -45,7 +45,7 @@ drips::NodeKind kind_of(Place place) {
 
 std::vector<Vec3d> tips(const DripsPlan& drips) {
   std::vector<Vec3d> points;
-  for (const drips::Form& form : drips.forms())
+  for (const drips::Form& form : drips.grown().forms)
     if (form.kind == drips::FormKind::straw || form.kind == drips::FormKind::stalactite)
       points.push_back(form.bottom + (form.top - form.bottom) * form.broken);
   return points;
