@@ -110,8 +110,11 @@ class FoldNode final : public EvaluationModes<FoldNode>, public MaterialSource {
   Coat coat(const Vec3d& p) const override;
   std::optional<Field> material_mean(const MaterialNumber& number) const override;
   std::vector<NodePtr> material_operands() const override { return children(); }
+  /// Prepares unions of many operands for sample_materials, which skips groups of far ones.
+  void group_operands();
 
  private:
+  static constexpr size_t kGroup = 16;
   bool is_complement() const { return operands_.size() == 1 && operands_[0].sign != sign_; }
   template <class T>
   static void flip(T* values, int count, double sign) {
@@ -122,6 +125,7 @@ class FoldNode final : public EvaluationModes<FoldNode>, public MaterialSource {
   std::vector<Operand> operands_;
   double sign_;
   Blend blend_;
+  std::vector<Reach> groups_;  // Of kGroup consecutive operands; empty: not grouped.
 };
 
 /// Computes the Lipschitz constant and exactness of a fold.
@@ -228,6 +232,20 @@ Restriction FoldNode::restrict_to(const Ball& ball) const {
   return out;
 }
 
+void FoldNode::group_operands() {
+  if (sign_ < 0 || operands_.size() < 2 * kGroup) return;
+  std::vector<Reach> groups((operands_.size() + kGroup - 1) / kGroup);
+  for (size_t i = 0; i < operands_.size(); ++i) {
+    const Reach& own = operands_[i].reach;
+    if (operands_[i].sign < 0 || own.growth <= 0) return;
+    Reach& group = groups[i / kGroup];
+    group.growth = i % kGroup == 0 ? own.growth : std::min(group.growth, own.growth);
+    group.depth = std::max(group.depth, own.depth);
+    group.box = united(group.box, own.box);
+  }
+  groups_ = std::move(groups);
+}
+
 /// A cut exposes the material of the base, unless it has a coat. An operand without materials has
 /// those of the operands before or after it.
 MaterialSample FoldNode::sample_materials(const Vec3d& p) const {
@@ -235,7 +253,13 @@ MaterialSample FoldNode::sample_materials(const Vec3d& p) const {
   double folded = kInfinity;
   MaterialMix mix, skin;
   double bare = 1;  // Share of the rock below the coats.
-  for (const Operand& operand : operands_) {
+  for (size_t i = 0; i < operands_.size(); ++i) {
+    if (!groups_.empty() && i % kGroup == 0 && !mix.empty() &&
+        groups_[i / kGroup].least({p, 0}) > folded + reach) {
+      i += kGroup - 1;
+      continue;
+    }
+    const Operand& operand = operands_[i];
     const bool mixes = operand.sign == sign_ || is_complement();
     if (operand.sign != sign_)
       if (const Coat own = coat_at(*operand.node, p); own.share > 0) {
@@ -311,7 +335,9 @@ Traits fold_traits(const std::vector<Operand>& operands, double sign, const Blen
 
 Field fold(std::vector<Operand> operands, double sign, const Blend& blend) {
   Traits traits = fold_traits(operands, sign, blend);
-  return Field(std::make_shared<FoldNode>(std::move(traits), std::move(operands), sign, blend));
+  auto node = std::make_shared<FoldNode>(std::move(traits), std::move(operands), sign, blend);
+  node->group_operands();
+  return Field(std::move(node));
 }
 
 std::vector<Operand> with_sign(const std::vector<Field>& fields, double sign) {
