@@ -55,7 +55,6 @@ struct Facet {
     const T on1 = at(t1, zero), on2 = at(zero, t2), on3 = at(one - t3, t3);
     const T u = (d1 * T(square2) - d2 * T(mixed)) * T(inverse_area);
     const T v = (d2 * T(square1) - d1 * T(mixed)) * T(inverse_area);
-    const auto inside = (u >= zero) & (v >= zero) & (u + v <= one);
     T least = on1, share1 = t1, share2 = zero;
     const auto second = on2 < least;
     least = select(second, on2, least);
@@ -63,8 +62,9 @@ struct Facet {
     const auto third = on3 < least;
     least = select(third, on3, least);
     share1 = select(third, one - t3, share1), share2 = select(third, t3, share2);
-    const T usable = T(inverse_area > 0 ? 1.0 : 0.0);
-    const auto flat = inside & (usable > zero);
+    // The least barycentric coordinate; a triangle without an area has no inside.
+    const T within = min(min(u, v), one - u - v) - T(inverse_area > 0 ? 0.0 : 1.0);
+    const auto flat = within >= zero;
     least = select(flat, at(u, v), least);
     share1 = select(flat, u, share1), share2 = select(flat, v, share2);
     return sqrt(least) - (T(radius) + share1 * T(rise1) + share2 * T(rise2));
