@@ -31,11 +31,15 @@ void add_rock_grids(building::Builder& builder, std::vector<volume::Grid>& grids
   std::vector<shot::VolumePtr> rocks;
   for (const shot::VolumePtr& plan : builder.shot().volumes)
     if (!plan->fog && !building::materials_of(*plan).empty()) rocks.push_back(plan);
-  for (const shot::VolumePtr& plan : rocks)
-    for (volume::Grid& grid :
-         building::rock_grids(*plan, builder.level_set(plan),
-                              rocks.size() > 1 ? plan->name + "_" : "", builder.memory_budget()))
+  for (const shot::VolumePtr& plan : rocks) {
+    const volume::LevelSet& level_set = builder.level_set(plan);
+    const Progress::Product product(builder.progress(), plan->name);
+    const std::string prefix = rocks.size() > 1 ? plan->name + "_" : "";
+    for (volume::Grid& grid : run_stage(builder.progress(), "materials in the band", [&] {
+           return building::rock_grids(*plan, level_set, prefix, builder.memory_budget());
+         }))
       grids.push_back(std::move(grid));
+  }
 }
 
 /// All volumes, the materials of their rock, and the grids of cells on them.

@@ -13,6 +13,7 @@ constexpr int kSearchSteps = 16;
 constexpr int kBisectEvery = 3;      // Newton steps alone may creep towards one end of a bracket.
 constexpr double kFlattest = 0.1;    // Cosine below which a Newton step along a line is unreliable.
 constexpr double kBlindStep = 0.25;  // The step in such a case, as a share of the reach.
+constexpr double kNudge = 0.5;       // The step from a point without a gradient, in tolerances.
 constexpr double kOvershoot = 1.001;  // So that a step on a plane crosses the surface.
 
 /// The search on one line, in distances from its start along its direction.
@@ -22,6 +23,7 @@ struct LineSearch {
   double near = 0;  ///< The last point with the sign of the start.
   double far = 0;   ///< The last point with the other sign, if `bracketed`.
   bool bracketed = false;
+  bool started = false;  ///< Whether the field has had a gradient at a point.
   bool starts_inside = false;
 };
 
@@ -70,12 +72,18 @@ std::vector<PlacedPoint> place_on_field(const field::Field& field,
       LineSearch search = searches[k];
       const FieldLine& line = lines[search.line];
       const SurfacePoint& here = found[k];
-      if (!std::isfinite(here.residual)) continue;
-      if (step == 0) search.starts_inside = here.inside;
+      const double tolerance = std::max(line.tolerance, projector.resolution());
+      if (!std::isfinite(here.residual)) {  // e.g. exactly on the face of a box
+        search.at += kNudge * tolerance;
+        points[left] = line.start + line.direction * search.at;
+        searches[left++] = search;
+        continue;
+      }
+      if (!search.started) search.starts_inside = here.inside;
+      search.started = true;
       const bool crossed = here.inside != search.starts_inside;
       (crossed ? search.far : search.near) = search.at;
       search.bracketed = search.bracketed || crossed;
-      const double tolerance = std::max(line.tolerance, projector.resolution());
       const bool jump = search.bracketed && std::fabs(search.far - search.near) <= tolerance;
       if (here.residual <= tolerance || jump) {
         placed[search.line] = {on_plane(line, here), here.normal, true};

@@ -153,7 +153,9 @@ TEST(Dice, AttributesAreInterpolated) {
   base.attributes.push_back({"place", 3, {}});
   for (const Vec3f& p : base.positions)
     for (int axis = 0; axis < 3; ++axis) base.attributes[0].values.push_back(p[axis]);
-  const mesh::Mesh diced = dice(base, box, edges_of(0.3)).mesh;
+  const DiceResult result = dice(base, box, edges_of(0.3));
+  EXPECT_EQ(result.report.unfollowed, 0U);
+  const mesh::Mesh& diced = result.mesh;
   for (size_t v = 0; v < diced.positions.size(); ++v)
     for (int axis = 0; axis < 3; ++axis)
       ASSERT_NEAR(diced.attributes[0].values[3 * v + static_cast<size_t>(axis)],

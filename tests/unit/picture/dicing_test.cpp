@@ -150,6 +150,20 @@ TEST(Dicing, UnreachableDetailIsReported) {
   EXPECT_NE(report.find("could not follow its detail"), std::string::npos) << report;
 }
 
+// On the faces of a region, the field has no gradient at some points.
+TEST(Dicing, TheFacesOfARegionAreFollowed) {
+  const loading::Loaded loaded = loaded_cave(
+      "volume rock = level_set(sphere(1m), voxel: 10cm, from: (-0.5, -0.6, -2), to: (0.5, 2, 2))\n"
+      "mesh skin on rock {}\nobject stone on skin { detail dice(edge: 2cm) }\n");
+  building::BuildOptions build;
+  std::string report;
+  build.on_warning = [&](const Diagnostics& found) { report += loaded.report(found); };
+  building::Builder builder(loaded.shot, build);
+  const PictureJob job = prepare_picture(builder, plan_picture(loaded.shot), false);
+  EXPECT_EQ(report, "");
+  EXPECT_TRUE(mesh::inspect(*job.scene.objects.at(0).mesh).closed());
+}
+
 TEST(Dicing, MistakesAreErrors) {
   const auto report = [](const std::string& object) {
     return loading::load_text(
