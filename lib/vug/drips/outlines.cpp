@@ -22,7 +22,7 @@ constexpr double kWaistCoat = 0.7, kEndCoat = 1.8;
 constexpr int kFillings = 4;
 /// No column is thinner than three straws, or than this share of the lower trunk: the film that
 /// runs over the place where both met coats it.
-constexpr double kLeastWaist = 0.4;
+constexpr double kThinnestWaist = 0.4;
 constexpr double kLeastStraws = 3;
 
 /// The lower end of a stalactite of that radius and slope: part of a sphere, as of a drop.
@@ -109,7 +109,7 @@ std::vector<Vec2d> column(const Form& form, const FormOptions& o,
   const double tip = tip_radius(o, curve);
   const double end = curve.height_at(tip),
                least = std::max(
-                   {tip, kLeastStraws * 0.5 * straw_diameter(10), kLeastWaist * form.radius});
+                   {tip, kLeastStraws * 0.5 * straw_diameter(10), kThinnestWaist * form.radius});
   std::vector<double> radii;
   for (int i = 0; i <= kColumnPoints; ++i) {
     const double y = height * (1 - static_cast<double>(i) / kColumnPoints);

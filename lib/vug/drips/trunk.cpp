@@ -28,7 +28,7 @@ constexpr double kWidestFoot = 0.9, kHighestFoot = 2.2;
 /// the second.
 constexpr double kWetted = 1.4, kDry = 3.6;
 constexpr int kProfilePoints = 12, kMostHeights = 48;
-constexpr double kStep = 0.35;  // Of past heights, in radii.
+constexpr double kGirdleStep = 0.35;  // Of past heights, in radii.
 /// The steepest part of the dome at the foot of massive stalagmites, radians.
 constexpr double kDomeSlope = 1.25;
 constexpr int kDomePoints = 8;
@@ -109,7 +109,7 @@ std::vector<Vec2d> grown_trunk(const Form& form, double height, const DripHistor
   const double deep = kDry * form.radius;
   const std::vector<Vec2d> profile = steady(form, height, deep);
   // Multiples of a step from the floor up, whatever the height, and the present apex.
-  const double step = std::max(kStep * form.radius, 0.01);
+  const double step = std::max(kGirdleStep * form.radius, 0.01);
   std::vector<double> apexes, heights;
   for (int i = 1; i * step < height; ++i) apexes.push_back(i * step);
   apexes.push_back(height);
