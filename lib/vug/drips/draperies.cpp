@@ -23,6 +23,7 @@ constexpr double kShortest = 0.2, kApart = 0.13;
 constexpr double kEdgeShare = 0.75, kWidest = 1.4, kOfRoom = 0.5;
 constexpr double kLeastWidth = 8;  // In thicknesses; narrower ones are ledges.
 constexpr double kEdge = 0.005, kRootThickness = 0.014;
+constexpr double kLeastFold = 5;  // In distances of corners.
 constexpr int kPlumbs = 5;
 
 /// A film from its seep to the roof's end, or to a point of an earlier one.
@@ -95,7 +96,8 @@ std::vector<HungDrapery> draperies_of(const field::Field& rock, const Graph& gra
       const double room = rock.value(start) > 0 ? start.y - below.value_or(o.floor) : 0;
       width = std::min(width, kOfRoom * room);
     }
-    const double edge = std::max(kEdge, 2 * o.tip);
+    // The tip is that of the voxels, which do not carry narrow folds.
+    const double edge = std::max(kEdge, 2 * o.tip), finest = 2 * o.tip;
     if (width < kLeastWidth * edge) continue;
     middles.push_back(middle);
     out.push_back({chain.seep->id,
@@ -103,9 +105,9 @@ std::vector<HungDrapery> draperies_of(const field::Field& rock, const Graph& gra
                     .width = width,
                     .edge = edge,
                     .root_thickness = std::max(kRootThickness, 1.5 * edge),
-                    .fold = o.fold * folds,
+                    .fold = std::max(o.fold * folds, kLeastFold * finest),
                     .root = 0.02 + o.tip,
-                    .finest = 1.2 * o.tip}});
+                    .finest = finest}});
   }
   std::sort(out.begin(), out.end(),
             [](const HungDrapery& a, const HungDrapery& b) { return a.drip < b.drip; });

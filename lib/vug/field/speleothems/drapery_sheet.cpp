@@ -9,8 +9,9 @@
 namespace vug::field {
 namespace {
 
-/// Rows of corners below the path, and points of the path for each fold.
-constexpr int kRows = 8, kPointsPerFold = 7;
+/// Rows of corners below the path, at least where corners are coarse, and points of the path for
+/// each fold.
+constexpr int kRows = 8, kFewestRows = 3, kPointsPerFold = 7;
 /// Steps along the path if the sheet has no folds, and limits of their number.
 constexpr double kPlainSteps = 24;
 constexpr int kMostSteps = 110;
@@ -68,13 +69,16 @@ Sheet drapery_sheet(const Drapery& d, RandomKey key) {
   RandomStream random(key);
   const double first = random.uniform(0, 2 * kPi), drift = random.uniform(0, 2 * kPi);
   std::vector<double> bands;
-  for (int row = 0; row <= kRows; ++row) bands.push_back(kBands * random.uniform(-1, 1));
+  const int rows = d.finest > 0
+                       ? std::clamp(static_cast<int>(d.width / (2 * d.finest)), kFewestRows, kRows)
+                       : kRows;
+  for (int row = 0; row <= rows; ++row) bands.push_back(kBands * random.uniform(-1, 1));
   const double length = path_length(d.path);
   const double step = d.fold > 0 ? d.fold / kPointsPerFold : length / kPlainSteps;
   const std::vector<Vec3d> path =
       resampled(d.path, std::max({step, length / kMostSteps, d.finest}));
   Sheet sheet;
-  sheet.across = kRows + 2;
+  sheet.across = rows + 2;
   Vec3d side(0, 0, 1);
   for (size_t i = 0; i < path.size(); ++i) {
     const double along = static_cast<double>(i) / static_cast<double>(path.size() - 1);
@@ -88,8 +92,8 @@ Sheet drapery_sheet(const Drapery& d, RandomKey key) {
     }
     sheet.corners.push_back(path[i] + Vec3d(0, d.root, 0));
     sheet.radii.push_back(0.5 * d.root_thickness);
-    for (int row = 0; row <= kRows; ++row) {
-      const double part = static_cast<double>(row) / kRows;
+    for (int row = 0; row <= rows; ++row) {
+      const double part = static_cast<double>(row) / rows;
       const double below = width * part;
       // Folds need the height of a fold to grow to their full swing.
       const double grown =
@@ -97,7 +101,7 @@ Sheet drapery_sheet(const Drapery& d, RandomKey key) {
       sheet.corners.push_back(path[i] - Vec3d(0, below, 0) + side * (swing * grown));
       const double thick = d.root_thickness + std::min(1.0, below / (kThinned * d.width)) *
                                                   (d.edge - d.root_thickness);
-      const double band = row == 0 || row == kRows ? 0 : bands[static_cast<size_t>(row)];
+      const double band = row == 0 || row == rows ? 0 : bands[static_cast<size_t>(row)];
       sheet.radii.push_back(0.5 * thick * (1 + band * width / d.width));
     }
   }

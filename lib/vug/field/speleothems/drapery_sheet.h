@@ -14,7 +14,7 @@ struct Drapery {
   double root_thickness = 0.015;  ///< Thickness at the path.
   double fold = 0.12;             ///< Mean distance of folds along the path; 0: none.
   double root = 0;                ///< Height by which it continues into the roof.
-  double finest = 0;              ///< Least distance of points of the path: what a voxel carries.
+  double finest = 0;              ///< Least distance of corners: what a voxel carries.
 };
 
 /// The height of the sheet relative to its width, at a fraction of the length of the path: it grows
