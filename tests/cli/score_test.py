@@ -52,7 +52,13 @@ class Score(VugTest):
         text = self.expect(0, "measure", "cave.svx", "--score").out
         self.assertIn("realism", text)
         self.assertRegex(text, r"\ntortuosity +1\.0\d +0 % +1\.27 +1\.18 to 1\.4")
-        self.assertRegex(text, r"\nthe legs are too straight: tortuosity 1\.0\d; real caves have 1\.18 to 1\.4")
+        self.assertIn("\nThe network has fewer than 10 branches", text)
+        self.assertNotIn("too straight", text)
+        # A straight passage with twelve straight branches.
+        legs = "".join(f"{i} {i + 1} 20 90 0\n{i} b{i} {15 + i} {10 * i} 0\n" for i in range(12))
+        (self.folder / "comb.svx").write_text(legs)
+        self.assertRegex(self.expect(0, "measure", "comb.svx", "--score").out,
+                         r"\nthe legs are too straight: tortuosity 1\.0\d; real caves have 1\.18 to 1\.4")
 
     def test_plot(self):
         self.expect(0, "measure", "cave.vug", "--score", "--network", "sized", "--plot", "out/score.svg")

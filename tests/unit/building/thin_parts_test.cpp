@@ -7,9 +7,10 @@
 namespace vug::building {
 namespace {
 
-std::vector<Diagnostic> thin_warnings(const std::string& solid, const std::string& before = "") {
-  const loading::Loaded loaded =
-      loading::load_text(before + "volume rock = level_set(" + solid + ", voxel: 10cm)\n", "t.vug");
+std::vector<Diagnostic> thin_warnings(const std::string& solid, const std::string& before = "",
+                                      const std::string& voxel = "10cm") {
+  const loading::Loaded loaded = loading::load_text(
+      before + "volume rock = level_set(" + solid + ", voxel: " + voxel + ")\n", "t.vug");
   EXPECT_TRUE(loaded.usable()) << loaded.report();
   std::vector<Diagnostic> found;
   BuildOptions options;
@@ -76,7 +77,7 @@ TEST(ThinParts, NarrowPassagesAreReportedWithTheirShare) {
   const auto warnings = [&](const std::string& widths, const std::string& solid) {
     std::string text = plan;
     text.replace(text.find("WIDTHS"), 6, widths);
-    return thin_warnings(solid, text);
+    return thin_warnings(solid, text, "50cm");
   };
   for (const char* solid :
        {"passages(of: plan, smooth: false)",
@@ -88,9 +89,9 @@ TEST(ThinParts, NarrowPassagesAreReportedWithTheirShare) {
     EXPECT_NE(found[0].message.find("of the length of the passages in the volume 'rock'"),
               std::string::npos)
         << found[0].message;
-    EXPECT_NE(found[0].message.find("0.04 m at (16"), std::string::npos) << found[0].message;
+    EXPECT_NE(found[0].message.find("0.3 m at (16"), std::string::npos) << found[0].message;
     EXPECT_NE(found[0].hint.find("'least_width'"), std::string::npos);
-    EXPECT_EQ(warnings("1m, 1m, 50cm", solid).size(), 0U) << solid;
+    EXPECT_EQ(warnings("1m, 1m, 80cm", solid).size(), 0U) << solid;
   }
 }
 

@@ -41,8 +41,9 @@ TEST(KarstSvx, CavernReadsGeneratedCaves) {
 
   // The cross-sections, splays and flags return with the network.
   Diagnostics warnings;
-  const network::Network again = network::from_survey(
-      survey::read_survey(scratch.file("cave.svx"), {}, warnings), {.place = {.recenter = false}});
+  const network::Network again =
+      network::from_survey(survey::read_survey(scratch.file("cave.svx"), {}, warnings),
+                           {.place = {.origin = cave.origin}});
   EXPECT_TRUE(warnings.all().empty());
   ASSERT_EQ(again.stations.size(), cave.stations.size());
   EXPECT_EQ(again.legs.size(), cave.legs.size());

@@ -82,8 +82,8 @@ TEST(Search, FindsDescriptionsAndSynonyms) {
     return all;
   };
   EXPECT_EQ(names("stalactite"),
-            (std::vector<std::string>{"soda_straw", "stalactite", "dripstone", "speleothems",
-                                      "seepage", "drip_points"}));
+            (std::vector<std::string>{"soda_straw", "stalactite", "lavacicles", "dripstone",
+                                      "speleothems", "seepage", "drip_points"}));
   EXPECT_EQ(names("HDRI"), std::vector<std::string>{"sky_image"});
   EXPECT_EQ(names("hdri"), std::vector<std::string>{"sky_image"});
   EXPECT_GE(names("AOV").size(), 20u);

@@ -51,6 +51,40 @@ TEST(Language, DripsOfTheirPageAreValid) {
     EXPECT_EQ(load_text(example, "drips.md", {}).report(), "") << example;
 }
 
+TEST(Language, EveryDecorationMakesRock) {
+  size_t count = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(VUG_DATA) / "decorations")) {
+    ++count;
+    LoadOptions options;
+    options.include_folders = {fs::path(VUG_DATA)};
+    const Loaded loaded = load_text(
+        "include \"decorations/" + entry.path().filename().string() +
+            "\" as decor\nlet bare = complement(box(size: (4, 3, 4)))\n"
+            "volume rock = level_set(decor.decorate(bare, from: (-2, -1.5, -2), to: (2, 1.6, 2)),\n"
+            "  voxel: 10cm, from: (-3, -2, -3), to: (3, 2, 3))\n",
+        "decorated.vug", options);
+    EXPECT_EQ(loaded.report(), "") << entry.path();
+    ASSERT_EQ(loaded.shot.volumes.size(), 1u) << entry.path();
+    const field::Field& rock = loaded.shot.volumes[0]->field;
+    int grown = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const Vec3d p(-1.95 + 3.9 * (i % 20) / 19, -1.35 + 2.8 * (i / 20 % 10) / 9,
+                    -1.95 + 3.9 * (i / 200) / 19);
+      grown += rock.value(p) < 0;
+    }
+    EXPECT_GT(grown, 0) << entry.path() << ": nothing grew in the room";
+    EXPECT_LT(grown, 2800) << entry.path() << ": the room is full";
+  }
+  EXPECT_GE(count, 6u);
+}
+
+TEST(Language, DecorationsOfTheirGuideAreValid) {
+  LoadOptions options;
+  options.include_folders = {fs::path(VUG_DATA)};
+  for (const std::string& example : blocks("vug", "guides/decorating.md"))
+    EXPECT_EQ(load_text(example, "decorating.md", options).report(), "") << example;
+}
+
 TEST(Language, NetworksOfTheirPageMakeSolids) {
   const std::vector<std::string> examples = blocks("vug", "reference/networks.md");
   ASSERT_GE(examples.size(), 2u);
