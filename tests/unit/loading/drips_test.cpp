@@ -41,7 +41,7 @@ TEST(DripsDeclaration, ItsSpeleothemsAreSolidAtTheirDrips) {
   const Loaded scene = load_text(
       drips_with(", density: 0, stalagmites: 1, broken: 0, edits: [add_drip(at: (0.5, 0, 0), "
                  "interval: 30, "
-                 "age: 9000)]") +
+                 "age: 4000)]") +
           "volume rock = level_set(speleothems(of: water), voxel: 5cm, from: (-4, -2, -4), to: (4, "
           "2, 4))\n"
           "volume films = level_set(water_paths(of: water, only: falls, radius: 2cm), voxel: "
