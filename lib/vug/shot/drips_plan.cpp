@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/error.h>
 #include <vug/field/boolean.h>
 #include <vug/field/deferred.h>
+#include <vug/field/material_source.h>
+#include <vug/field/registry.h>
 #include <vug/field/speleothems/deposits.h>
 #include <vug/field/thickened.h>
 #include <vug/shot/drips_plan.h>
+
+#include <fmt/format.h>
 
 namespace vug::shot {
 
@@ -24,7 +29,35 @@ const drips::Dripstone& DripsPlan::grown() const {
   return *grown_;
 }
 
-field::Field with_speleothems(const DripsPtr& drips, double root) {
+namespace {
+
+/// Flowstone is this thick in metres where half of the material is its own.
+constexpr double kThinnestFlowstone = 0.001;
+
+field::Field made_of(const field::Field& solid, const field::RockMaterialPtr& material) {
+  return field::make("made_of", {{"field", field::as_value(solid)},
+                                 {"of", ValueTraits<field::RockMaterialPtr>::write(material)}});
+}
+
+/// The rock with its flowstone, whose material is that of the rock inside of the rock alone.
+field::Field layered(const field::Field& rock, const field::Field& with_flowstone,
+                     const field::RockMaterialPtr& material) {
+  if (field::materials_of(rock).empty())
+    throw Error(ErrorCode::bad_input,
+                fmt::format("the speleothems are made of '{}', but the rock has no material",
+                            material->name),
+                {}, "give the rock one: made_of(rock, of: \"limestone\")");
+  const field::Field core = field::make(
+      "offset", {{"field", field::as_value(rock)}, {"by", 0.5 * kThinnestFlowstone}});
+  return field::make("host_rock", {{"field", field::as_value(with_flowstone)},
+                                   {"of", ValueTraits<field::RockMaterialPtr>::write(material)},
+                                   {"bodies", List{field::as_value(core)}},
+                                   {"contact", kThinnestFlowstone}});
+}
+
+}  // namespace
+
+field::Field with_speleothems(const DripsPtr& drips, const SpeleothemJoin& join) {
   const drips::DripstoneOptions& options = drips->options();
   const Box3d bounds =
       drips::dripstone_bounds(drips->rock().bounds(), options.graph, options.forms);
@@ -35,8 +68,11 @@ field::Field with_speleothems(const DripsPtr& drips, double root) {
   const field::Field thickness = field::deferred(
       {field::kSteepestDeposit, field::Exactness::sign, infinite_box(), 0}, "laying flowstone",
       [drips] { return drips->grown().thickness; }, bytes);
-  return field::unite({field::thickened(drips->rock(), thickness, field::kThickestDeposit), solids},
-                      {field::Profile::smooth, root});
+  const field::Field rock = field::thickened(drips->rock(), thickness, field::kThickestDeposit);
+  const field::Blend blend{field::Profile::smooth, join.root};
+  if (!join.material) return field::unite({rock, solids}, blend);
+  return field::unite({layered(drips->rock(), rock, join.material), made_of(solids, join.material)},
+                      blend);
 }
 
 }  // namespace vug::shot

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vug/base/kind.h>
+#include <vug/field/rock_material_kind.h>
 #include <vug/shot/drip_params.h>
 
 #include <memory>
@@ -32,9 +33,24 @@ class DripsPlan {
 
 using DripsPtr = std::shared_ptr<const DripsPlan>;
 
-/// The rock of the plan with its speleothems, whose roots blend into it over a distance in metres.
-/// They are computed on first use.
-field::Field with_speleothems(const DripsPtr& drips, double root);
+/// How speleothems join the rock.
+struct SpeleothemJoin {
+  double root = 0.3;                  ///< Distance over which roots blend into it, metres.
+  field::RockMaterialPtr material{};  ///< Of all that has grown; null: the rock's.
+
+  template <class P>
+  static void describe(Schema<P>& s) {
+    s.param("root", &SpeleothemJoin::root,
+            positive_length("distance over which roots blend into the rock"))
+        .param("material", &SpeleothemJoin::material,
+               {.doc = "the material of all that has grown, e.g. \"calcite\"; by default that of "
+                       "the rock"});
+  }
+};
+
+/// The rock of the plan with its speleothems, which are computed on first use. Throws
+/// Error(bad_input) if they have a material and the rock has none.
+field::Field with_speleothems(const DripsPtr& drips, const SpeleothemJoin& join);
 
 /// The kinds listed in CMakeLists.txt.
 const Kinds<DripsPtr>& drips_kinds();

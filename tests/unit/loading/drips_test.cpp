@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Named drips of scenes, their edits, points and fields.
 #include <gtest/gtest.h>
+#include <vug/field/material_source.h>
 #include <vug/loading/load.h>
 #include <vug/shot/drips_plan.h>
 #include <vug/shot/queries.h>
@@ -61,6 +62,30 @@ TEST(DripsDeclaration, ItsSpeleothemsAreSolidAtTheirDrips) {
   const Vec3d tip = forms[0].bottom, apex = forms[1].top, between = 0.5 * (tip + apex);
   EXPECT_GT(value(0, between), 0) << "air below the tip";
   EXPECT_NEAR(value(1, between), -0.02, 1e-6) << "the fall is the middle of its tube";
+}
+
+TEST(DripsDeclaration, WhatHasGrownHasAMaterialOfItsOwn) {
+  const auto scene_with = [](const std::string& rock) {
+    return load_text(
+        "let room = " + rock +
+            "\ndrips water = seepage(room, from: (-3, -2, -3), to: (3, 2, 3), density: 0,\n"
+            "  stalagmites: 1, broken: 0, edits: [add_drip(at: (0.5, 0, 0), age: 4000)])\n"
+            "field all = speleothems(of: water, material: \"calcite\")\n"
+            "volume v = level_set(all, voxel: 5cm, from: (-4, -2, -4), to: (4, 2, 4))\n",
+        "t.vug", {});
+  };
+  const std::string bare = "complement(box(size: (6, 3, 6)))";
+  const Loaded scene = scene_with("made_of(" + bare + ", of: \"limestone\")");
+  ASSERT_EQ(scene.report(), "");
+  const field::Field& all = scene.shot.volumes.at(0)->field;
+  const auto weight = [&](const Vec3d& p) {
+    return field::sample_materials(*all.node(), p).mix.weight("calcite");
+  };
+  for (const drips::Form& form : scene.shot.drips.at(0).drips->grown().forms)
+    EXPECT_GT(weight(0.5 * (form.top + form.bottom)), 0.99);
+  EXPECT_LT(weight(Vec3d(3, 0, 2)), 0.01) << "a wall that no water has reached";
+  EXPECT_LT(weight(Vec3d(0.5, 1.9, 0.3)), 0.01) << "inside the rock";
+  EXPECT_NE(scene_with(bare).report().find("the rock has no material"), std::string::npos);
 }
 
 TEST(DripsDeclaration, ReportsFaultsAtTheCall) {

@@ -6,9 +6,7 @@
 namespace vug::shot {
 namespace {
 
-struct Dripstone : DripParams {
-  double root = 0.3;
-
+struct Dripstone : DripParams, SpeleothemJoin {
   static void describe(Schema<Dripstone>& s) {
     s.doc(
          "Rock with stalactites and straws at its drips, stalagmites vertically below them, "
@@ -17,8 +15,7 @@ struct Dripstone : DripParams {
         .cite("short2005");
     describe_drips(s);
     describe_forms(s);
-    s.param("root", &Dripstone::root,
-            positive_length("distance over which roots blend into the rock"));
+    SpeleothemJoin::describe(s);
   }
 };
 
@@ -27,6 +24,6 @@ struct Dripstone : DripParams {
 
 VUG_NETWORK_FIELD_KIND(dripstone) {
   return field::field_kind<Dripstone>("dripstone", "detail", [](const Dripstone& p) {
-    return with_speleothems(std::make_shared<const DripsPlan>(p), p.root);
+    return with_speleothems(std::make_shared<const DripsPlan>(p), p);
   });
 }

@@ -6,16 +6,14 @@
 namespace vug::shot {
 namespace {
 
-struct Speleothems {
+struct Speleothems : SpeleothemJoin {
   DripsPtr of;
-  double root = 0.3;
 
   static void describe(Schema<Speleothems>& s) {
     s.doc("The rock of named drips with the speleothems that grow from them, as in dripstone(...).")
         .cite("short2005")
-        .param("of", &Speleothems::of, {.doc = "the drips", .required = true})
-        .param("root", &Speleothems::root,
-               positive_length("distance over which roots blend into the rock"));
+        .param("of", &Speleothems::of, {.doc = "the drips", .required = true});
+    SpeleothemJoin::describe(s);
   }
 };
 
@@ -24,5 +22,5 @@ struct Speleothems {
 
 VUG_NETWORK_FIELD_KIND(speleothems) {
   return field::field_kind<Speleothems>(
-      "speleothems", "detail", [](const Speleothems& p) { return with_speleothems(p.of, p.root); });
+      "speleothems", "detail", [](const Speleothems& p) { return with_speleothems(p.of, p); });
 }
