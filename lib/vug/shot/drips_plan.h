@@ -35,8 +35,9 @@ using DripsPtr = std::shared_ptr<const DripsPlan>;
 
 /// How speleothems join the rock.
 struct SpeleothemJoin {
-  double root = 0.3;                  ///< Distance over which roots blend into it, metres.
-  field::RockMaterialPtr material{};  ///< Of all that has grown; null: the rock's.
+  double root = 0.3;  ///< Distance over which roots blend into it, metres.
+  field::RockMaterialPtr
+      material{};  ///< The material of all that has grown; null: that of the rock.
 
   template <class P>
   static void describe(Schema<P>& s) {
