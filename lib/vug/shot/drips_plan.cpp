@@ -47,8 +47,8 @@ field::Field layered(const field::Field& rock, const field::Field& with_flowston
                 fmt::format("the speleothems are made of '{}', but the rock has no material",
                             material->name),
                 {}, "give the rock one: made_of(rock, of: \"limestone\")");
-  const field::Field core = field::make(
-      "offset", {{"field", field::as_value(rock)}, {"by", 0.5 * kThinnestFlowstone}});
+  const field::Field core =
+      field::make("offset", {{"field", field::as_value(rock)}, {"by", 0.5 * kThinnestFlowstone}});
   return field::make("host_rock", {{"field", field::as_value(with_flowstone)},
                                    {"of", ValueTraits<field::RockMaterialPtr>::write(material)},
                                    {"bodies", List{field::as_value(core)}},
