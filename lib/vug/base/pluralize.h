@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts with their nouns, for messages.
+// Nouns with their counts and articles, for messages.
 #pragma once
 
 #include <string>
@@ -17,6 +17,15 @@ inline std::string plural_of(const std::string& word) {
   const bool hisses =
       word.ends_with('s') || word.ends_with('x') || word.ends_with("sh") || word.ends_with("ch");
   return word + (hisses ? "es" : "s");
+}
+
+/// A type with its article, for messages: "a number", "a list of fields", "points", "true or
+/// false".
+inline std::string with_article(const std::string& type) {
+  if (type == "true or false") return type;
+  if (type.starts_with("list of ")) return "a " + plural_of(type);
+  if (type.ends_with('s')) return type;  // A plural: points, cells, drips.
+  return "a " + type;
 }
 
 /// "1 edit", "0 edits", "7 edits".

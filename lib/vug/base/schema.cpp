@@ -66,15 +66,6 @@ std::vector<int> match_arguments(const KindInfo& kind, const Arguments& argument
 
 namespace {
 
-/// The type with its article: "a number", "a list of fields", "points", "true or false".
-std::string with_article(const std::string& type) {
-  const std::string list = "list of ";
-  if (type == "true or false") return type;
-  if (type.compare(0, list.size(), list) == 0) return "a " + plural_of(type);
-  if (type.back() == 's') return type;  // A plural: points, cells, drips.
-  return fmt::format("a {}", type);
-}
-
 /// The type of the given value, or the value itself if the type is not informative: 5.5 is a
 /// number, but not a whole one.
 std::string given_text(const Value& value, const std::string& expected) {

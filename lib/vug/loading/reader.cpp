@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/pluralize.h>
 #include <vug/loading/example.h>
 #include <vug/loading/reader.h>
 
@@ -229,8 +230,8 @@ Value read_kind_declaration(const std::string& type, const std::string& fallback
   if (object && object->type == type) return value;
   if (called) return report_unknown(registry, expr.text, expr.where, context.diagnostics);
   Diagnostics own;
-  own.error(expr.where, fmt::format("'{}' expects {}{}, not {}", declaration.name,
-                                    type.back() == 's' ? "" : "a ", type, value.type_name()));
+  own.error(expr.where, fmt::format("'{}' expects {}, not {}", declaration.name, with_article(type),
+                                    value.type_name()));
   context.evaluator.report(own, {{"", value, expr.where}});
   return Value();
 }
