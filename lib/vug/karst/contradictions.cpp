@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <vug/base/error.h>
 #include <vug/karst/contradictions.h>
+#include <vug/network/network.h>
 
 #include <algorithm>
 
@@ -31,7 +32,7 @@ void require_in_rock(const Vec3d& p, const std::string& what, const Geology& g) 
 }
 
 void require_name(const std::string& name, const char* what) {
-  if (name.find_first_of(" \t\n") != name.npos)
+  if (!network::is_station_name(name))  // Unnamed ones have got a name.
     fail(fmt::format("the name '{}' of a {} contains a blank", name, what),
          "names of stations have no blanks: use '_' instead");
 }

@@ -29,6 +29,11 @@ struct StationFlags {
   bool surface = false;
 };
 
+/// Names have at least one character and no blanks.
+inline bool is_station_name(const std::string& name) {
+  return !name.empty() && name.find_first_of(" \t\n") == name.npos;
+}
+
 struct Station {
   std::string name{};                  ///< E.g. "dow.choke2.14"; unique, or empty.
   std::vector<std::string> equated{};  ///< Further names of the station, unique as well.

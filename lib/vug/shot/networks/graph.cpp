@@ -68,7 +68,7 @@ network::Station station_of(const Graph& graph, size_t i) {
 Indices indices_of(const std::vector<std::string>& names) {
   Indices indices;
   for (const std::string& name : names) {
-    if (name.empty() || name.find_first_of(" \t\n") != name.npos)
+    if (!network::is_station_name(name))
       throw Error(ErrorCode::bad_input,
                   fmt::format("invalid station name '{}': a name has at least one character and no "
                               "spaces",
