@@ -5,6 +5,8 @@
 
 #include <vug/field/kind.h>
 
+#include <algorithm>
+
 namespace vug::field {
 
 /// M has: template <class T> T apply(const T& value, const Point<T>& p) const
@@ -46,6 +48,32 @@ class ModifierNode final : public EvaluationModes<ModifierNode<M>> {
   std::string name_;
   M modifier_;
   NodePtr child_;
+};
+
+/// Traits of a modifier that cuts into its child. What it cuts has a slope of at most 1.
+inline Traits carved_traits(const Traits& child) {
+  Traits out = child;
+  out.lipschitz = std::max(1.0, child.lipschitz);
+  out.exactness = std::max(child.exactness, Exactness::bound);
+  out.growth = child.growth_rate();
+  return out;
+}
+
+/// What a modifier adds to its child, within `height` metres of it. Where it ends, the value is
+/// divided by 1 + `slope`, and elsewhere its slope is at most 1.
+struct GrownLayer {
+  double height = 0, slope = 0;
+
+  Traits traits(const Traits& child) const {
+    Traits out = carved_traits(child);
+    out.bounds = child.bounds_below(height);
+    out.growth = child.growth_rate() / (1 + slope);
+    return out;
+  }
+  Interval range(Interval child) const {
+    const double beyond = child.lo - height;
+    return {std::min(child.lo, beyond > 0 ? beyond / (1 + slope) : beyond), child.hi};
+  }
 };
 
 }  // namespace vug::field

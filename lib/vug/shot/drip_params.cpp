@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/field/box_fault.h>
 #include <vug/shot/drip_params.h>
 
 namespace vug::shot {
@@ -35,8 +36,7 @@ drips::DripstoneOptions DripParams::options() const {
 
 std::string DripParams::fault() const {
   const Vec3d size = to - from;
-  if (!(size.x > 0 && size.y > 0 && size.z > 0))
-    return "'from' must be less than 'to' in x, y and z";
+  if (const std::string fault = field::box_fault(from, to); !fault.empty()) return fault;
   if (!(size.x / spacing * (size.z / spacing) <= drips::kMostColumns))
     return "the spacing is too small for a box of this size: there would be millions of drips";
   return "";

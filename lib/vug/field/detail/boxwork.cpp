@@ -91,24 +91,14 @@ class Veins {
       return out;
     }
   }
-  Traits traits(const Traits& child) const {
-    Traits out = child;
-    out.lipschitz = std::max(1.0, child.lipschitz);
-    out.exactness = std::max(child.exactness, Exactness::bound);
-    out.bounds = child.bounds_below(highest());
-    out.growth = child.growth_rate() / (1 + height_slope());
-    return out;
-  }
-  Interval range(Interval child) const {
-    const double above = child.lo - highest();
-    return {std::min(child.lo, above > 0 ? above / (1 + height_slope()) : above), child.hi};
-  }
+  Traits traits(const Traits& child) const { return layer().traits(child); }
+  Interval range(Interval child) const { return layer().range(child); }
 
  private:
   /// How much closer together surfaces of a bent set can be than planes.
   static double stretch(const Layering& set) { return set.slope() * set.thickness; }
   static constexpr double kReach = 4;  // Wavelength of the bends, in spacings.
-  double highest() const { return height_ * (1 + ragged_); }
+  GrownLayer layer() const { return {height_ * (1 + ragged_), height_slope()}; }
   double height_slope() const { return height_ * ragged_ * wave_ * kGradientNoiseSlope; }
 
   double half_, height_, ragged_, wave_;

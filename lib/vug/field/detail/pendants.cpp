@@ -70,13 +70,7 @@ class PendantChannels {
       return max(value, min(min(beside, above), value + T(height_)));
     }
   }
-  Traits traits(const Traits& child) const {
-    Traits out = child;
-    out.lipschitz = std::max(1.0, child.lipschitz);
-    out.exactness = std::max(child.exactness, Exactness::bound);
-    out.growth = child.growth_rate();
-    return out;
-  }
+  Traits traits(const Traits& child) const { return carved_traits(child); }
   Interval range(Interval child) const {
     return {child.lo, std::max(child.hi, std::min(width_ / braid_.slope(), child.hi + height_))};
   }

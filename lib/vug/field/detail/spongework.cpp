@@ -55,13 +55,7 @@ class Pores {
       return max(value, min(T(radius_) - centre, value + T(depth_)));
     }
   }
-  Traits traits(const Traits& child) const {
-    Traits out = child;
-    out.lipschitz = std::max(1.0, child.lipschitz);
-    out.exactness = std::max(child.exactness, Exactness::bound);
-    out.growth = child.growth_rate();
-    return out;
-  }
+  Traits traits(const Traits& child) const { return carved_traits(child); }
   Interval range(Interval child) const {
     return {child.lo, std::max(child.hi, std::min(radius_, child.hi + depth_))};
   }

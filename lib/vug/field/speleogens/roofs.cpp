@@ -2,6 +2,7 @@
 #include <vug/base/parallel.h>
 #include <vug/base/rng.h>
 #include <vug/field/boolean.h>
+#include <vug/field/box_fault.h>
 #include <vug/field/deferred.h>
 #include <vug/field/speleogens/roofs.h>
 
@@ -55,8 +56,7 @@ std::vector<double> surface_heights(const Field& rock, double x, double z, doubl
 
 std::string RoofHollows::fault() const {
   const Vec3d size = to - from;
-  if (!(size.x > 0 && size.y > 0 && size.z > 0))
-    return "'from' must be less than 'to' in x, y and z";
+  if (const std::string fault = box_fault(from, to); !fault.empty()) return fault;
   if (!(size.x / spacing * (size.z / spacing) <= kMostHollows))
     return "the spacing is too small for a box of this size: there would be millions of hollows";
   return "";

@@ -44,22 +44,11 @@ struct Ledge {
       return out;
     }
   }
-  Traits traits(const Traits& child) const {
-    Traits out = child;
-    out.lipschitz = std::max(1.0, child.lipschitz);
-    out.exactness = std::max(child.exactness, Exactness::bound);
-    out.bounds = child.bounds_below(widest());
-    out.growth = child.growth_rate() / (1 + wave_slope());
-    return out;
-  }
-  Interval range(Interval child) const {
-    const double beyond = child.lo - widest();
-    return {std::min(child.lo, beyond > 0 ? beyond / (1 + wave_slope()) : beyond), child.hi};
-  }
-  /// The greatest distance of a rim from the solid.
-  double widest() const { return width * (1 + wander); }
+  Traits traits(const Traits& child) const { return layer().traits(child); }
+  Interval range(Interval child) const { return layer().range(child); }
 
  private:
+  GrownLayer layer() const { return {width * (1 + wander), wave_slope()}; }
   double taper() const { return (root - rim) / width; }
   double wave_slope() const {
     return width * wander * kGradientNoiseSlope * std::sqrt(wave_a.length2() + wave_b.length2());

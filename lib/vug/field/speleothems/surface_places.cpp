@@ -6,6 +6,7 @@
 #include <vug/base/frames.h>
 #include <vug/base/maths.h>
 #include <vug/base/parallel.h>
+#include <vug/field/box_fault.h>
 #include <vug/field/speleothems/surface_places.h>
 
 #include <fmt/format.h>
@@ -124,9 +125,7 @@ std::vector<SurfacePlace> thinned(const std::vector<PlaceCandidate>& all, double
 }  // namespace
 
 std::string SurfaceScatter::fault() const {
-  const Vec3d size = to - from;
-  if (!(size.x > 0 && size.y > 0 && size.z > 0))
-    return "'from' must be less than 'to' in x, y and z";
+  if (const std::string fault = box_fault(from, to); !fault.empty()) return fault;
   if (!(most_places() <= kMostPlaces))
     return fmt::format(
         "a box of this size can have {:.0f} million places with this spacing, the limit is {:.0f} "
