@@ -58,7 +58,7 @@ class Drips(VugTest):
         self.assertIn("drip 99999 is removed, but the roof has no such drip", error)
         self.assertIn("hint: ", error)
         self.assertIn("written as .vdb", self.drips("--points", "drips.ply", code=2))
-        self.assertIn("no water drips", self.drips("--points", "drips.vdb", edits="density: 0,", code=2))
+        self.assertIn("the graph of the drips is empty, so it has no points", self.drips("--points", "drips.vdb", edits="density: 0,", code=2))
         self.assertFalse((self.folder / "drips.vdb").exists())
         (self.folder / "stone.vug").write_text("let a = sphere(1m)\n")
         self.assertIn("drips", self.expect(2, "drips", "stone.vug").err)

@@ -4,15 +4,10 @@
 namespace vug::delivery {
 namespace {
 
-constexpr const char* kNodes[] = {"seep", "confluence", "bend", "drop", "landing", "pool", "sink"};
-constexpr const char* kEdges[] = {"ceiling_film", "wall_film", "fall", "floor_film", "overflow"};
 /// Single precision has no place for discharges in m3/s.
 constexpr double kCubicMillimetres = 1e9;
 
 }  // namespace
-
-const char* kind_name(drips::NodeKind kind) { return kNodes[static_cast<size_t>(kind)]; }
-const char* kind_name(drips::EdgeKind kind) { return kEdges[static_cast<size_t>(kind)]; }
 
 volume::Points drip_points(const drips::Graph& graph) {
   volume::Points points;
@@ -29,10 +24,11 @@ volume::Points drip_points(const drips::Graph& graph) {
     temperature.push_back(static_cast<float>(node.water.temperature));
     age.push_back(static_cast<float>(node.water.age));
   }
-  for (size_t kind = 0; kind < std::size(kNodes); ++kind) {
+  for (int32_t kind = 0; kind <= static_cast<int32_t>(drips::NodeKind::sink); ++kind) {
     std::vector<uint8_t> members;
-    for (const int32_t each : kinds) members.push_back(each == static_cast<int32_t>(kind));
-    points.groups.push_back({kNodes[kind], std::move(members)});
+    for (const int32_t each : kinds) members.push_back(each == kind);
+    points.groups.push_back(
+        {drips::kind_name(static_cast<drips::NodeKind>(kind)), std::move(members)});
   }
   points.attributes = {{"N", std::move(normals)},       {"id", std::move(ids)},
                        {"kind", std::move(kinds)},      {"discharge", std::move(discharge)},

@@ -7,11 +7,6 @@
 
 namespace vug::delivery {
 
-/// The names of drips::NodeKind, in its order.
-const char* kind_name(drips::NodeKind kind);
-/// The names of drips::EdgeKind, in its order.
-const char* kind_name(drips::EdgeKind kind);
-
 /// One point for each node, with the attributes N, id (of the drip), kind (index of NodeKind),
 /// discharge (mm3/s), calcium (mol/m3), temperature (degrees Celsius) and age (years), and one
 /// group for each kind of node.

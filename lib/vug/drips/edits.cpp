@@ -80,7 +80,7 @@ class Editor {
     }
     const auto roof = VerticalLine(rock_, at, kRoofStep).crossing(at.y, o_.to.y);
     if (!roof)
-      fail(fmt::format("there is no roof above the drip at {}", text(at)),
+      fail(fmt::format("the drip at {} has no roof above it", text(at)),
            "move it below the roof, or extend the box of the drips upwards");
     seep.position = Vec3d(at.x, *roof, at.z);
     seep.normal = normal_at(rock_, seep.position);

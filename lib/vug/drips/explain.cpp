@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sentence that explains a form.
+// The names of nodes, edges and forms, and the sentence that explains a form.
 #include <vug/drips/forms.h>
 
 #include <fmt/format.h>
@@ -28,10 +28,14 @@ std::string interval_text(double seconds) {
                        : fmt::format("{} min a drop", grouped(rounded(seconds / 60)));
 }
 
+constexpr const char* kNodes[] = {"seep", "confluence", "bend", "drop", "landing", "pool", "sink"};
+constexpr const char* kEdges[] = {"ceiling_film", "wall_film", "fall", "floor_film", "overflow"};
 constexpr const char* kNames[] = {"straw", "stalactite", "stalagmite", "column", "broken piece"};
 
 }  // namespace
 
+const char* kind_name(NodeKind kind) { return kNodes[static_cast<size_t>(kind)]; }
+const char* kind_name(EdgeKind kind) { return kEdges[static_cast<size_t>(kind)]; }
 const char* kind_name(FormKind kind) { return kNames[static_cast<size_t>(kind)]; }
 
 std::string explain(const Form& form, size_t number, const Graph& graph) {

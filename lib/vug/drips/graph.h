@@ -27,6 +27,9 @@ enum class NodeKind {
   sink,        ///< It leaves the region, or no lower way was found.
 };
 
+/// The name of the enumerator, for files: "seep".
+const char* kind_name(NodeKind kind);
+
 struct Node {
   NodeKind kind = NodeKind::seep;
   /// The number of the drip, for its seep, drop and landing; that of the drip that joined, for a
@@ -47,6 +50,9 @@ struct Node {
 };
 
 enum class EdgeKind { ceiling_film, wall_film, fall, floor_film, overflow };
+
+/// The name of the enumerator, for files: "ceiling_film".
+const char* kind_name(EdgeKind kind);
 
 struct Edge {
   EdgeKind kind = EdgeKind::ceiling_film;

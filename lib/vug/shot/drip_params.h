@@ -41,6 +41,9 @@ struct DripParams {
 
 template <class P>
 void describe_drips(Schema<P>& s) {
+  const auto share = [](std::string doc) {
+    return ParamSpec{.doc = std::move(doc), .dimension = Dimension::ratio, .min = 0, .max = 1};
+  };
   s.param("field", &DripParams::field, {.doc = "the rock", .required = true})
       .param("from", &DripParams::from, any_length("a corner of the box in which water drips"))
       .param("to", &DripParams::to, any_length("the opposite corner"))
@@ -84,17 +87,10 @@ void describe_drips(Schema<P>& s) {
       .param("budget", &DripParams::budget,
              {.doc = "the number of drips, those with the most water; 0: all", .min = 0})
       .param("edits", &DripParams::edits, {.doc = "drips that are added, moved or removed by hand"})
-      .param("seed", &DripParams::seed, {.doc = "random seed; each seed gives different drips"});
-}
-
-template <class P>
-void describe_forms(Schema<P>& s) {
-  const auto share = [](std::string doc) {
-    return ParamSpec{.doc = std::move(doc), .dimension = Dimension::ratio, .min = 0, .max = 1};
-  };
-  s.param("tip", &DripParams::tip,
-          positive_length("least radius of every form: 2.55 mm in nature, but at least 0.75 "
-                          "voxels. Stalactites of less than six radii are left out"))
+      .param("seed", &DripParams::seed, {.doc = "random seed; each seed gives different drips"})
+      .param("tip", &DripParams::tip,
+             positive_length("least radius of every form: 2.55 mm in nature, but at least 0.75 "
+                             "voxels. Stalactites of less than six radii are left out"))
       .param("stalagmites", &DripParams::stalagmites,
              share("share of the drips with a stalagmite below"))
       .param("broken", &DripParams::broken, share("share of the stalactites that broke"))

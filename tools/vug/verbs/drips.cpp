@@ -29,10 +29,10 @@ struct DripsOptions {
 Json json_of(const Vec3d& p) { return Json::array({p.x, p.y, p.z}); }
 
 Json json_of(const drips::Node& node) {
-  Json out{{"kind", delivery::kind_name(node.kind)}, {"drip", node.id},
-           {"position", json_of(node.position)},     {"normal", json_of(node.normal)},
-           {"discharge", node.water.discharge},      {"calcium", node.water.calcium},
-           {"temperature", node.water.temperature},  {"age", node.water.age}};
+  Json out{{"kind", drips::kind_name(node.kind)},   {"drip", node.id},
+           {"position", json_of(node.position)},    {"normal", json_of(node.normal)},
+           {"discharge", node.water.discharge},     {"calcium", node.water.calcium},
+           {"temperature", node.water.temperature}, {"age", node.water.age}};
   if (node.kind == drips::NodeKind::pool) out["level"] = node.level;
   return out;
 }
@@ -55,7 +55,7 @@ Json json_of(const drips::Graph& graph, const std::vector<drips::Form>& forms) {
   for (const drips::Edge& edge : graph.edges) {
     Json path = Json::array();
     for (const Vec3d& p : edge.path) path.push_back(json_of(p));
-    edges.push_back({{"kind", delivery::kind_name(edge.kind)},
+    edges.push_back({{"kind", drips::kind_name(edge.kind)},
                      {"from", edge.from},
                      {"to", edge.to},
                      {"discharge", edge.water.discharge},
@@ -91,7 +91,7 @@ void write_points(const std::filesystem::path& target, const volume::Points& poi
                 fmt::format("'{}': the points of drips are written as .vdb", target.string()), {},
                 "use a name that ends with .vdb");
   if (points.size() == 0)
-    throw Error(ErrorCode::bad_input, "no water drips, so there are no points to write", {},
+    throw Error(ErrorCode::bad_input, "the graph of the drips is empty, so it has no points", {},
                 "increase the density, or check the box");
   volume::write(target, {volume::point_grid(points, voxel_for(points)).named("drips")});
 }

@@ -11,7 +11,6 @@ struct Seepage : DripParams {
         "The drips of a cave: where water leaves joints and pores, how it runs, drops, lands and "
         "ponds, and the sizes of the speleothems that grow from it.");
     describe_drips(s);
-    describe_forms(s);
   }
 };
 

@@ -14,7 +14,6 @@ struct Dripstone : DripParams, SpeleothemJoin {
          "floors.")
         .cite("short2005");
     describe_drips(s);
-    describe_forms(s);
     SpeleothemJoin::describe(s);
   }
 };
