@@ -34,7 +34,8 @@ Vec3d on_plane(const FieldLine& line, const SurfacePoint& here) {
   return here.point - line.direction * ((here.inside ? -here.residual : here.residual) / slope);
 }
 
-/// The next point of a search after the evaluation at `here`; nothing if there is no zero in reach.
+/// The place at which a search continues after its evaluation at `here`; nothing once it has left
+/// its range without a zero.
 std::optional<double> next_step(const LineSearch& search, const FieldLine& line,
                                 const SurfacePoint& here, int step) {
   const double value = here.inside ? -here.residual : here.residual;
