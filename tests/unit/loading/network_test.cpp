@@ -2,6 +2,7 @@
 // Networks of scenes and the points on them.
 #include <gtest/gtest.h>
 #include <vug/loading/load.h>
+#include <vug/network/metrics.h>
 #include <vug/shot/queries.h>
 
 namespace vug::loading {
@@ -151,6 +152,28 @@ TEST(NetworkDeclaration, ACameraThatFliesThroughTheRiverCaveStaysInTheAir) {
     ASSERT_NE(eye, nullptr);
     EXPECT_GT(scene.shot.volumes.at(0)->field.value(eye->value), 0.3) << step << " " << eye->value;
   }
+}
+
+network::Metrics measures_of_conduit(const std::string& parameters) {
+  const Loaded scene = load_text(
+      "network cave = karst(preset: conduit, seed: 3, samples: 1500, " + parameters + ")\n",
+      "t.vug", {});
+  EXPECT_EQ(scene.report(), "") << parameters;
+  return network::measure(*scene.shot.networks.at(0).network);
+}
+
+TEST(NetworkDeclaration, ParametersOfKarstChangeTheShapeOfPassages) {
+  const network::Metrics straight = measures_of_conduit("wander: 0, zigzag: 0, looping: 0");
+  const network::Metrics winding = measures_of_conduit("wander: 0.25, zigzag: 0, looping: 0");
+  EXPECT_GT(winding.tortuosity, 1.1 * straight.tortuosity);
+  const network::Metrics fine = measures_of_conduit("leg_length: 3m, wander: 0, zigzag: 0");
+  EXPECT_GT(fine.legs, 3 * measures_of_conduit("leg_length: 12m, wander: 0, zigzag: 0").legs / 2);
+}
+
+TEST(NetworkDeclaration, CohesionJoinsThePassagesOfKarst) {
+  // Water that follows passages that exist needs less new passage.
+  EXPECT_LT(measures_of_conduit("sinks: 9, dead_ends: 0, loops: 0, cohesion: 0.95").length,
+            0.9 * measures_of_conduit("sinks: 9, dead_ends: 0, loops: 0, cohesion: 0").length);
 }
 
 TEST(NetworkDeclaration, LabelsAreAttributesOfTheMesh) {
