@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/base/parallel.h>
+#include <vug/volume/leaf_finder.h>
 #include <vug/volume/surface_mask.h>
 
 #include <openvdb/tools/Morphology.h>
@@ -60,25 +60,20 @@ SurfaceMarks surface_marks(Tree& tree) {
         inside[n] = inside_of(*out.leaves[n]);
       },
       kGrain);
-  parallel_for(
-      inside.size(),
-      [&](size_t n) {
-        const Leaf& leaf = *out.leaves[n];
-        const openvdb::tree::ValueAccessor<const Tree, false> at(tree);
-        const auto beside = [&](size_t axis, int by) {
-          openvdb::Coord origin = leaf.origin();
-          origin[axis] += by;
-          if (const Leaf* other = at.probeConstLeaf(origin)) return inside[other->transientData()];
-          LeafBits all;
-          all.fill(at.getValue(origin) < 0 ? ~uint64_t{0} : 0);
-          return all;
-        };
-        out.bits[n] = changes(inside[n], {beside(0, -8), beside(1, -8), beside(2, -8)},
-                              {beside(0, 8), beside(1, 8), beside(2, 8)});
-        for (size_t x = 0; x < 8; ++x)
-          out.bits[n][x] &= leaf.getValueMask().getWord<uint64_t>(static_cast<openvdb::Index>(x));
-      },
-      kGrain);
+  for_each_leaf(tree, out.leaves, [&](size_t n, LeafFinder& find) {
+    const Leaf& leaf = *out.leaves[n];
+    const auto beside = [&](size_t axis, int by) {
+      openvdb::Coord origin = leaf.origin();
+      origin[axis] += by;
+      if (const Leaf* other = find.leaf(origin)) return inside[other->transientData()];
+      LeafBits all;
+      all.fill(find.value(origin) < 0 ? ~uint64_t{0} : 0);
+      return all;
+    };
+    out.bits[n] = changes(inside[n], {beside(0, -8), beside(1, -8), beside(2, -8)},
+                          {beside(0, 8), beside(1, 8), beside(2, 8)});
+    for (size_t x = 0; x < 8; ++x) out.bits[n][x] &= active_bits(leaf, x);
+  });
   return out;
 }
 

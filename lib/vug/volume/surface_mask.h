@@ -13,6 +13,11 @@ namespace vug::volume {
 /// One bit for each voxel of a leaf: a word for each x, bit 8 y + z. The order of OpenVDB's masks.
 using LeafBits = std::array<uint64_t, 8>;
 
+/// One word of a leaf's active voxels.
+inline uint64_t active_bits(const openvdb::FloatTree::LeafNodeType& leaf, size_t x) {
+  return leaf.getValueMask().getWord<uint64_t>(static_cast<openvdb::Index>(x));
+}
+
 /// The active voxels next to a change of sign, for each leaf of the level set. The transient data
 /// of a leaf is its index.
 struct SurfaceMarks {

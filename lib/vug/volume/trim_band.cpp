@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The surface is found and dilated with one bit for each voxel, because a lookup of each neighbour
 // takes longer than the evaluation of most fields.
-#include <vug/base/parallel.h>
+#include <vug/volume/leaf_finder.h>
 #include <vug/volume/surface_mask.h>
 #include <vug/volume/trim_band.h>
 
 #include <openvdb/tools/Prune.h>
 
-#include <type_traits>
+#include <algorithm>
 #include <vector>
 
 namespace vug::volume {
@@ -18,94 +18,114 @@ using Leaf = openvdb::FloatTree::LeafNodeType;
 /// The most steps for which the leaves around a leaf suffice.
 constexpr int kMostSteps = 8;
 
+/// Moves the bits of a word by `by` steps along an axis: z is the position in a byte, y the byte.
+template <int kAxis>
+uint64_t moved_up(uint64_t word, int by) {
+  if (kAxis == 1) return word << (8 * by);
+  return (word & 0x0101010101010101 * (0xffu >> by)) << by;
+}
+template <int kAxis>
+uint64_t moved_down(uint64_t word, int by) {
+  if (kAxis == 1) return word >> (8 * by);
+  return word >> by & 0x0101010101010101 * (0xffu >> by);
+}
+
+/// Calls unite(size) so that a window of `size` steps becomes the union of windows of half its
+/// size, or of two that overlap.
+template <class Unite>
+void each_window(int window, const Unite& unite) {
+  int size = 1;
+  for (; 2 * size <= window; size *= 2) unite(size);
+  if (window > size) unite(window - size);
+}
+
+/// Marks within `kReach` steps along y or z of a word's bits, from the word itself and from those
+/// before and after it along that axis.
+template <int kAxis, int kReach>
+uint64_t dilated_along(uint64_t before, uint64_t own, uint64_t after) {
+  constexpr int kInside = std::min(kReach, 7);
+  uint64_t up = own, down = own;
+  each_window(kInside + 1, [&](int by) {
+    up |= moved_up<kAxis>(up, by);
+    down |= moved_down<kAxis>(down, by);
+  });
+  uint64_t low = moved_down<kAxis>(before, 8 - kReach), high = moved_up<kAxis>(after, 8 - kReach);
+  each_window(kReach, [&](int by) {
+    low |= moved_down<kAxis>(low, by);
+    high |= moved_up<kAxis>(high, by);
+  });
+  return up | down | low | high;
+}
+
 /// Marks within `kReach` lattice steps of a leaf's voxels, gathered from it and its 26 neighbours.
 template <int kReach>
 class Neighbourhood {
  public:
   void add(const LeafBits& bits, int x, int y, int z) {
-    for (int i = first(x); i < last(x); ++i)
-      for (int k = first(y); k < last(y); ++k) {
-        const auto run = static_cast<uint32_t>(bits[static_cast<size_t>(i)] >> (8 * k) & 0xff);
-        const uint32_t moved = z < 0 ? run >> (8 - kReach) : run << (8 * z + kReach);
-        rows_[8 * x + i + kReach][8 * y + k + kReach] |= static_cast<Row>(moved);
-      }
+    const int first = x < 0 ? 8 - kReach : 0, last = x > 0 ? kReach : 8;
+    for (int i = first; i < last; ++i)
+      words_[y + 1][z + 1][8 * x + i + kReach] = bits[static_cast<size_t>(i)];
   }
 
-  /// The dilated marks of the leaf. Rows end up in the place of the first of their window.
-  LeafBits dilated() {
-    each_window([&](int by) {
-      for (auto& slice : rows_)
-        for (Row& row : slice) row = static_cast<Row>(row | row >> by);
+  LeafBits dilated() const {
+    uint64_t along_z[3][kSize], words[kSize];
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < kSize; ++x)
+        along_z[y][x] = dilated_along<2, kReach>(words_[y][0][x], words_[y][1][x], words_[y][2][x]);
+    for (int x = 0; x < kSize; ++x)
+      words[x] = dilated_along<1, kReach>(along_z[0][x], along_z[1][x], along_z[2][x]);
+    each_window(1 + 2 * kReach, [&](int by) {
+      for (int x = 0; x + by < kSize; ++x) words[x] |= words[x + by];
     });
-    each_window([&](int by) {
-      for (int x = 0; x + by < kSize; ++x)
-        for (int y = 0; y < kSize; ++y) rows_[x][y] |= rows_[x + by][y];
-    });
-    each_window([&](int by) {
-      for (int x = 0; x < 8; ++x)
-        for (int y = 0; y + by < kSize; ++y) rows_[x][y] |= rows_[x][y + by];
-    });
-    LeafBits out{};
-    for (size_t x = 0; x < 8; ++x)
-      for (size_t y = 0; y < 8; ++y) out[x] |= uint64_t{rows_[x][y] & 0xffu} << (8 * y);
+    LeafBits out;
+    std::copy_n(words, 8, out.begin());
     return out;
   }
 
  private:
-  static constexpr int kSize = 8 + 2 * kReach, kWindow = 1 + 2 * kReach;
-  using Row = std::conditional_t<kSize <= 16, uint16_t, uint32_t>;
-
-  /// The part of the leaf at -1, 0 or 1 along an axis that is in reach.
-  static constexpr int first(int leaf) { return leaf < 0 ? 8 - kReach : 0; }
-  static constexpr int last(int leaf) { return leaf > 0 ? kReach : 8; }
-
-  /// A window is the union of windows of half its size, or of two that overlap.
-  template <class Unite>
-  static void each_window(const Unite& unite) {
-    int size = 1;
-    for (; 2 * size <= kWindow; size *= 2) unite(size);
-    unite(kWindow - size);
-  }
-
-  Row rows_[kSize][kSize] = {};  // By x and y; bit 0 is z = -kReach.
+  static constexpr int kSize = 8 + 2 * kReach;
+  uint64_t words_[3][3][kSize] = {};  // By y and z of the leaf; word 0 is x = -kReach.
 };
 
-/// Deactivates the voxels whose bit is not in `near(index of the leaf)`.
+bool covers(const LeafBits& bits, const Leaf& leaf) {
+  for (size_t x = 0; x < 8; ++x)
+    if (active_bits(leaf, x) & ~bits[x]) return false;
+  return true;
+}
+
+/// Deactivates the voxels whose bit is not in `near(index of the leaf, finder)`.
 template <class Near>
 void keep(openvdb::FloatGrid& grid, const std::vector<Leaf*>& leaves, const Near& near) {
   const float background = grid.background();
-  parallel_for(
-      leaves.size(),
-      [&](size_t n) {
-        Leaf& leaf = *leaves[n];
-        const LeafBits kept = near(n);
-        for (size_t x = 0; x < 8; ++x) {
-          const uint64_t on = leaf.getValueMask().getWord<uint64_t>(static_cast<openvdb::Index>(x));
-          for (uint64_t gone = on & ~kept[x]; gone; gone &= gone - 1) {
-            const auto at = static_cast<openvdb::Index>(64 * x) +
-                            static_cast<openvdb::Index>(__builtin_ctzll(gone));
-            leaf.setValueOff(at, leaf.getValue(at) < 0 ? -background : background);
-          }
-        }
-      },
-      64);
+  for_each_leaf(grid.tree(), leaves, [&](size_t n, LeafFinder& find) {
+    Leaf& leaf = *leaves[n];
+    const LeafBits kept = near(n, find);
+    for (size_t x = 0; x < 8; ++x) {
+      for (uint64_t gone = active_bits(leaf, x) & ~kept[x]; gone; gone &= gone - 1) {
+        const auto at = static_cast<openvdb::Index>(64 * x) +
+                        static_cast<openvdb::Index>(__builtin_ctzll(gone));
+        leaf.setValueOff(at, leaf.getValue(at) < 0 ? -background : background);
+      }
+    }
+  });
   openvdb::tools::pruneLevelSet(grid.tree());
 }
 
+/// The marks of a leaf itself suffice for most leaves that the surface crosses.
 template <int kReach>
 void trim_near(openvdb::FloatGrid& grid) {
-  const openvdb::FloatTree& tree = grid.tree();
   const SurfaceMarks marks = surface_marks(grid.tree());
-  keep(grid, marks.leaves, [&](size_t n) {
-    const openvdb::tree::ValueAccessor<const openvdb::FloatTree, false> at(tree);
+  keep(grid, marks.leaves, [&](size_t n, LeafFinder& find) {
+    const Leaf& leaf = *marks.leaves[n];
     Neighbourhood<kReach> around;
     around.add(marks.bits[n], 0, 0, 0);
+    const LeafBits own = around.dilated();
+    if (covers(own, leaf)) return own;
     for (int side = 0; side < 27; ++side) {
       const int x = side / 9 - 1, y = side / 3 % 3 - 1, z = side % 3 - 1;
       if (side == 13) continue;  // The leaf itself.
-      if (const Leaf* leaf =
-              at.probeConstLeaf(marks.leaves[n]->origin().offsetBy(8 * x, 8 * y, 8 * z)))
-        around.add(marks.bits[leaf->transientData()], x, y, z);
+      if (const Leaf* other = find.leaf(leaf.origin().offsetBy(8 * x, 8 * y, 8 * z)))
+        around.add(marks.bits[other->transientData()], x, y, z);
     }
     return around.dilated();
   });
@@ -115,7 +135,7 @@ void trim_far(openvdb::FloatGrid& grid, int voxels) {
   const openvdb::MaskTree mask = surface_mask(grid.tree(), voxels);
   std::vector<Leaf*> leaves;
   grid.tree().getNodes(leaves);
-  keep(grid, leaves, [&](size_t n) {
+  keep(grid, leaves, [&](size_t n, LeafFinder&) {
     LeafBits bits{};
     if (const auto* near = mask.probeConstLeaf(leaves[n]->origin()))
       for (size_t x = 0; x < 8; ++x)
