@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/field.h>
+#include <vug/field/near_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,13 @@ Interval Field::interval(const Box3d& box) const {
 
 Field::RestrictedField Field::restricted(const Ball& ball) const {
   Restriction r = node_->restrict_to(ball);
+  return {r.node ? Field(std::move(r.node)) : *this, r.range};
+}
+
+Field::RestrictedField Field::restricted_near(const Ball& ball, double limit) const {
+  const auto* near = dynamic_cast<const NearSurface*>(node_.get());
+  if (!near) return restricted(ball);
+  Restriction r = near->restrict_near(ball, limit);
   return {r.node ? Field(std::move(r.node)) : *this, r.range};
 }
 

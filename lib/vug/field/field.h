@@ -35,6 +35,9 @@ class Field {
   struct RestrictedField;
   /// Restricts the field to a ball: operands that cannot matter there are removed.
   RestrictedField restricted(const Ball& ball) const;
+  /// Restricts the field to a ball, in which only values with |value| <= limit matter; see
+  /// near_surface.h.
+  RestrictedField restricted_near(const Ball& ball, double limit) const;
 
   double lipschitz() const { return node_->traits().lipschitz; }
   Exactness exactness() const { return node_->traits().exactness; }

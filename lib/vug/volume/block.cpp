@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values that are not distances are repaired to first order, d = v / |grad v| (taubin1994, section
 // 3): the zero set is unchanged, and near it d is the distance up to O(d^2 curvature).
+#include <vug/field/near_surface.h>
 #include <vug/volume/block.h>
 #include <vug/volume/contact.h>
 
@@ -153,9 +154,8 @@ class FirstOrderDistances {
     for (int i = 0; i < count; ++i) some_[i] = points_[chunk[i]];
     if (count > 0) field_.gradients(some_, count, slopes_, scratch_);
     for (int i = 0; i < count; ++i) {
-      const Dual<Pack>& s = slopes_[i];
-      const Pack squared = s.dx * s.dx + s.dy * s.dy + s.dz * s.dz;
-      values[chunk[i]] = neighbours_.held(s.v, s.v / sqrt(max(squared, least_)));
+      const field::FirstOrder at = field::first_order_of(slopes_[i], least_);
+      values[chunk[i]] = neighbours_.held(at.value, at.distance);
     }
   }
 
@@ -169,6 +169,21 @@ class FirstOrderDistances {
   LowerBounds bounds_;
   Pack limit_, least_;
 };
+
+/// First-order distances of a node that computes them itself, near its surface. False if the block
+/// is outside the band.
+bool evaluate_near(const field::NearSurface& node, const field::Field& field, const Cell& cell,
+                   const NarrowBand& band, Pack* values, field::Scratch& scratch) {
+  field::Scratch::Frame frame(scratch);
+  auto* distances = frame.take<Pack>(kPacks);
+  field::LatticeBlock block{.step = band.voxel};
+  for (int axis = 0; axis < 3; ++axis)
+    block.origin[axis] = static_cast<double>(cell.origin[axis]) * band.voxel;
+  if (!node.first_order(block, reach(band, field), {values, distances}, scratch)) return false;
+  const Neighbours neighbours(field, band);
+  for (int i = 0; i < kPacks; ++i) values[i] = neighbours.held(values[i], distances[i]);
+  return true;
+}
 
 /// For unrepaired steep values.
 void keep_neighbours(const field::Field& field, const NarrowBand& band, Pack* values) {
@@ -185,6 +200,16 @@ float contact_in(const Cell& cell, double voxel) {
 
 }  // namespace
 
+const field::NearSurface* near_surface_of(const field::Field& field, const NarrowBand& band) {
+  const bool repaired = band.repair && field.exactness() > Exactness::eikonal;
+  return repaired ? dynamic_cast<const field::NearSurface*>(field.node().get()) : nullptr;
+}
+
+void Block::fill_outside(float background) {
+  std::fill_n(values, kSize, background);
+  std::fill_n(active, 8, 0);
+}
+
 bool Block::any_active() const {
   return std::any_of(active, active + 8, [](uint64_t word) { return word != 0; });
 }
@@ -192,15 +217,20 @@ bool Block::any_active() const {
 void evaluate(const field::Field& field, const Cell& cell, const NarrowBand& band,
               field::Scratch& scratch, Block& block) {
   field::Scratch::Frame frame(scratch);
-  auto* points = frame.take<Point<Pack>>(kPacks);
   auto* values = frame.take<Pack>(kPacks);
-  place_points(cell, band.voxel, points);
-  const bool steep = field.exactness() > Exactness::eikonal;
-  if (steep && band.repair) {
-    FirstOrderDistances(field, band, points, scratch).run(values);
+  if (const field::NearSurface* near = near_surface_of(field, band)) {
+    if (!evaluate_near(*near, field, cell, band, values, scratch))
+      return block.fill_outside(band.background);
   } else {
-    field.values(points, kPacks, values, scratch);
-    if (steep) keep_neighbours(field, band, values);
+    auto* points = frame.take<Point<Pack>>(kPacks);
+    place_points(cell, band.voxel, points);
+    const bool steep = field.exactness() > Exactness::eikonal;
+    if (steep && band.repair) {
+      FirstOrderDistances(field, band, points, scratch).run(values);
+    } else {
+      field.values(points, kPacks, values, scratch);
+      if (steep) keep_neighbours(field, band, values);
+    }
   }
   const Pack background(band.background), zero(0.0);
   const Pack contact(contact_in(cell, band.voxel)), zero_inside(-kLeastDistance);

@@ -2,6 +2,7 @@
 // Internal to volume/: the values of one block of 8^3 voxels.
 #pragma once
 
+#include <vug/field/near_surface.h>
 #include <vug/volume/lattice.h>
 
 namespace vug::volume {
@@ -12,8 +13,13 @@ struct Block {
   alignas(32) float values[kSize];
   uint64_t active[8];
 
+  void fill_outside(float background);
   bool any_active() const;
 };
+
+/// The node of a field whose first-order distances near its surface are the values of its blocks,
+/// or null.
+const field::NearSurface* near_surface_of(const field::Field& field, const NarrowBand& band);
 
 /// Fills the block whose first lattice point is `cell.origin` with clamped values; voxels inside
 /// the band are active.

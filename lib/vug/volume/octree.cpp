@@ -17,6 +17,7 @@ class OctreeBuilder {
 
   std::shared_ptr<openvdb::GridBase> run(const field::Field& field) {
     const Cell root = root_around(walk_);
+    limit_ = std::max(static_cast<double>(walk_.band.background), reach(walk_.band, field));
     progress_.begin("voxels", kUnits);
     visit(field, root, nullptr, kUnits);
     progress_.end();
@@ -47,8 +48,13 @@ class OctreeBuilder {
   void visit(const field::Field& outer, const Cell& cell, Brick* brick, uint64_t units) {
     if (cell.size > kBlock) progress_.check();
     if (beyond_bounds(cell)) return done(units);
+    // Nodes that are evaluated near their surface choose operands for each block themselves.
+    if (brick && cell.size == kBlock && near_surface_of(outer, walk_.band)) {
+      leaf(outer, cell, *brick);
+      return done(units);
+    }
     const field::Field::RestrictedField part =
-        outer.restricted(ball_around(cell, walk_.band.voxel));
+        outer.restricted_near(ball_around(cell, walk_.band.voxel), limit_);
     switch (judge(part.field, part.range)) {
       case Verdict::outside:
         return done(units);
@@ -101,6 +107,7 @@ class OctreeBuilder {
   static constexpr int64_t kSerial = 32;  // Cells of at most this size are one task.
 
   OctreeTask walk_;
+  double limit_ = 0;  // Values beyond it do not matter.
   TreeBuilder tree_;
   Progress& progress_;
   tbb::enumerable_thread_specific<Local> locals_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/passages/sweep/capsule_list.h>
+#include <vug/passages/sweep/lane_order.h>
 
-#include <array>
 #include <bit>
 #include <utility>
 
@@ -9,15 +9,6 @@ namespace vug::passages {
 namespace {
 
 constexpr double kNoInside = -1e30;
-
-/// For each set of lanes, their indices in ascending order.
-constexpr auto kLanesOf = [] {
-  std::array<std::array<uint8_t, 8>, 256> table{};
-  for (size_t bits = 0; bits < 256; ++bits)
-    for (size_t lane = 0, count = 0; lane < 8; ++lane)
-      if (bits >> lane & 1) table[bits][count++] = static_cast<uint8_t>(lane);
-  return table;
-}();
 
 }  // namespace
 
@@ -57,11 +48,10 @@ void CapsuleList::append(const Capsule& capsule, double fillet) {
 void CapsuleList::append(const CapsuleList& other, size_t pack, unsigned lanes) {
   const auto more = static_cast<size_t>(std::popcount(lanes));
   make_room(more);
-  const auto* indices = reinterpret_cast<const __m128i*>(kLanesOf[lanes].data());
-  const __m256i order = _mm256_cvtepu8_epi32(_mm_loadl_epi64(indices));
+  const __m256i order = lane_order(kLanesOf, lanes);
   float* to = numbers_.data() + size_;
   for (size_t i = 0; i < kNumbers; ++i)
-    Pack(_mm256_permutevar8x32_ps(other.load(i, pack).v, order)).store(to + i * stride_);
+    permuted(other.load(i, pack), order).store(to + i * stride_);
   size_ += more;
   end();
 }

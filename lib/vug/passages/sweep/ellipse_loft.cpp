@@ -84,6 +84,18 @@ void EllipseLoft::samples(const Pack* u, const Pack* v, const Pack* t, int count
     ::new (out + i) Sample<Pack>(loft.finish(at[i], roots[i].distance()));
 }
 
+/// With h the support function and c, s the normal, the square of the ratio of h + d to the support
+/// function of the half-axes a + d and b + d is 1 + 2 d (h - a c^2 - b s^2) / (the latter's
+/// square), and that difference is at most (a - b)^2 / (8 min(a, b)). Turns move the outline by
+/// `bulge`.
+std::pair<double, double> EllipseLoft::grown_axes(double distance) const {
+  const double a = std::max(a0_, a0_ + a1_), b = std::max(b0_, b0_ + b1_), d = distance + bulge();
+  const double small = std::min(a, b), gap = (a - b) / (small + d);
+  const double factor = std::sqrt(1 + d * gap * gap / (4 * small)), circle = std::max(a, b) + d;
+  if (factor * (small + d) >= circle) return {circle, circle};
+  return {factor * (a + d), factor * (b + d)};
+}
+
 double EllipseLoft::slope() const {
   const double oblong = std::max(std::fabs(a0_ - b0_), std::fabs(a0_ + a1_ - b0_ - b1_));
   const double speed = turn_ == 0 ? 0 : 2 * std::fabs(sine_) / (1 + cosine_);

@@ -32,6 +32,13 @@ class EllipseLoft {
   void samples(const Pack* u, const Pack* v, const Pack* t, int count, Sample<Pack>* out,
                field::Scratch& scratch) const;
 
+  /// A lower bound of the distance, which is tight near the ellipse and on its axes.
+  template <class S>
+  S least(const S& u, const S& v, const S& t) const;
+  /// Half-axes along `first` and `second` of an ellipse that contains all points at most `distance`
+  /// from an ellipse of the loft.
+  std::pair<double, double> grown_axes(double distance) const;
+
   const Vec3d& first() const { return first_; }
   const Vec3d& second() const { return second_; }
   /// The largest |dD/dt|.

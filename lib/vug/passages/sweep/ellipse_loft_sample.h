@@ -49,6 +49,26 @@ inline __attribute__((always_inline)) EllipseLoft::Sample<S> EllipseLoft::sample
   return {radius - (S(a0_) + t * S(a1_)), u * inverse, v * inverse, S(-a1_)};
 }
 
+/// With n the normal, at the point, of the ellipse's scaled copy through it, n . p - h(n) is
+/// k (k - a b) / g with k = |(b x, a y)| and g = |(b^2 x, a^2 y)|. The frame is turned without
+/// being normalised: D is convex and least at the centre, so points nearer to it have lower bounds.
+template <class S>
+inline __attribute__((always_inline)) S EllipseLoft::least(const S& u, const S& v,
+                                                           const S& t) const {
+  using field::abs, field::max, field::sqrt, field::square;
+  if (round_) return sqrt(square(u) + square(v)) - (S(a0_) + t * S(a1_));
+  const S a = S(a0_) + t * S(a1_), b = S(b0_) + t * S(b1_);
+  S x = u, y = v;
+  if (turn_ != 0) {
+    const S c = S(1.0) + t * S(cosine_ - 1), s = t * S(sine_);
+    x = c * u + s * v;
+    y = c * v - s * u;
+  }
+  const S bx = b * x, ay = a * max(abs(y), S(1e-9) * b);
+  const S k = sqrt(square(bx) + square(ay)), g = sqrt(square(b * bx) + square(a * ay));
+  return k * (k - a * b) / g;
+}
+
 template <class S>
 EllipseLoft::Sample<S> EllipseLoft::sample(const S& u, const S& v, const S& t) const {
   if (round_) return sample_circle(u, v, t);

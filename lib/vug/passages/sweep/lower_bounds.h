@@ -3,7 +3,7 @@
 // selection of those that matter around it.
 #pragma once
 
-#include <vug/passages/sweep/active_set.h>
+#include <vug/passages/sweep/block_minimum.h>
 
 #include <algorithm>
 #include <bit>
@@ -31,21 +31,30 @@ class LowerBounds {
     return static_cast<size_t>(std::min_element(bounds, bounds + set_.segments.size()) - bounds);
   }
   /// The number of segments that can matter where the minimum is at most `limit`.
-  size_t count_below(double limit) const {
-    size_t count = 0;
-    for (size_t k = 0; k < bounds_.size(); ++k)
-      count += static_cast<size_t>(std::popcount(below(k, limit)));
-    return count;
-  }
+  size_t count_below(double limit) const { return count(limit, 1); }
   /// Appends these segments.
-  void append_below(double limit, ActiveSet& out) const {
-    for (size_t k = 0; k < bounds_.size(); ++k)
-      if (const unsigned lanes = below(k, limit)) out.append(set_, k, lanes);
+  void append_below(double limit, ActiveSet& out) const { append(limit, 1, out); }
+  /// The number of segments that can matter where the field is at most `limit`.
+  size_t count_near(double limit) const { return count(limit, limit_with_fillet(0, 1)); }
+  /// Appends these segments.
+  void append_near(double limit, ActiveSet& out) const {
+    append(limit, limit_with_fillet(0, 1), out);
   }
 
  private:
-  unsigned below(size_t k, double limit) const {
-    return bits_of(bounds_[k] <= set_.capsules.fillets(k) + Pack(limit));
+  /// Segments whose bound is at most `limit` plus `fillets` times the radius of their joints.
+  unsigned below(size_t k, double limit, double fillets) const {
+    return bits_of(bounds_[k] <= set_.capsules.fillets(k) * Pack(fillets) + Pack(limit));
+  }
+  size_t count(double limit, double fillets) const {
+    size_t count = 0;
+    for (size_t k = 0; k < bounds_.size(); ++k)
+      count += static_cast<size_t>(std::popcount(below(k, limit, fillets)));
+    return count;
+  }
+  void append(double limit, double fillets, ActiveSet& out) const {
+    for (size_t k = 0; k < bounds_.size(); ++k)
+      if (const unsigned lanes = below(k, limit, fillets)) out.append(set_, k, lanes);
   }
   static std::vector<Pack>& memory() {
     thread_local std::vector<Pack> bounds;

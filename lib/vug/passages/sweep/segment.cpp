@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
-#include <vug/passages/sweep/ellipse_loft_sample.h>
-#include <vug/passages/sweep/segment.h>
+#include <vug/passages/sweep/segment_loft_frame.h>
 
 #include <algorithm>
 #include <cmath>
@@ -120,53 +119,6 @@ T Segment::finish(const T& from, const T& to, const T& s) const {
   const T cap = sqrt(square(max(plane + depth, T(0.0))) + square(max(beyond, T(0.0)))) - depth;
   return select(beyond > T(0.0), cap, plane) * T(scale_);
 }
-
-/// The constants of a segment with a loft as numbers of type S, converted once for a batch: packs
-/// may alias everything, so the compiler would convert them again for each point.
-template <class S>
-struct Segment::LoftFrame {
-  explicit LoftFrame(const Segment& segment)
-      : start(field::constant<S>(segment.start_)),
-        along(field::constant<S>(segment.along_)),
-        first(field::constant<S>(segment.loft_->first())),
-        second(field::constant<S>(segment.loft_->second())),
-        length(segment.length_),
-        per_length(1 / segment.length_),
-        scale(segment.scale_),
-        from_depth(segment.from_.depth),
-        to_depth(segment.to_.depth) {}
-
-  /// Coordinates in the plane, along the axis, and s / L clamped.
-  struct Coordinates {
-    S u, v, s, t;
-  };
-  Coordinates coordinates(const Point<S>& p) const {
-    const Point<S> offset = p - start;
-    const S s = dot(offset, along);
-    return {dot(offset, first), dot(offset, second), s,
-            field::clamp(s * per_length, S(0.0), S(1.0))};
-  }
-
-  /// The value and gradient; the formula is that of Segment::finish.
-  Dual<S> finish(const EllipseLoft::Sample<S>& d, const S& s) const {
-    using field::max, field::select, field::sqrt, field::square;
-    const S zero(0.0), beyond = max(zero - s, s - length);
-    const auto past = beyond > zero;
-    const S depth = select(s < zero, from_depth, to_depth);
-    const S height = max(d.value + depth, zero), cap = sqrt(square(height) + square(beyond));
-    const S inverse = scale / max(cap, S(1e-18));
-    const S value = select(past, cap - depth, d.value) * scale;
-    const S across = select(past, height * inverse, scale);
-    const S on =
-        select(past, select(s < zero, zero - beyond, beyond) * inverse, d.dt * scale * per_length);
-    const S u = d.du * across, v = d.dv * across;
-    return {value, u * first.x + v * second.x + on * along.x,
-            u * first.y + v * second.y + on * along.y, u * first.z + v * second.z + on * along.z};
-  }
-
-  Point<S> start, along, first, second;
-  S length, per_length, scale, from_depth, to_depth;
-};
 
 Dual<double> Segment::lofted(const Point<double>& p) const {
   const LoftFrame<double> frame(*this);

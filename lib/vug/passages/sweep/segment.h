@@ -3,8 +3,7 @@
 // caps beyond both.
 #pragma once
 
-#include <vug/field/point.h>
-#include <vug/field/scratch.h>
+#include <vug/field/near_surface.h>
 #include <vug/passages/section.h>
 #include <vug/passages/sweep/capsule.h>
 #include <vug/passages/sweep/ellipse_loft.h>
@@ -13,6 +12,8 @@ namespace vug::passages {
 
 using field::Dual;
 using field::Point;
+
+class PackedLanes;
 
 /// A section at a point of a passage's axis, in scene space.
 struct SectionFrame {
@@ -47,6 +48,14 @@ class Segment {
   /// Higher lower bounds than those of the capsule, for a batch of points.
   void least(const Point<Pack>* points, size_t count, Pack* out) const;
 
+  /// Chooses the lanes of a block at which the value can be at most `limit`, and at most the known
+  /// value of the lane plus `above` where `known` is given: one pack for each run.
+  void pack_below(const field::LatticeBlock& block, double limit, double above, const Pack* known,
+                  PackedLanes& out) const;
+  /// Computes FirstOrder or Dual<Pack> at the lanes that `pack_below` of this segment chose.
+  template <class T>
+  void fill_packed(PackedLanes& lanes, field::Scratch& scratch) const;
+
   const Vec3d& start() const { return start_; }
   Vec3d end() const { return start_ + along_ * length_; }
   /// The diameter of the largest circle in the smaller one of its sections, and its place.
@@ -55,6 +64,7 @@ class Segment {
                                     : std::pair(2 * to_.depth, end());
   }
   double reach() const { return reach_; }
+  double depth() const { return depth_; }
   double scale() const { return scale_; }
   bool uniform() const { return uniform_; }
   /// A box around the inside; outside of it the field grows at least with the rate `scale()`.
@@ -75,7 +85,10 @@ class Segment {
   template <class T>
   static T across(const Plane& plane, const Point<T>& offset);
   template <class S>
+  struct AxisFrame;
+  template <class S>
   struct LoftFrame;
+  class BlockFrame;
   Dual<double> lofted(const Point<double>& p) const;
   template <class T>
   void fill_lofted(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const;

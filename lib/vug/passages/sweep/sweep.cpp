@@ -4,6 +4,7 @@
 #include <vug/field/enclosing_ball.h>
 #include <vug/field/thickness.h>
 #include <vug/passages/sweep/batch_minimum.h>
+#include <vug/passages/sweep/block_minimum.h>
 #include <vug/passages/sweep/lower_bounds.h>
 
 #include <algorithm>
@@ -56,7 +57,9 @@ void evaluate(const SweepParts& parts, const ActiveSet& set, const Point<Pack>* 
   BatchMinimum<T>(parts, set, points, count, scratch).run(out);
 }
 
-class SweepNode final : public field::EvaluationModes<SweepNode>, public field::VariesInThickness {
+class SweepNode final : public field::EvaluationModes<SweepNode>,
+                        public field::VariesInThickness,
+                        public field::NearSurface {
  public:
   SweepNode(field::Traits traits, PartsPtr parts)
       : EvaluationModes(std::move(traits)), parts_(std::move(parts)), whole_(true), many_(true) {}
@@ -99,6 +102,9 @@ class SweepNode final : public field::EvaluationModes<SweepNode>, public field::
   }
 
   field::Restriction restrict_to(const Ball& ball) const override;
+  field::Restriction restrict_near(const Ball& ball, double limit) const override;
+  bool first_order(const field::LatticeBlock& block, double limit, const field::FirstOrderRuns& out,
+                   field::Scratch& scratch) const override;
   std::string name() const override { return "passages"; }
   std::optional<Thin> thinner_than(double thickness) const override;
 
@@ -170,6 +176,51 @@ field::Restriction SweepNode::restrict_to(const Ball& ball) const {
   lower.append_below(highest, active);
   link(*parts_, active);
   return {range, std::make_shared<SweepNode>(traits(), parts_, std::move(active))};
+}
+
+/// The bounds of the axes decide, without the value of any segment, unless the ball can be inside.
+field::Restriction SweepNode::restrict_near(const Ball& ball, double limit) const {
+  const double rounding = tolerance(ball.centre, ball.radius),
+               most = limit + ball.radius + rounding;
+  thread_local ActiveSet listed;
+  const ActiveSet* list = &active_;
+  if (whole_) {
+    listed.clear();
+    if (!parts_->bvh.collect(ball.centre, limit_with_fillet(most, parts_->widest_joint),
+                             kMostActive, listed.segments))
+      return restrict_to(ball);
+    fill_capsules(*parts_, listed);
+    list = &listed;
+  }
+  const LowerBounds lower(*list, ball.centre);
+  const size_t count = lower.count_near(most);
+  if (count == 0) return {{limit + rounding, kInfinity}, nullptr};
+  Interval range(-kInfinity, kInfinity);
+  if (parts_->deepest > most) {
+    ActiveSet middle;
+    lower.append_near(most, middle);
+    link(*parts_, middle);
+    range.hi = centre_form(evaluate(*parts_, middle, field::point(ball.centre)), ball).hi;
+  }
+  if (count == list->segments.size() && list != &listed) return {range, nullptr};
+  ActiveSet active;
+  active.reserve(count);
+  lower.append_near(most, active);
+  link(*parts_, active);
+  return {range, std::make_shared<SweepNode>(traits(), parts_, std::move(active))};
+}
+
+bool SweepNode::first_order(const field::LatticeBlock& block, double limit,
+                            const field::FirstOrderRuns& out, field::Scratch& scratch) const {
+  if (!many_) return first_order_minimum({*parts_, block, limit, scratch}, active_, out);
+  thread_local ActiveSet near;
+  const Ball ball = block.ball();
+  const double most = limit + ball.radius + tolerance(ball.centre, ball.radius);
+  near.segments.clear();
+  parts_->bvh.collect(ball.centre, limit_with_fillet(most, parts_->widest_joint),
+                      parts_->sweep.segments.size(), near.segments);
+  complete(*parts_, near);
+  return first_order_minimum({*parts_, block, limit, scratch}, near, out);
 }
 
 std::optional<field::VariesInThickness::Thin> SweepNode::thinner_than(double thickness) const {
