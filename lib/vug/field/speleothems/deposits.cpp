@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/cell.h>
 #include <vug/base/maths.h>
+#include <vug/field/box_lanes.h>
 #include <vug/field/enclosing_ball.h>
 #include <vug/field/speleothems/deposits.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace vug::field {
 namespace {
@@ -13,10 +16,8 @@ namespace {
 /// The greatest slope of (1 - x^2)^2, at x = 1 / sqrt(3).
 constexpr double kProfileSlope = 1.5396007178;
 constexpr double kCell = 0.4;  // Side of the cells of the grid in metres.
-/// Balls that are larger are not searched.
-constexpr double kLargestBall = 1.5;
-/// With at most this number of segments, a restricted field lists them without a grid.
-constexpr size_t kListed = 24;
+/// A list of at most this number of layers is tested without boxes.
+constexpr size_t kFew = 4;
 
 struct Layer {
   Vec3d from, along;
@@ -67,13 +68,17 @@ class ThicknessNode final : public EvaluationModes<ThicknessNode> {
   struct Grid {
     std::vector<Layer> layers;
     CellMap<std::vector<int>> cells;
-    double greatest = 0;
+    BoxLanes boxes;
   };
 
   ThicknessNode(Traits traits, std::shared_ptr<const Grid> grid)
       : EvaluationModes(std::move(traits)), grid_(std::move(grid)) {}
   ThicknessNode(Traits traits, std::vector<Layer> listed)
-      : EvaluationModes(std::move(traits)), listed_(std::move(listed)) {}
+      : EvaluationModes(std::move(traits)), listed_(std::move(listed)) {
+    if (listed_.size() <= kFew) return;
+    boxes_.reserve(listed_.size());
+    for (const Layer& layer : listed_) boxes_.add(layer.box(), 1, 0);
+  }
 
   template <class T>
   T at(const Point<T>& p) const {
@@ -86,43 +91,41 @@ class ThicknessNode final : public EvaluationModes<ThicknessNode> {
     }
   }
   template <class T>
-  void fill(const Point<Pack>* points, int count, T* out, Scratch&) const {
+  void fill(const Point<Pack>* points, int count, T* out, Scratch& scratch) const {
+    if (!boxes_.empty()) return fill_listed(points, count, out, scratch);
     for (int i = 0; i < count; ++i)
       out[i] = greatest_at(point_for<T>(points[i]), grid_ ? box_of(points[i]) : Box3d());
   }
 
   Restriction restrict_to(const Ball& ball) const override {
-    if (!(ball.radius <= kLargestBall)) return {{0, greatest()}, nullptr};
-    std::vector<Layer> near;
+    const std::vector<Layer>& layers = grid_ ? grid_->layers : listed_;
+    const BoxLanes& boxes = grid_ ? grid_->boxes : boxes_;
+    std::vector<uint32_t> near;
+    if (boxes.empty())
+      for (uint32_t i = 0; i < layers.size(); ++i) near.push_back(i);
+    else
+      boxes.find_candidates(ball, 0, near);
     Interval range(0, 0);
     const double slack = 1e-6 * (1 + ball.centre.length() + ball.radius);
     const double reach = ball.radius + slack;
-    const auto visit = [&](const Layer& layer) {
-      const double d = layer.distance(ball.centre);
-      if (d - reach >= layer.widest()) return;
+    std::vector<Layer> kept;
+    double middle = 0;
+    for (const uint32_t i : near) {
+      const Layer& layer = layers[i];
+      if (layer.distance(ball.centre) - reach >= layer.widest()) continue;
       range.hi = std::max(range.hi, layer.greatest());
-      near.push_back(layer);
-    };
-    if (grid_)
-      for (const int i : numbers_in(grown(Box3d(ball.centre), reach)))
-        visit(grid_->layers[static_cast<size_t>(i)]);
-    else
-      for (const Layer& layer : listed_) visit(layer);
-    const double middle = greatest_of(near, point(ball.centre));
+      middle = std::max(middle, layer.at(point(ball.centre)));
+      kept.push_back(layer);
+    }
     const double change = kSteepestDeposit * ball.radius + slack;
-    range.hi = near.empty() ? 0 : std::min(range.hi, middle + change);
+    range.hi = kept.empty() ? 0 : std::min(range.hi, middle + change);
     range.lo = std::max(0.0, middle - change);
-    if (near.size() > kListed) return {range, nullptr};
-    return {range, std::make_shared<ThicknessNode>(traits(), std::move(near))};
+    if (2 * kept.size() > layers.size()) return {range, nullptr};  // A copy would not pay.
+    return {range, std::make_shared<ThicknessNode>(traits(), std::move(kept))};
   }
   std::string name() const override { return "deposits"; }
 
  private:
-  double greatest() const {
-    double out = grid_ ? grid_->greatest : 0;
-    for (const Layer& layer : listed_) out = std::max(out, layer.greatest());
-    return out;
-  }
   /// In ascending order, each once.
   std::vector<int> numbers_in(const Box3d& box) const {
     std::vector<int> out;
@@ -140,6 +143,24 @@ class ThicknessNode final : public EvaluationModes<ThicknessNode> {
     T most(0.0);
     for (const Layer& layer : layers) most = max(most, layer.at(p));
     return most;
+  }
+  /// Each layer is evaluated at the points that its box may contain.
+  template <class T>
+  void fill_listed(const Point<Pack>* points, int count, T* out, Scratch& scratch) const {
+    constexpr int kMost = BoxLanes::kMostPoints;
+    for (; count > kMost; points += kMost, out += kMost, count -= kMost)
+      fill_listed(points, kMost, out, scratch);
+    Scratch::Frame frame(scratch);
+    Pack* limits = frame.template take<Pack>(static_cast<size_t>(count));
+    auto* masks = frame.template take<uint64_t>(listed_.size());
+    std::fill(out, out + count, T(0.0));
+    std::fill(limits, limits + count, Pack(0.0));
+    boxes_.find_candidates(points, limits, count, masks);
+    for (size_t i = 0; i < listed_.size(); ++i)
+      for (uint64_t mask = masks[i]; mask != 0; mask &= mask - 1) {
+        const int k = std::countr_zero(mask);
+        out[k] = max(out[k], listed_[i].at(point_for<T>(points[k])));
+      }
   }
   template <class T>
   T greatest_at(const Point<T>& p, const Box3d& box) const {
@@ -166,6 +187,7 @@ class ThicknessNode final : public EvaluationModes<ThicknessNode> {
 
   std::shared_ptr<const Grid> grid_;
   std::vector<Layer> listed_;
+  BoxLanes boxes_;  // Of the listed layers; empty for a few.
 };
 
 Traits thickness_traits() { return {kSteepestDeposit, Exactness::sign, infinite_box(), 0}; }
@@ -201,7 +223,7 @@ Field thickness_field(std::vector<Deposit> deposits) {
     const Box3d box = layer.box();
     for_each_cell(cell_at(box.min, kCell), cell_at(box.max, kCell),
                   [&](const Cell& cell) { grid->cells[cell].push_back(number); });
-    grid->greatest = std::max(grid->greatest, layer.greatest());
+    grid->boxes.add(box, 1, 0);
     grid->layers.push_back(layer);
   }
   return Field(std::make_shared<ThicknessNode>(thickness_traits(), std::move(grid)));
