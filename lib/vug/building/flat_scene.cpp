@@ -112,7 +112,7 @@ void add_instance(const FlatScene& model, const Instance& instance, const Transf
 std::vector<Instance> instances_of(Builder& builder, const shot::PointInstancer& plan) {
   std::vector<Instance> instances;
   for (size_t i = 0; i < plan.at.size(); ++i) try {
-      const std::vector<Instance> more = (*plan.at[i])(builder, plan.key.at(i));
+      const std::vector<Instance> more = instances_from(plan.at[i], builder, plan.key.at(i), plan);
       instances.insert(instances.end(), more.begin(), more.end());
     } catch (const Error& error) {
       if (error.where().known()) throw;
@@ -187,6 +187,13 @@ void add_instances(Builder& builder, const shot::PointInstancer& plan,
 }
 
 }  // namespace
+
+shot::MeshPtr mesh_of(const shot::Shot& shot, const shot::Model& model) {
+  if (model.scene || model.mesh) return model.mesh;
+  for (const shot::ObjectPlan& object : shot.objects)
+    if (object.name == model.name) return object.mesh;
+  return nullptr;
+}
 
 int choose_model(const Instance& instance, const shot::PointInstancer& plan) {
   const auto count = static_cast<int>(plan.of.size());

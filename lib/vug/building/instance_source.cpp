@@ -3,6 +3,12 @@
 
 namespace vug::building {
 
+std::vector<Instance> instances_from(const shot::InstanceSource& source, Builder& builder,
+                                     RandomKey key, const shot::PointInstancer& plan) {
+  const auto* with_models = source->target<ModelInstanceSource>();
+  return with_models ? with_models->make(builder, key, plan) : (*source)(builder, key);
+}
+
 Transform pose_transform(const Vec3d& position, double yaw, double pitch, double roll,
                          const Vec3d& scale) {
   return Transform::translation(position) * Transform::rotation({0, 1, 0}, yaw) *

@@ -40,6 +40,20 @@ struct IndexedInstanceSource {
   }
 };
 
+/// An instance function that depends on the shapes of the models, such as stones at rest; obtained
+/// by InstanceFunction::target. Called without models it yields nothing.
+struct ModelInstanceSource {
+  std::function<std::vector<Instance>(Builder& builder, RandomKey key,
+                                      const shot::PointInstancer& plan)>
+      make;
+
+  std::vector<Instance> operator()(Builder&, RandomKey) const { return {}; }
+};
+
+/// The instances of one source of a declaration, whose key is `key`.
+std::vector<Instance> instances_from(const shot::InstanceSource& source, Builder& builder,
+                                     RandomKey key, const shot::PointInstancer& plan);
+
 /// Scaling, then rotations about z, x and the vertical y axis, in radians, then the translation.
 Transform pose_transform(const Vec3d& position, double yaw, double pitch, double roll,
                          const Vec3d& scale);

@@ -61,30 +61,12 @@ class Cubes {
   std::vector<Vec3d> points_;
 };
 
-SurfaceSample spot_on(const Mesh& mesh, uint32_t triangle, double u, double v) {
-  const auto [a, b, c] = corners(mesh, triangle);
-  SurfaceSample spot;
-  spot.triangle = triangle, spot.u = u, spot.v = v;
-  spot.position = a + (b - a) * u + (c - a) * v;
-  Vec3d normal = double_area_vector(mesh, triangle);
-  if (!mesh.normals.empty()) {
-    const Triangle& t = mesh.triangles[triangle];
-    const Vec3d smooth = Vec3d(mesh.normals[t[0]]) * (1 - u - v) + Vec3d(mesh.normals[t[1]]) * u +
-                         Vec3d(mesh.normals[t[2]]) * v;
-    if (smooth.length() > 1e-6) normal = smooth;
-  }
-  spot.normal = normal.normalized();
-  return spot;
-}
-
 }  // namespace
 
 std::vector<SurfaceSample> scatter(const Mesh& mesh, const ScatterOptions& options,
                                    Progress& progress) {
-  std::vector<double> area(mesh.triangles.size());  // Cumulative area of the triangles.
-  double total = 0;
-  for (size_t i = 0; i < area.size(); ++i)
-    area[i] = total += 0.5 * double_area_vector(mesh, i).length();
+  const AreaSampler surface(mesh);
+  const double total = surface.area();
   std::vector<SurfaceSample> spots;
   if (!(total > 0) || options.max_count == 0) return spots;
   const double tries = std::ceil(kTries * total / (options.spacing * options.spacing));
@@ -100,17 +82,9 @@ std::vector<SurfaceSample> scatter(const Mesh& mesh, const ScatterOptions& optio
   for (uint64_t i = 0; i < count; ++i) {
     if (i % 65536 == 0) progress.check();
     progress.advance();
-    RandomStream random(options.key.at(i));
-    const double place = random.uniform() * total;
-    const auto at = std::upper_bound(area.begin(), area.end(), place) - area.begin();
-    const auto triangle =
-        static_cast<uint32_t>(std::min(at, static_cast<std::ptrdiff_t>(area.size()) - 1));
-    double u = random.uniform(), v = random.uniform();
-    if (u + v > 1) u = 1 - u, v = 1 - v;
-    SurfaceSample spot = spot_on(mesh, triangle, u, v);
+    const SurfaceSample spot = surface.sample(options.key.at(i));
     if (!cubes.is_free(spot.position)) continue;
     cubes.add(spot.position);
-    spot.key = options.key.at(i);
     spots.push_back(spot);
   }
   progress.end();

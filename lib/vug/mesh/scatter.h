@@ -3,22 +3,12 @@
 #pragma once
 
 #include <vug/base/progress.h>
-#include <vug/base/rng.h>
-#include <vug/mesh/mesh.h>
+#include <vug/mesh/area_sampler.h>
 
 #include <functional>
 #include <vector>
 
 namespace vug::mesh {
-
-/// A point on a triangle; `u` and `v` are the barycentric weights of its second and third corner.
-struct SurfaceSample {
-  Vec3d position;
-  Vec3d normal;  ///< Unit length, out of the solid; interpolated if the mesh has normals.
-  uint32_t triangle = 0;
-  double u = 0, v = 0;
-  RandomKey key{0};  ///< Random key of this sample, independent of the other samples.
-};
 
 struct ScatterOptions {
   double spacing = 0.3;         ///< Minimum distance between two samples, metres; above 0.

@@ -116,6 +116,41 @@ TEST_F(Places, ScatterKeepsItsSpacingItsMaskAndItsSeed) {
   EXPECT_NEAR(static_cast<double>(pebbles), 0.75 * all, 5 * std::sqrt(0.75 * 0.25 * all));
 }
 
+TEST_F(Places, GravelRestsOnTheGround) {
+  const std::string gravel =
+      "place stones { of [pebble, brick]  shares [3, 1]  at gravel(on: ground, sizes: [10cm, "
+      "30cm], cover: 20%, sink: 0, where: slope(from: 30deg, to: 20deg)) }\n";
+  const FlatScene made = cast(std::string(kStones) + gravel), again = cast(kStones + gravel);
+  ASSERT_GT(made.objects.size(), 60u);
+  ASSERT_EQ(made.objects.size(), again.objects.size());
+  size_t pebbles = 0, on_ground = 0;
+  for (size_t i = 1; i < made.objects.size(); ++i) {
+    const render::Object& stone = made.objects[i];
+    EXPECT_EQ(origin(stone), origin(again.objects[i]));
+    pebbles += stone.material != nullptr;
+    float lowest = 1e9f;
+    for (const Vec3f& p : stone.mesh->positions)
+      lowest = std::min(lowest, stone.instance->at(0).point(p).y);
+    EXPECT_GT(lowest, 0.25 - 0.02);  // Its hull has fewer corners.
+    on_ground += lowest < 0.2505;
+  }
+  // Some lie on others.
+  EXPECT_GT(on_ground, made.objects.size() * 7 / 10);
+  EXPECT_GT(pebbles, made.objects.size() / 2);
+  EXPECT_LT(pebbles, made.objects.size() - 5);
+}
+
+TEST_F(Places, GravelNeedsSolidsAndSizes) {
+  file("room.vug", "mesh cube on level_set(box(), voxel: 20cm) {}\n");
+  EXPECT_THROW(cast(std::string(kStones) +
+                    "place stones { of scene(\"room.vug\")  at gravel(on: ground) }\n"),
+               Error);
+  EXPECT_NE(faults(std::string(kStones) +
+                   "place stones { of pebble  at gravel(on: ground, sizes: [30cm, 10cm]) }\n")
+                .find("smallest and the largest"),
+            std::string::npos);
+}
+
 TEST_F(Places, PointsOfATable) {
   file("p.csv",
        "x,y,z,yaw,scale,model,name\n1,2,3,90,2,1,\"a, b\"\n\n# a remark\n-4, 0,0,0,1,0,c\n");
