@@ -95,6 +95,17 @@ class Cells(VugTest):
                                              'freeze(attribute: "k", above: 0.5, as: transparent)'))
         self.assertIn("warning: nothing remains of the mesh 'skin'", self.expect(0, "build", "s.vug", "-o", "out").err)
 
+    def test_cells_that_cannot_be_scattered_anew(self):
+        for block in ("spacing 20cm  rescatter 2  move false  run maze", 'spacing 20cm  rescatter 2  from "x.vdb"  run maze'):
+            self.refused(block, 7, "'rescatter' needs cells that move one mesh of a level set, without 'from'", "remove 'rescatter'")
+        self.refused("spacing 20cm  rescatter -1  run maze", 36, "'rescatter' must be at least 0", "")
+
+    def test_water_that_enters_nowhere(self):
+        dry = 'set(attribute: "source", to: 0)'
+        self.refused(f"spacing 20cm  run {dry}, calcite(steps: 1)", 7, "no water enters: the attribute 'source' is 0 in all cells", "set 'source' above 0")
+        self.refused(f"spacing 20cm  run {dry}, film", 7, "no water enters: the attribute 'source' is 0 in all cells", "set 'source' above 0")
+        self.refused("spacing 20cm  run calcite(years: 1000000, steps: 1)", 7, "in a step of 1e+06 years more than", "use fewer 'years'")
+
     def test_points_beyond_the_end(self):
         self.write("s.vug", SCENE % ("wall", "spacing 20cm  steps 5  run life"))
         self.expect(0, "build", "s.vug", "-o", "out")

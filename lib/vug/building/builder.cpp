@@ -243,10 +243,11 @@ CellLayerPtr Builder::cell_layer(const shot::CellsPtr& plan) {
   if (const auto known = cell_layers_.find(plan); known != cell_layers_.end()) return known->second;
   std::vector<CellSupport> supports;
   for (const shot::MeshPtr& each : plan->on) supports.push_back({mesh(each), solid(each)});
+  const CellLayerPtr before = plan->before ? cell_layer(plan->before) : nullptr;
   const Stopwatch watch(seconds_);
   const Progress::Product product(progress_, plan->name);
   try {
-    CellRunOptions how{nullptr, options_.checkpoint.get()};
+    CellRunOptions how{nullptr, options_.checkpoint.get(), before};
     if (const auto resumable = resumable_.find(plan); resumable != resumable_.end())
       how.from = resumable->second;
     auto made = std::make_shared<const CellLayer>(

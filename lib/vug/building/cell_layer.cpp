@@ -3,6 +3,7 @@
 #include <vug/building/cell_layer.h>
 #include <vug/building/cell_points.h>
 #include <vug/building/cells_checkpoint.h>
+#include <vug/cells/inherit.h>
 
 #include <fmt/format.h>
 
@@ -68,10 +69,14 @@ std::vector<cells::Stage> stages(const shot::CellsPlan& plan) {
 }
 
 CellLayer new_cell_layer(const shot::CellsPlan& plan, const std::vector<CellSupport>& supports,
-                         uint64_t memory, Progress& progress) {
+                         uint64_t memory, Progress& progress, const CellLayer* before) {
   cells::BuildResult built = network(plan, supports, memory, progress);
   const auto cells = std::make_shared<const cells::Network>(std::move(built.network));
-  return {cells::Simulation(cells, plan.key.at("run")), std::move(built.relaxation)};
+  CellLayer layer{cells::Simulation(cells, plan.key.at("run")), std::move(built.relaxation)};
+  layer.simulation.set_step(plan.first_step);
+  if (before && cells->size() > 0)
+    cells::inherit_attributes(before->simulation, layer.simulation, progress);
+  return layer;
 }
 
 void restore_points(const volume::Grid& points, const shot::CellsPlan& plan,
@@ -105,7 +110,8 @@ void add_context(const shot::CellsPlan& plan, const std::vector<CellSupport>& su
 CellLayer make_cell_layer(const shot::CellsPlan& plan, const std::vector<CellSupport>& supports,
                           uint64_t memory, Progress& progress, const CellRunOptions& how) {
   const std::optional<volume::Grid> before = how.from ? std::nullopt : initial_points(plan);
-  CellLayer layer = how.from ? *how.from : new_cell_layer(plan, supports, memory, progress);
+  CellLayer layer =
+      how.from ? *how.from : new_cell_layer(plan, supports, memory, progress, how.before.get());
   if (layer.network().size() == 0) return layer;
   try {
     if (before) restore_points(*before, plan, layer.simulation);

@@ -36,6 +36,7 @@ class CellsCheckpoint;
 struct CellRunOptions {
   CellLayerPtr from = nullptr;  ///< Run of an equal plan with at most as many steps, to continue.
   CellsCheckpoint* checkpoint = nullptr;
+  CellLayerPtr before = nullptr;  ///< The layer of plan.before.
 };
 
 /// Builds the network and runs the plan's rules on it. `object` of a cell is the index of its

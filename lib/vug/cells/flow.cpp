@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
 #include <vug/cells/flow.h>
+#include <vug/cells/integer_power.h>
 #include <vug/cells/network.h>
 
 #include <algorithm>
@@ -13,12 +14,6 @@ namespace {
 constexpr float kGroove = 0.5f;
 constexpr float kLevel = 1e-3f;
 constexpr float kDrop = 1e-6f;
-
-float power(float base, int exponent) {
-  float product = base;
-  for (int i = 1; i < exponent; ++i) product *= base;
-  return product;
-}
 
 }  // namespace
 
@@ -55,7 +50,7 @@ Flow::Flow(const Pass& pass, RandomKey key, const FlowOptions& options)
   };
   const auto cling = static_cast<float>(options.cling);
   const auto weight = [&](float steep, uint32_t from, uint32_t to) {
-    const float straight = power(steep, options.gather);
+    const float straight = integer_power(steep, options.gather);
     if (!(cling > 0)) return straight;
     // 1/2 if both carry the same amount.
     const float wet = water[to] / (water[to] + water[from] + kDrop);

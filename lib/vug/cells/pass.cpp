@@ -77,6 +77,8 @@ AttributeWriter<Vec3f> Pass::writes_positions() {
   return write(column);
 }
 
+bool Pass::is_trial() const { return simulation_->is_trial(); }
+
 AttributeWriter<Vec3f> Pass::writes_normals() {
   const bool known = simulation_->attributes_.find("N");
   Column<Vec3f>& column = simulation_->attributes_.column<Vec3f>("N");

@@ -81,6 +81,12 @@ class Pass {
   bool has(const std::string& name) const;
   /// Reads an attribute of any type that the rule's parameters name.
   NumericReader reads_as_numbers(const std::string& name) const;
+  /// Whether the pass updates a cell: it receives and lies in the mask.
+  bool updates(uint32_t cell) const {
+    return receives((*states_)[cell]) && (!where_ || (*where_)[cell]);
+  }
+  /// Whether only the attributes matter that rules create; values are not checked.
+  bool is_trial() const;
   /// Evaluates a mask at a cell.
   double evaluate(const paint::Mask& mask, uint32_t cell) const;
   /// Current positions of the cells.

@@ -58,6 +58,10 @@ class Simulation {
   /// (Pass::reads_as_numbers).
   const std::map<std::string, bool>& requested_attributes() const { return requested_; }
 
+  /// A trial finds the attributes that rules create; rules accept any values of attributes.
+  void set_trial(bool trial) { trial_ = trial; }
+  bool is_trial() const { return trial_; }
+
   uint64_t bytes() const;  ///< Memory use, including the network.
 
   /// Completed steps.
@@ -83,6 +87,7 @@ class Simulation {
   std::vector<std::shared_ptr<const field::SampledGrid>> solids_;
   std::map<std::string, bool> requested_;
   int step_ = 0;
+  bool trial_ = false;
 };
 
 }  // namespace vug::cells

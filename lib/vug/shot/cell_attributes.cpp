@@ -14,7 +14,9 @@ namespace {
 cells::Simulation few_cells() {
   static const cells::NetworkPtr few =
       std::make_shared<const cells::Network>(cells::flat_torus(4, 4, 4, 0.25));
-  return cells::Simulation(few, RandomKey(0));
+  cells::Simulation simulation(few, RandomKey(0));
+  simulation.set_trial(true);
+  return simulation;
 }
 
 /// Runs the rules on a few cells to find out which attributes they create.

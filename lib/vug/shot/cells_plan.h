@@ -56,6 +56,9 @@ struct CellsPlan {
   std::vector<std::string> context_attributes;  ///< Used names of context_attribute_names().
   SourceLocation where;                         ///< Location of the name in the text.
   SourceLocation spacing_where;                 ///< Location of `spacing`.
+  int rescatter = 0;   ///< Times that the surface gets new cells during the run; see rescatter.h.
+  CellsPtr before;     ///< The part of the run before this one; null: this is the first.
+  int first_step = 0;  ///< The steps of the parts before.
 
   /// Steps of the whole run: `steps`, else the end of the last stage, with 100 steps for open-ended
   /// stages.

@@ -54,6 +54,33 @@ TEST(CellLayer, IsBuiltOnceAndCached) {
   EXPECT_EQ(next.cell_layer(cells), layer);
 }
 
+TEST(CellLayer, ScattersNewCellsOnASurfaceThatGrows) {
+  const auto more = [](const std::string& name) {
+    return fmt::format("set(attribute: \"{0}\", to: add([value(name: \"{0}\"), 0.01]), steps: 20)",
+                       name);
+  };
+  const std::string grow = "run " + more("height") + ", " + more("layer");
+  std::vector<double> cells;
+  for (const int times : {0, 3}) {
+    const shot::Shot shot = shot_of(fmt::format(
+        "cells skin on wall {{ spacing 10cm  steps 20  rescatter {}  {} }}", times, grow));
+    Builder builder(shot, {});
+    const CellLayerPtr layer = builder.cell_layer(shot.meshes.back()->cells);
+    EXPECT_EQ(layer->simulation.step(), 20);
+    cells.push_back(static_cast<double>(layer->network().size()));
+    // Inherited by each generation of cells.
+    for (const float thickness : layer->simulation.attributes().values<float>("layer"))
+      ASSERT_NEAR(thickness, 0.2f, 1e-5f);
+    for (const float height : layer->simulation.attributes().values<float>("height"))
+      ASSERT_NEAR(height, 0.2f / static_cast<float>(times + 1), 1e-5f);
+    const mesh::MeshPtr grown = builder.mesh(shot.meshes.back());
+    for (const Vec3f& p : grown->positions) ASSERT_NEAR(p.length(), 1.2f, 0.02f);
+    EXPECT_TRUE(mesh::inspect(*grown).boundary_edges == 0);
+  }
+  // The last ones lie on a ball with a radius of 1.15 m.
+  EXPECT_NEAR(cells[1] / cells[0], 1.15 * 1.15, 0.03);
+}
+
 TEST(CellLayer, TooManyCellsAreRejectedBeforeAnyWork) {
   const shot::Shot shot = shot_of("cells skin on wall { spacing 1mm  run voronoi }");
   BuildOptions options;

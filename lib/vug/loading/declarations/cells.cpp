@@ -2,6 +2,7 @@
 #include <vug/loading/reader.h>
 #include <vug/shot/cell_attributes.h>
 #include <vug/shot/cell_stages.h>
+#include <vug/shot/rescatter.h>
 
 #include <algorithm>
 
@@ -45,6 +46,11 @@ Schema<shot::CellsPlan> cells_schema() {
                      "without an end",
               .min = 0,
               .max = 1000000})
+      .param("rescatter", &shot::CellsPlan::rescatter,
+             {.doc = "number of times, evenly over the run, that the displaced surface becomes a "
+                     "level set with new cells; for surfaces that grow by more than the spacing",
+              .min = 0,
+              .max = 100})
       .param(
           "from", &shot::CellsPlan::from,
           {.doc = "a .vdb of points that vug build has written for such cells; the run continues "
@@ -157,6 +163,16 @@ std::vector<shot::MeshPtr> meshes_with_cells(const shot::CellsPtr& cells) {
   return all;
 }
 
+/// Reports cells that cannot be scattered anew.
+bool may_rescatter(const shot::CellsPlan& plan, ReadContext& context) {
+  if (plan.rescatter == 0) return true;
+  if (plan.on.size() == 1 && plan.on.front()->volume && plan.from.empty() && plan.move) return true;
+  context.diagnostics.error(
+      plan.where, "'rescatter' needs cells that move one mesh of a level set, without 'from'",
+      "remove 'rescatter', 'from' or 'move false', or use one 'mesh NAME on VOLUME'");
+  return false;
+}
+
 shot::MeshPtr combined(const std::string& name, const std::vector<shot::MeshPtr>& parts) {
   if (parts.size() == 1) return parts.front();
   shot::MeshPlan plan;
@@ -186,10 +202,10 @@ const DeclarationKind& cells_declaration() {
         plan->where = declaration.where;
         for (const Argument& each : arguments)
           if (each.name == "spacing") plan->spacing_where = each.where;
-        plan->resumable = still;
+        plan->resumable = still && plan->rescatter == 0;
         shot::resolve_attribute_names(*plan, context.diagnostics);
-        const auto made =
-            meshes_with_cells(std::make_shared<const shot::CellsPlan>(std::move(*plan)));
+        if (!may_rescatter(*plan, context)) return Value();
+        const auto made = meshes_with_cells(shot::divide_run(std::move(*plan)));
         for (const shot::MeshPtr& mesh : made) context.shot.meshes.push_back(mesh);
         return Object{"mesh", combined(declaration.name, made)};
       },
