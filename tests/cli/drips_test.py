@@ -31,9 +31,9 @@ class Drips(VugTest):
         graph = self.graph("--threads", "1")
         self.assertEqual(graph, self.graph("--threads", "7"))
         nodes = graph["nodes"]
-        drops = {node["drip"] for node in nodes if node["kind"] == "drop"}
-        self.assertTrue(graph["forms"])
-        self.assertTrue(all(form["drip"] in drops for form in graph["forms"]))
+        sources = {node["drip"] for node in nodes if node["kind"] in ("seep", "drop")}
+        self.assertTrue({"stalactite", "flowstone"} <= {form["kind"] for form in graph["forms"]})
+        self.assertTrue(all(form["drip"] in sources for form in graph["forms"]))
         for edge in graph["edges"]:
             for end, point in (("from", edge["path"][0]), ("to", edge["path"][-1])):
                 for a, b in zip(nodes[edge[end]]["position"], point):
@@ -45,6 +45,19 @@ class Drips(VugTest):
         self.assertNotIn(drip, {node["drip"] for node in after["nodes"] if node["kind"] != "pool"})
         few = self.graph(edits="budget: 3,")
         self.assertEqual(sum(node["kind"] == "seep" for node in few["nodes"]), 3)
+
+    def test_frames_compares_a_sequence(self):
+        edits = "tip: 2cm, age: keys(1: 200, 20: 4000), final_age: 4000, edits: [add_drip(at: (1, 0, 0), age: 3000)],"
+        text = self.drips("--frames", "1..20", edits=edits)
+        self.assertIn("20 frames, ", text)
+        self.assertRegex(text, r"greatest step between two frames: [\d.]+ cm, \w+ of drip -?\d+ at frame \d+")
+        self.assertIn("speleothems that disappear: 0", text)
+        # A key of the density is not growth: drips disappear, and the answer is no.
+        text = self.drips("--frames", "1..2", edits="density: keys(1: 100%, 2: 10%),", code=1)
+
+    def test_contradictory_ages(self):
+        error = self.drips(edits="age: 5000, final_age: 4000,", code=2)
+        self.assertIn("the final age must be at least the age", error)
 
     def test_points(self):
         nodes = self.graph("--points", "drips.vdb")["nodes"]

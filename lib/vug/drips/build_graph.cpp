@@ -22,13 +22,12 @@ namespace {
 
 /// Stalagmites stand on floors that face up by this cosine; elsewhere drops run off.
 constexpr double kStandingCosine = 0.45;
-/// Standard deviation and maximum of the lean of stalactites in radians.
-constexpr double kLean = 1.5 * kPi / 180, kMostLean = 5 * kPi / 180;
+/// Standard deviation and maximum of the lean of stalactites in radians. They lean until their tip
+/// is above the landing, which is aside of the root by the lean over this length in metres.
+constexpr double kLean = 1.5 * kPi / 180, kMostLean = 3.4 * kPi / 180, kLeaning = 0.5;
 /// Straws break or become stalactites: the median of their length in metres, its logarithm's
 /// standard deviation, and the longest.
 constexpr double kStraw = 0.12, kStrawSpread = 0.8, kLongestStraw = 1.5;
-/// A straw grows by at most 40 mm a year.
-constexpr double kStrawRate = 0.04;
 /// Bytes of a column that is searched, and of a drip with its films.
 constexpr double kColumnBytes = 24, kDripBytes = 4000;
 
@@ -168,7 +167,8 @@ class Builder {
     return landings;
   }
 
-  /// Grows the stalactite at the drop, and finds the place below its tip.
+  /// Grows the stalactite at the drop, and finds the place below its tip. The place, and all random
+  /// numbers, are independent of the age.
   std::optional<Node> fall(Node& drop) const {
     const Vec3d root = drop.position;
     const double interval = graph_.interval(drop);
@@ -183,39 +183,46 @@ class Builder {
     double lean = std::clamp(kLean * random.normal(), -kMostLean, kMostLean);
     const double heading = random.uniform(0, kPi);
     drop.straw = random.uniform() < o_.straws;
+    DripGrowth growth{.interval = interval, .curve = &curve_};
     if (drop.straw) {
       lean = 0;
-      drop.growth = std::min({kStraw * maths::exp(kStrawSpread * random.normal()), kLongestStraw,
-                              kStrawRate * drop.water.age});
-    } else {
-      const StalactiteGrowth growth = grow_stalactite(drop.water, interval, curve_);
-      drop.growth = growth.length;
-      drop.water.calcium = growth.calcium;
+      drop.longest = std::min(kStraw * maths::exp(kStrawSpread * random.normal()), kLongestStraw);
+      growth.straw = drop.longest;
     }
-    const double length = std::min(drop.growth, root.y - *under);
-    const Vec3d down(maths::sin(lean) * maths::cos(heading), -maths::cos(lean),
-                     maths::sin(lean) * maths::sin(heading));
-    drop.tip = root + down * length;
+    const Water arriving = drop.water;
+    const StalactiteGrowth grown = growth.hanging(arriving);
+    drop.arriving = arriving.calcium;
+    drop.growth = grown.length;
+    drop.water.calcium = grown.calcium;
+    const double room = root.y - *under, reach = std::min(kLeaning, 0.5 * room);
+    const double slope = maths::tan(lean);
+    Vec3d aside = Vec3d(maths::cos(heading), 0, maths::sin(heading)) * (slope * reach);
     std::optional<double> floor;
-    const Vec3d half = Vec3d(drop.tip.x, root.y - 0.5 * length, drop.tip.z);
+    const Vec3d half = root + aside - Vec3d(0, 0.5 * room, 0);
     if (rock_.value(half) > 0) floor = below(half);
     if (!floor) {  // It would lean into the rock.
-      drop.tip = root - Vec3d(0, length, 0);
+      aside = Vec3d(0, 0, 0);
       floor = under;
     }
+    const double length = std::min(drop.growth, room);
+    drop.tip = root + aside * std::min(1.0, length / reach) - Vec3d(0, length, 0);
     Node landing;
     landing.kind = NodeKind::landing;
     landing.id = drop.id;
-    landing.position = Vec3d(drop.tip.x, *floor, drop.tip.z);
+    landing.position = Vec3d(root.x + aside.x, *floor, root.z + aside.z);
     landing.normal = normal_at(rock_, landing.position);
     landing.water = drop.water;
     landing.plane = drop.plane;
-    landing.scatter = scatter_radius(std::max(0.0, drop.tip.y - *floor));
+    landing.scatter = scatter_radius(std::max(0.0, root.y - *floor));
     if (landing.normal.y > kStandingCosine) {
       const double radius = trunk_radius(graph_.drop, o_.temperature, interval);
-      landing.growth = growth_rate(drop.water.calcium, o_.temperature, interval) * drop.water.age;
+      landing.growth = growth.standing_height(arriving);
       landing.water.calcium = calcium_after(drop.water.calcium, o_.temperature,
                                             kPi * radius * radius, drop.water.discharge);
+      if (const auto met = meeting_of(growth, arriving, root.y - *floor)) {
+        landing.met = arriving.age * (1 - met->share);
+        landing.met_at = met->height;
+      }
     }
     return landing;
   }

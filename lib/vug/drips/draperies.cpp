@@ -21,7 +21,12 @@ constexpr double kShortest = 0.2, kApart = 0.13;
 /// The share of the growth of a drip's tip by which the edge of its sheet grows, because the film
 /// passes on; the widest, and the share of the height of the room (our choices).
 constexpr double kEdgeShare = 0.75, kWidest = 1.4, kOfRoom = 0.5;
-constexpr double kLeastWidth = 8;  // In thicknesses; narrower ones are ledges.
+/// In thicknesses: the width from which on sheets hang freely; from the first width on, they come
+/// out of the roof.
+constexpr double kLeastWidth = 8, kFirstWidth = 4;
+/// Roots are in the roof by this number of half thicknesses while nothing shows of a sheet, so that
+/// their rounding is in the roof under slopes of up to 62 degrees.
+constexpr double kRounding = 2.2;
 constexpr double kEdge = 0.005, kRootThickness = 0.014;
 constexpr double kLeastFold = 5;  // In distances of corners.
 constexpr int kPlumbs = 5;
@@ -74,7 +79,7 @@ std::vector<HungDrapery> draperies_of(const field::Field& rock, const Graph& gra
                                       const DraperyOptions& o) {
   std::vector<HungDrapery> out;
   std::vector<Vec3d> middles;
-  for (const Chain& chain : chains_of(graph)) {
+  for (Chain& chain : chains_of(graph)) {
     RandomStream random(RandomKey(o.seed).at("drapery").at(static_cast<uint64_t>(chain.seep->id)));
     const double rank = random.uniform(), folds = random.uniform(0.6, 1.5);
     const double fall = chain.path.front().y - chain.path.back().y;
@@ -86,25 +91,33 @@ std::vector<HungDrapery> draperies_of(const field::Field& rock, const Graph& gra
                     [&](const Vec3d& m) { return (m - middle).length() < kApart; }))
       continue;
     const Water& water = chain.seep->water;
-    double width = kEdgeShare * water.age *
-                   growth_rate(water.calcium, water.temperature, graph.interval(*chain.seep));
-    width = std::min({width, kWidest, 1.5 * chain.length});
+    double widest = std::min(kWidest, 1.5 * chain.length);
     for (int i = 1; i <= kPlumbs; ++i) {
       const size_t at = (chain.path.size() - 1) * static_cast<size_t>(i) / kPlumbs;
       const Vec3d start = chain.path[at] - Vec3d(0, 0.03, 0);
       const auto below = VerticalLine(rock, start, 0.1).crossing(start.y, o.floor);
       const double room = rock.value(start) > 0 ? start.y - below.value_or(o.floor) : 0;
-      width = std::min(width, kOfRoom * room);
+      widest = std::min(widest, kOfRoom * room);
     }
     // The tip is that of the voxels, which do not carry narrow folds.
     const double edge = std::max(kEdge, 2 * o.tip), finest = 2 * o.tip;
-    if (width < kLeastWidth * edge) continue;
-    middles.push_back(middle);
+    if (widest < kLeastWidth * edge) continue;
+    middles.push_back(middle);  // Whatever its age, so that neighbours do not depend on it.
+    double width = kEdgeShare * water.age *
+                   growth_rate(water.calcium, water.temperature, graph.interval(*chain.seep));
+    width = std::min(width, widest);
+    if (!(width > kFirstWidth * edge)) continue;
+    const double thickness = std::max(kRootThickness, 1.5 * edge);
+    const double part = std::min(1.0, (width / edge - kFirstWidth) / (kLeastWidth - kFirstWidth));
+    if (part < 1) {
+      width = part * kLeastWidth * edge;
+      for (Vec3d& p : chain.path) p.y += kRounding * 0.5 * thickness * (1 - part);
+    }
     out.push_back({chain.seep->id,
                    {.path = chain.path,
                     .width = width,
                     .edge = edge,
-                    .root_thickness = std::max(kRootThickness, 1.5 * edge),
+                    .root_thickness = thickness,
                     .fold = std::max(o.fold * folds, kLeastFold * finest),
                     .root = 0.02 + o.tip,
                     .finest = finest}});

@@ -26,10 +26,11 @@ Dripstone grow_dripstone(const field::Field& rock, const Graph& graph, const Dri
   forms.insert(forms.end(), pieces.begin(), pieces.end());
   // One union: it is restricted once, by the boxes of all its operands.
   std::vector<field::Field> solids = form_fields(forms, o.forms);
-  for (const field::Field& sheet :
-       drapery_fields(draperies_of(rock, graph, o.draperies), o.draperies))
-    solids.push_back(sheet);
-  return {std::move(forms), field::unite(std::move(solids)), field::thickness_field(layers)};
+  std::vector<HungDrapery> draperies = draperies_of(rock, graph, o.draperies);
+  for (const field::Field& sheet : drapery_fields(draperies, o.draperies)) solids.push_back(sheet);
+  field::Field thickness = field::thickness_field(layers);
+  return {std::move(forms), std::move(draperies), std::move(layers),
+          field::unite(std::move(solids)), std::move(thickness)};
 }
 
 Box3d dripstone_bounds(const Box3d& rock, const GraphOptions& graph, const FormOptions& forms) {

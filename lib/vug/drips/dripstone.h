@@ -18,8 +18,10 @@ struct DripstoneOptions {
 
 struct Dripstone {
   std::vector<Form> forms;  ///< Those of forms_of, then the pieces that broke off.
-  field::Field solids;      ///< The solids of all forms and draperies.
-  field::Field thickness;   ///< The thickness of the flowstone on the rock, see thickness_field.
+  std::vector<HungDrapery> draperies;
+  std::vector<field::Deposit> layers;  ///< Skirts and flowstone.
+  field::Field solids;                 ///< The solids of all forms and draperies.
+  field::Field thickness;  ///< The thickness of the flowstone on the rock, see thickness_field.
 };
 
 /// Bounds of the slope of the solids, and of their growth; see field::Traits.

@@ -64,7 +64,7 @@ class Editor {
     Seep seep;
     seep.id = -++added_;
     seep.interval = from.interval;
-    seep.age = from.age;
+    seep.age = from.age * (o_.oldest / o_.last_age());
     place(seep, from.at);
     seeps_.emplace(seep.id, seep);
   }
@@ -109,9 +109,11 @@ void require_valid(const DripEdits::Addition& added, const SeepOptions& o) {
          "use 1 s to 1 h");
   if (!(added.age > 0))
     fail(fmt::format("the age of a drip is {:g} years", added.age), "use a positive age");
-  if (added.age > o.oldest)
-    fail(fmt::format("a drip is {:g} years old, but the oldest ones are {:g}", added.age, o.oldest),
-         "increase the age of the oldest drips");
+  if (added.age > o.last_age())
+    fail(fmt::format("a drip is {:g} years old, but the oldest ones are {:g}", added.age,
+                     o.last_age()),
+         "increase the age of the oldest drips; if 'age' has keys, give their last age as "
+         "'final_age'");
 }
 
 }  // namespace

@@ -18,11 +18,11 @@ constexpr double kFluteDepth = 0.09, kFluteCore = 0.8;
 
 field::Field uneven(field::Field turned, const Form& form, const Vec3d& foot, RandomKey key) {
   const double height = form.top.y - form.bottom.y;
-  if (form.flutes > 0) {
-    const double radius = form.radius + 0.7 * form.coat;
+  if (form.flutes > 0 && form.ribs > 0) {
+    const double radius = form.cover * (form.radius + 0.7 * form.coat);
     turned = field::fluted(turned,
                            {.count = form.flutes,
-                            .depth = kFluteDepth * 2 * kPi * radius / form.flutes,
+                            .depth = form.ribs * kFluteDepth * 2 * kPi * radius / form.flutes,
                             .radius = kFluteCore * radius},
                            key);
   }

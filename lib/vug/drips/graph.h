@@ -43,9 +43,14 @@ struct Node {
   /// Length in metres of the stalactite at a drop, height of the stalagmite at a landing, if they
   /// have room.
   double growth = 0;
+  double arriving = 0;  ///< At a drop: the calcium of the water above the stalactite, mol/m3.
+  double longest = 0;   ///< At a drop with a straw: the length that the straw approaches, metres.
+  /// At a landing: the years since stalactite and stalagmite met, if both grow, and the height of
+  /// the stalagmite then in metres.
+  double met = 0, met_at = 0;
   Vec3d tip{0.0};      ///< End of the stalactite at a drop, from which drops fall.
   bool straw = false;  ///< At a drop: the stalactite is a straw, whose canal is open.
-  double scatter = 0;  ///< Radius in metres within which drops land.
+  double scatter = 0;  ///< Radius in metres within which drops from the roof land.
   double level = 0;    ///< Height of the water of a pool.
 };
 

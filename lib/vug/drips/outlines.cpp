@@ -14,8 +14,9 @@ namespace {
 /// Points of curves; their number times the sides is the cost of a distance.
 constexpr int kHangingPoints = 14, kColumnPoints = 26;
 constexpr int kCapPoints = 4, kEndPoints = 6;
-/// The radii of stalactites and of columns vary by these fractions.
-constexpr double kWaves = 0.07, kColumnWaves = 0.1;
+/// The radii of stalactites and of columns vary by these fractions. The waves of stalactites are
+/// those of a form with this share of the girth as radius.
+constexpr double kWaves = 0.07, kColumnWaves = 0.1, kWaveRadius = 0.5;
 /// The coat of a column is thinner at the waist and thicker at both ends, where the film is slow.
 constexpr double kWaistCoat = 0.7, kEndCoat = 1.8;
 /// Passes of a mean of three neighbours over the radii of a column.
@@ -64,7 +65,7 @@ std::vector<Vec2d> piece(const Form& form, const FormOptions& o,
 /// From the tip up; the tip is at y = 0.
 std::vector<Vec2d> hanging(const Form& form, const FormOptions& o,
                            const field::StalactiteCurve& curve, const DripHistory& history) {
-  const double length = (form.top - form.bottom).length(), top = length + form.root;
+  const double length = (form.top - form.bottom).length() + form.sunk, top = length + form.root;
   std::vector<Vec2d> out;
   if (form.kind == FormKind::straw)
     return {{0, -0.5 * form.radius},
@@ -117,14 +118,15 @@ std::vector<Vec2d> column(const Form& form, const FormOptions& o,
     const double hung = above > 0 ? curve.radius_at(end + above) : 0;
     const double aside = std::fabs(2 * y / height - 1);
     const double coat = form.coat * (kWaistCoat + (kEndCoat - kWaistCoat) * aside * aside * aside);
-    radii.push_back((std::max({hung, radius_at(lower, y), least}) + coat) *
+    radii.push_back(form.cover * (std::max({hung, radius_at(lower, y), least}) + coat) *
                     (1 + kColumnWaves * history.wave(y)));
   }
   // The film that covers both fills the shoulder where they met.
   for (int pass = 0; pass < kFillings; ++pass) {
     const std::vector<double> before = radii;
     for (size_t i = 1; i + 1 < radii.size(); ++i)
-      radii[i] = std::max(least, 0.25 * (before[i - 1] + before[i + 1]) + 0.5 * before[i]);
+      radii[i] =
+          std::max(form.cover * least, 0.25 * (before[i - 1] + before[i + 1]) + 0.5 * before[i]);
   }
   std::vector<Vec2d> out{Vec2d(0, height + form.root), Vec2d(radii.front(), height + form.root)};
   for (size_t i = 0; i < radii.size(); ++i)
@@ -138,8 +140,10 @@ std::vector<Vec2d> column(const Form& form, const FormOptions& o,
 
 std::vector<Vec2d> outline_of(const Form& form, const FormOptions& o,
                               const field::StalactiteCurve& curve) {
+  // The waves of hanging forms keep their distance while the root becomes wider.
+  const bool hangs = form.kind == FormKind::stalactite;
   const DripHistory history(RandomKey(o.seed).at("girdles").at(static_cast<uint64_t>(form.drip)),
-                            form.radius, form.scatter);
+                            hangs ? kWaveRadius * o.girth : form.radius, form.scatter);
   switch (form.kind) {
     case FormKind::column:
       return column(form, o, curve, history);

@@ -171,6 +171,10 @@ void require_valid(const SeepOptions& o) {
   if (!(o.oldest > 0 && o.oldest <= 1e8))
     fail(fmt::format("the age of the oldest drips is {:g} years", o.oldest),
          "it must be positive and at most 1e8 years");
+  if (!(o.last_age() >= o.oldest && o.last_age() <= 1e8))
+    fail(fmt::format("the oldest drips are {:g} years old, but their final age is {:g}", o.oldest,
+                     o.final_age),
+         "'final_age' must be at least 'age', and at most 1e8 years");
   if (!(size.x / o.spacing * (size.z / o.spacing) <= kMostColumns))
     throw Error(ErrorCode::too_large,
                 fmt::format("drips every {:g} m in a box of {:g} x {:g} m: there would be millions",

@@ -22,7 +22,12 @@ struct SeepOptions {
   double interval = 60;                 ///< Median time between drops in seconds.
   double spread = 1.2;                  ///< Standard deviation of its logarithm.
   double oldest = 10000;                ///< The age of the oldest drips in years.
+  /// That age at the end of a sequence in which the cave grows, to which the ages of added drips
+  /// refer; 0: `oldest`.
+  double final_age = 0;
   uint64_t seed = 1;
+
+  double last_age() const { return final_age > 0 ? final_age : oldest; }
 };
 
 struct Seep {

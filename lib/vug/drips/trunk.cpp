@@ -42,8 +42,9 @@ double smoothstep(double t) {
 std::vector<Vec2d> steady(const Form& form, double height, double depth) {
   field::StalagmiteForm shape{form.radius, std::min(form.scatter, 0.8 * form.radius),
                               form.apex_cosine};
-  if (!(field::StalagmiteCurve(shape).depth_at(shape.landing) < 0.9 * height))
-    shape.landing = 0;  // A low one is a cone or a plate.
+  // The sides of a cone fall by this tangent within the landing, which a low one is too small for.
+  const double k = form.apex_cosine, fall = std::sqrt(std::max(0.0, 1 - k * k)) / k;
+  if (fall > 0) shape.landing = std::min(shape.landing, 0.9 * height / fall);
   std::vector<Vec2d> out;
   for (const Vec2d& p : field::StalagmiteCurve(shape).points(depth, kProfilePoints))
     out.emplace_back(p.x, depth - p.y);
@@ -125,8 +126,7 @@ std::vector<Vec2d> grown_trunk(const Form& form, double height, const DripHistor
   for (const double y : heights) {
     double widest = 0;
     for (const double apex : apexes) {
-      // Drops keep their scatter: the present apex has the mean radius.
-      const double ratio = apex < height ? history.radius_at(apex) : 1;
+      const double ratio = history.radius_at(apex);
       const double depth = (apex - y) / ratio;
       if (depth < 0 || depth > kDry * form.radius) continue;
       const double wet = 1 - smoothstep((depth / form.radius - kWetted) / (kDry - kWetted));

@@ -21,17 +21,24 @@ drips::DripstoneOptions DripParams::options() const {
   }
   o.interval = interval;
   o.oldest = age;
+  o.final_age = final_age;
   o.temperature = temperature;
   o.girth = girth;
   o.straws = straws;
   if (budget > 0) o.edits.budget = static_cast<size_t>(budget);
   for (const DripEditPtr& edit : edits) (*edit)(o.edits);
   o.seed = random;
-  return {
-      std::move(o),
-      {.girth = girth, .tip = tip, .stalagmites = stalagmites, .broken = broken, .seed = random},
-      {.share = draperies, .fold = folds, .tip = tip, .floor = from.y, .seed = random},
-      {.share = flowstone, .seed = random}};
+  const double last = o.last_age();
+  return {std::move(o),
+          {.girth = girth,
+           .tip = tip,
+           .stalagmites = stalagmites,
+           .broken = broken,
+           .age = age,
+           .final_age = last,
+           .seed = random},
+          {.share = draperies, .fold = folds, .tip = tip, .floor = from.y, .seed = random},
+          {.share = flowstone, .seed = random}};
 }
 
 std::string DripParams::fault() const {
@@ -39,6 +46,8 @@ std::string DripParams::fault() const {
   if (const std::string fault = field::box_fault(from, to); !fault.empty()) return fault;
   if (!(size.x / spacing * (size.z / spacing) <= drips::kMostColumns))
     return "the spacing is too small for a box of this size: there would be millions of drips";
+  if (final_age > 0 && final_age < age)
+    return "the final age must be at least the age; it is the age at the end of a sequence";
   return "";
 }
 

@@ -21,7 +21,7 @@ struct DripParams {
   std::vector<GeologyFeaturePtr> joints;
   int joint_seed = 1;
   double interval = drips::SeepOptions().interval;
-  double age = drips::SeepOptions().oldest;
+  double age = drips::SeepOptions().oldest, final_age = 0;
   double temperature = drips::GraphOptions().temperature;
   double girth = drips::GraphOptions().girth;
   double straws = drips::GraphOptions().straws;
@@ -69,6 +69,11 @@ void describe_drips(Schema<P>& s) {
       .param("age", &DripParams::age,
              {.doc = "age of the oldest drips in years; most have a sixth of it",
               .min = 1,
+              .max = 1e7})
+      .param("final_age", &DripParams::final_age,
+             {.doc = "the last age of a sequence in which 'age' has keys: stalactites break, and "
+                     "added drips have their ages, relative to it; 0: 'age'",
+              .min = 0,
               .max = 1e7})
       .param("temperature", &DripParams::temperature,
              {.doc = "temperature of the cave in degrees Celsius; in warm caves stone grows faster",

@@ -2,7 +2,7 @@
 // Drips that users add, move and remove.
 #include <vug/base/error.h>
 #include <vug/drips/build_graph.h>
-#include <vug/drips/forms.h>
+#include <vug/drips/inventory.h>
 
 #include <gtest/gtest.h>
 
@@ -93,8 +93,9 @@ TEST(Edits, GrowAStalagmiteBelowADripThatWasAdded) {
   ASSERT_NE(standing, forms.end());
   EXPECT_EQ(standing->drip, -1);
   EXPECT_NEAR(standing->interval, 40, 1e-9);
-  EXPECT_EQ(
-      explain(*standing, 0, graph).rfind("stalagmite 0: drip -1, 40 s a drop, 9,000 years", 0), 0u);
+  EXPECT_EQ(explain(listed(*standing), 0, graph)
+                .rfind("stalagmite 0: drip -1, 40 s a drop, 9,000 years", 0),
+            0u);
 }
 
 TEST(Edits, ReportFaultsWithTheirRemedies) {

@@ -3,6 +3,9 @@
 
 #include <vug/base/parallel.h>
 #include <vug/delivery/drip_points.h>
+#include <vug/drips/growth_report.h>
+#include <vug/drips/inventory.h>
+#include <vug/picture/frame_sequence.h>
 #include <vug/shot/drips_plan.h>
 #include <vug/shot/queries.h>
 #include <vug/volume/io.h>
@@ -23,6 +26,7 @@ struct DripsOptions {
   WorkOptions work;
   std::string name;
   std::string points;
+  std::string frames;
   bool json = false;
 };
 
@@ -37,19 +41,22 @@ Json json_of(const drips::Node& node) {
   return out;
 }
 
-Json json_of(const drips::Form& form, const drips::Graph& graph) {
-  Json out{{"kind", drips::kind_name(form.kind)},
-           {"drip", form.drip},
-           {"top", json_of(form.top)},
-           {"bottom", json_of(form.bottom)},
-           {"radius", form.radius},
-           {"interval", form.interval},
-           {"age", form.age}};
-  if (form.plane >= 0) out["plane"] = graph.planes[static_cast<size_t>(form.plane)];
+/// The name of Speleothem::size for a kind.
+std::string size_name(const std::string& kind) {
+  return kind == "drapery" ? "width" : kind == "flowstone" ? "thickness" : "radius";
+}
+
+Json json_of(const drips::Speleothem& s, const drips::Graph& graph) {
+  Json out{{"kind", s.kind},         {"drip", s.drip},
+           {"top", json_of(s.top)},  {"bottom", json_of(s.bottom)},
+           {"length", s.length},     {size_name(s.kind), s.size},
+           {"interval", s.interval}, {"age", s.age}};
+  if (s.since > 0) out["since"] = s.since;
+  if (s.plane >= 0) out["plane"] = graph.planes[static_cast<size_t>(s.plane)];
   return out;
 }
 
-Json json_of(const drips::Graph& graph, const std::vector<drips::Form>& forms) {
+Json json_of(const drips::Graph& graph, const std::vector<drips::Speleothem>& forms) {
   Json nodes = Json::array(), edges = Json::array(), grown = Json::array();
   for (const drips::Node& node : graph.nodes) nodes.push_back(json_of(node));
   for (const drips::Edge& edge : graph.edges) {
@@ -62,11 +69,11 @@ Json json_of(const drips::Graph& graph, const std::vector<drips::Form>& forms) {
                      {"calcium", edge.water.calcium},
                      {"path", std::move(path)}});
   }
-  for (const drips::Form& form : forms) grown.push_back(json_of(form, graph));
+  for (const drips::Speleothem& form : forms) grown.push_back(json_of(form, graph));
   return {{"nodes", std::move(nodes)}, {"edges", std::move(edges)}, {"forms", std::move(grown)}};
 }
 
-void print_text(const drips::Graph& graph, const std::vector<drips::Form>& forms) {
+void print_text(const drips::Graph& graph, const std::vector<drips::Speleothem>& forms) {
   std::array<size_t, 7> counts{};
   for (const drips::Node& node : graph.nodes) ++counts[static_cast<size_t>(node.kind)];
   const auto count = [&](drips::NodeKind kind) { return counts[static_cast<size_t>(kind)]; };
@@ -96,15 +103,44 @@ void write_points(const std::filesystem::path& target, const volume::Points& poi
   volume::write(target, {volume::point_grid(points, voxel_for(points)).named("drips")});
 }
 
+std::string event_line(const drips::GrowthEvent& event) {
+  return fmt::format("{:.2g} cm, {} of drip {} at frame {}", 100 * event.size, event.kind,
+                     event.drip, event.frame);
+}
+
+void print_list(const char* title, const std::vector<drips::GrowthEvent>& events) {
+  fmt::print("{}: {}\n", title, events.size());
+  for (const drips::GrowthEvent& event : events) fmt::print("  {}\n", event_line(event));
+}
+
+/// Compares the speleothems of the frames of a sequence.
+int run_frames(const DripsOptions& options) {
+  const loading::SceneSource source = options.scene.source();
+  drips::GrowthCheck check;
+  for (const int frame : picture::parse_frames(options.frames)) {
+    const loading::Loaded loaded = options.scene.load(source, frame);
+    const shot::DripsPlan& plan = *shot::find_drips(loaded.shot, options.name).drips;
+    check.add(frame, plan.grown(), plan.options().forms);
+  }
+  const drips::GrowthReport& report = check.report();
+  fmt::print("{} frames, {} parts of speleothems at the end\n", report.frames, report.speleothems);
+  fmt::print("greatest size at its first frame: {}\n", event_line(report.first));
+  fmt::print("greatest step between two frames: {}\n", event_line(report.step));
+  print_list("stalactites that break", report.broken);
+  print_list("speleothems that disappear", report.lost);
+  return report.lost.empty() ? kDone : kAnswerNo;
+}
+
 int run_drips(const DripsOptions& options) {
   const loading::Loaded loaded = options.scene.load();
   const shot::DripsPlan& plan = *shot::find_drips(loaded.shot, options.name).drips;
   const drips::Graph& graph = plan.graph();
+  const std::vector<drips::Speleothem> grown = drips::inventory(plan.grown(), graph);
   if (!options.points.empty()) write_points(options.points, delivery::drip_points(graph));
   if (options.json)
-    fmt::print("{}\n", json_of(graph, plan.grown().forms).dump(2));
+    fmt::print("{}\n", json_of(graph, grown).dump(2));
   else
-    print_text(graph, plan.grown().forms);
+    print_text(graph, grown);
   return kDone;
 }
 
@@ -121,8 +157,13 @@ Verb drips_verb() {
                            "Also writes the graph as points to this .vdb file");
             app.add_flag("--json", options->json,
                          "The whole graph with its paths, and the speleothems, as JSON");
+            app.add_option("--frames", options->frames,
+                           "Compare the speleothems of these frames, e.g. 1..240: sizes at the "
+                           "first frame, steps, and breaks. Exit code 1 if one disappears");
             return [options] {
-              return with_threads(options->work.threads, [&] { return run_drips(*options); });
+              return with_threads(options->work.threads, [&] {
+                return options->frames.empty() ? run_drips(*options) : run_frames(*options);
+              });
             };
           }};
 }
