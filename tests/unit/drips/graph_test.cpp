@@ -16,16 +16,6 @@
 namespace vug::drips {
 namespace {
 
-Planes joints(double spacing = 2, double azimuth = 0.6) {
-  karst::Geology geology;
-  geology.fractures.push_back({.azimuth = azimuth, .dip = 1.45, .spacing = spacing});
-  return Planes(geology, 1);
-}
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
 std::vector<Node> nodes_of(const Graph& graph, NodeKind kind) {
   std::vector<Node> out;
   for (const Node& node : graph.nodes)

@@ -7,6 +7,9 @@
 #include <vug/field/noise.h>
 #include <vug/field/registry.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace vug::drips {
 
 /// A hall of that width and depth between the heights -2 and about 2, whose roof slopes to +x.
@@ -23,6 +26,19 @@ inline field::Field cave(double width = 6, double slope = 0.2, double depth = 6)
                      {{"field", field::as_value(hall(width, slope, depth))},
                       {"noise", field::as_value(field::make_noise("fbm", {{"scale", 0.8}}))},
                       {"amount", 0.15}});
+}
+
+/// Steep joints in one direction.
+inline Planes joints(double spacing = 2, double azimuth = 0.6) {
+  karst::Geology geology;
+  geology.fractures.push_back({.azimuth = azimuth, .dip = 1.45, .spacing = spacing});
+  return Planes(geology, 1);
+}
+
+inline double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 /// Options for the drips in the middle of such a room, that far from its centre.
