@@ -9,6 +9,9 @@
 
 namespace vug::passages {
 
+template <class S>
+struct EllipseFoot;
+
 /// The half-axes at t in 0..1 are a = a0 + t a1 and b = b0 + t b1; their frame turns with t. With h
 /// the support function of the ellipse, the distance is D = max n . p - h(n) over unit normals n,
 /// and dD/dt = -dh/dt at the maximum: |dD/dt| is at most max(|a1|, |b1|) plus |a - b| times the
@@ -54,7 +57,7 @@ class EllipseLoft {
   template <class S>
   Slice<S> slice(const S& u, const S& v, const S& t) const;
   template <class S>
-  Sample<S> finish(const Slice<S>& at, const PlaneDistance<S>& d) const;
+  Sample<S> finish(const Slice<S>& at, const EllipseFoot<S>& d) const;
   template <class S>
   Sample<S> sample_circle(const S& u, const S& v, const S& t) const;
 
