@@ -44,7 +44,7 @@ SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surfac
                      rock_weight_bytes(active, band, materials_of(volume).size()),
                  memory, "the mesh");
   progress.begin("small features");
-  std::vector<volume::SmallFeature> small = volume::find_small_features(surface, exact);
+  std::vector<volume::SmallFeature> small = volume::find_small_features(surface, exact, progress);
   const volume::LevelSet meshed = plan.topology == shot::SmallTopology::clean
                                       ? volume::without_features(surface, small)
                                       : surface;

@@ -204,13 +204,15 @@ class Leaves {
 };
 
 /// Features of the leaf, each as if it were the only one.
-std::vector<Feature> features_in(const Sides& sides, const Leaves& leaves, const Coord& origin) {
+std::vector<Feature> features_in(const Sides& sides, const Leaves& leaves, const Coord& origin,
+                                 const Progress& progress) {
   std::vector<Feature> found;
   for_each_special_point(
       [&](const Offset& by) {
         return sides.inside(leaves.value(by), origin.offsetBy(by[0], by[1], by[2]));
       },
       [&](const Offset& by) {
+        progress.check();  // A leaf of thin sheets can take a second.
         const Coord at = origin.offsetBy(by[0], by[1], by[2]);
         if (std::optional<Feature> feature = feature_at(sides, at))
           found.push_back(std::move(*feature));
@@ -220,8 +222,10 @@ std::vector<Feature> features_in(const Sides& sides, const Leaves& leaves, const
 
 class Search {
  public:
-  Search(const LevelSet& level_set, const field::Field* exact)
-      : grid_(static_cast<const openvdb::FloatGrid&>(*level_set.data().grid)), exact_(exact) {}
+  Search(const LevelSet& level_set, const field::Field* exact, const Progress& progress)
+      : grid_(static_cast<const openvdb::FloatGrid&>(*level_set.data().grid)),
+        exact_(exact),
+        progress_(progress) {}
 
   std::vector<SmallFeature> run() {
     std::vector<Coord> origins;
@@ -242,7 +246,8 @@ class Search {
     parallel_for(
         origins.size(),
         [&](size_t i) {
-          by_leaf[i] = features_in(sides(), Leaves(grid_.tree(), origins[i]), origins[i]);
+          by_leaf[i] =
+              features_in(sides(), Leaves(grid_.tree(), origins[i]), origins[i], progress_);
         },
         16);
     std::vector<Feature> all;
@@ -256,6 +261,7 @@ class Search {
   std::vector<Coord> remove(const std::vector<Feature>& features) {
     std::set<Coord> near;
     for (const Feature& each : features) {
+      progress_.check();
       const std::optional<Feature> now = feature_at(sides(), each.samples.front());
       if (!now) continue;
       add(*now);
@@ -283,15 +289,16 @@ class Search {
 
   const openvdb::FloatGrid& grid_;
   const field::Field* exact_;
+  const Progress& progress_;
   std::set<Coord> flipped_;
   std::vector<SmallFeature> found_;
 };
 
 }  // namespace
 
-std::vector<SmallFeature> find_small_features(const LevelSet& level_set,
-                                              const field::Field* exact) {
-  return Search(level_set, exact).run();
+std::vector<SmallFeature> find_small_features(const LevelSet& level_set, const field::Field* exact,
+                                              const Progress& progress) {
+  return Search(level_set, exact, progress).run();
 }
 
 LevelSet without_features(const LevelSet& level_set, const std::vector<SmallFeature>& features) {

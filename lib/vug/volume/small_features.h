@@ -4,6 +4,7 @@
 // the crotch of two tubes, and the field has none there.
 #pragma once
 
+#include <vug/base/progress.h>
 #include <vug/field/field.h>
 #include <vug/volume/level_set.h>
 
@@ -32,9 +33,10 @@ std::string describe(const std::vector<SmallFeature>& features);
 /// The small features of the mesh that polygons_of makes of the level set, each as if those before
 /// it had been removed; bubbles and crumbs precede handles. Handles are at most six voxels long,
 /// unless `exact`, the field that the level set samples, shows that the gap does not exist. The
-/// same for any number of threads.
+/// same for any number of threads. Checks `progress` for cancellation, but begins no stage.
 std::vector<SmallFeature> find_small_features(const LevelSet& level_set,
-                                              const field::Field* exact = nullptr);
+                                              const field::Field* exact = nullptr,
+                                              const Progress& progress = Progress::none());
 
 /// The level set with these features removed: their samples change signs and keep their magnitudes,
 /// all other samples keep their bits.

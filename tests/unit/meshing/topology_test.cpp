@@ -3,6 +3,7 @@
 #include "../scan/external_data.h"
 #include "solids.h"
 
+#include <vug/base/error.h>
 #include <vug/mesh/topology.h>
 #include <vug/volume/small_features.h>
 
@@ -124,6 +125,23 @@ TEST(SmallTopology, LargerFeaturesKeepTheirBytes) {
   const volume::LevelSet level_set = volume::voxelize(solid, options);
   EXPECT_TRUE(volume::find_small_features(level_set, &solid).empty())
       << volume::describe(volume::find_small_features(level_set, &solid));
+}
+
+TEST(SmallTopology, TheSearchCanBeCancelled) {
+  const field::Field pore = field::subtract(field::make("sphere", {{"radius", 1.0}}),
+                                            {field::make("sphere", {{"radius", 0.06}})});
+  volume::VoxelizeOptions options;
+  options.voxel = 0.1;
+  const volume::LevelSet level_set = volume::voxelize(pore, options);
+  Progress progress;
+  EXPECT_EQ(volume::find_small_features(level_set, nullptr, progress).size(), 1U);
+  progress.cancel();
+  try {
+    volume::find_small_features(level_set, nullptr, progress);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::cancelled);
+  }
 }
 
 TEST(SmallTopology, OnlyTheSamplesOfABubbleChange) {
