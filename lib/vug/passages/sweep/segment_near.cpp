@@ -111,7 +111,8 @@ void Segment::pack_below(const LatticeBlock& block, double limit, double above, 
     if (known && lanes != 0) {
       const Pack plane =
           loft_ ? loft.least(u, v, axis.share(s)) : sqrt(square(u) + square(v)) - reach;
-      lanes &= bits_of(axis.capped(plane, s) * axis.scale < min(known[run] + more, highest));
+      const Pack least = any(axis.beyond(s) > Pack(0.0)) ? axis.capped(plane, s) : plane;
+      lanes &= bits_of(least * axis.scale < min(known[run] + more, highest));
     }
     if (lanes != 0) out.add(run, lanes, u, v, s);
   }
