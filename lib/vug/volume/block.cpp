@@ -170,8 +170,8 @@ class FirstOrderDistances {
   Pack limit_, least_;
 };
 
-/// First-order distances of a node that computes them itself, near its surface. False if the block
-/// is outside the band.
+/// The values of a node that computes them itself near its surface, or first-order distances where
+/// values are not distances. False if the block is outside the band.
 bool evaluate_near(const field::NearSurface& node, const field::Field& field, const Cell& cell,
                    const NarrowBand& band, Pack* values, field::Scratch& scratch) {
   field::Scratch::Frame frame(scratch);
@@ -180,6 +180,7 @@ bool evaluate_near(const field::NearSurface& node, const field::Field& field, co
   for (int axis = 0; axis < 3; ++axis)
     block.origin[axis] = static_cast<double>(cell.origin[axis]) * band.voxel;
   if (!node.first_order(block, reach(band, field), {values, distances}, scratch)) return false;
+  if (field.exactness() <= Exactness::eikonal) return true;
   const Neighbours neighbours(field, band);
   for (int i = 0; i < kPacks; ++i) values[i] = neighbours.held(values[i], distances[i]);
   return true;
@@ -201,8 +202,8 @@ float contact_in(const Cell& cell, double voxel) {
 }  // namespace
 
 const field::NearSurface* near_surface_of(const field::Field& field, const NarrowBand& band) {
-  const bool repaired = band.repair && field.exactness() > Exactness::eikonal;
-  return repaired ? dynamic_cast<const field::NearSurface*>(field.node().get()) : nullptr;
+  const bool distances = band.repair || field.exactness() <= Exactness::eikonal;
+  return distances ? dynamic_cast<const field::NearSurface*>(field.node().get()) : nullptr;
 }
 
 void Block::fill_outside(float background) {
