@@ -165,6 +165,35 @@ TEST(Calcite, CrestsGrowAndPoolsDeepen) {
   EXPECT_GT(total(s, "pool"), 3 * water);
 }
 
+/// The mean square of the differences of `height` between neighbours across the slope, relative to
+/// that between neighbours along it; the lower half of the slope only.
+double grooves(const Simulation& s) {
+  const Network& n = s.network();
+  const auto& height = s.attributes().values<float>("height");
+  double sum[2] = {0, 0}, count[2] = {0, 0};
+  for (uint32_t i = 0; i < n.size(); ++i) {
+    if (n.position[i].x < 0.15f) continue;
+    for (const uint32_t j : n.links.of(i)) {
+      const Vec3f d = n.position[j] - n.position[i];
+      const float side = std::fabs(d.z) / d.length();
+      if (side > 0.4f && side < 0.9f) continue;
+      const int which = side > 0.5f ? 1 : 0;
+      const auto step = static_cast<double>(height[j] - height[i]);
+      sum[which] += step * step / static_cast<double>(d.length2());
+      ++count[which];
+    }
+  }
+  return sum[1] / count[1] / (sum[0] / count[0]);
+}
+
+TEST(Calcite, AggressiveWaterCutsFlutesDownTheSlope) {
+  Simulation s(slope_network(0.5, 0.3, 0.004, 50 * kPi / 180), RandomKey(1));
+  roughen(s, 0.03, 0.0005);
+  const double before = grooves(s);
+  s.run({stage("calcite", {{"years", 1}, {"rate", 0.05}, {"calcium", 0}, {"smooth", 0.004}})}, 60);
+  EXPECT_GT(grooves(s), 2.5 * before);
+}
+
 TEST(Calcite, SameBytesForAnyNumberOfThreads) {
   const auto run = [](int threads) {
     return with_threads(threads, [] {
