@@ -39,6 +39,7 @@ vug_family(shot     points        point_kinds           PointKind               
 vug_family(shot     point_lists   point_list_kinds      PointListKind             points       networks.h SCENE)
 vug_family(shot     section_rules section_rule_kinds    SectionRuleKind           section_rule section_rules.h SCENE)
 vug_family(shot     labels        label_kinds           LabelKind                 surface_label labels.h SCENE)
+vug_family(shot     label_lists   label_list_kinds      LabelListKind             labels       label_lists.h SCENE)
 vug_family(shot     dicing        dicing_kinds          DicingKind                dicing       dicing.h SCENE)
 vug_family(facade   elements      elements              ElementKind               element      element.h SCENE)
 vug_family(facade   splits        splits                SplitKind                 split        split.h)

@@ -51,6 +51,7 @@ const std::map<std::string, std::string>& statements() {
       {"section", "field air = passages(of: plan, section: @)"},
       {"section rule", "field air = passages(of: plan, sections: [@])"},
       {"label", "mesh walls on cave { labels [@] }"},
+      {"labels", "mesh walls on cave { labels @ }"},
       {"dicing", "object walls on skin { detail @ }"},
       {"geology", "network cave_plan = karst(geology: [@])"},
       {"point", "camera main { eye @ }"},

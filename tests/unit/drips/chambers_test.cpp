@@ -27,7 +27,7 @@ constexpr Style kStyles[] = {
     {"dry", 0.4, 0.2, 30000, 400, 0.45, 0.25, 0, 0.02},
 };
 
-DripstoneOptions options(const Style& style) {
+DripstoneOptions options_of(const Style& style) {
   DripstoneOptions o;
   // Sparse drips need a larger chamber for statistics.
   const double half = style.density < 0.5 ? 10 : 4;
@@ -55,7 +55,7 @@ double spread_of_logarithms(const std::vector<double>& values) {
 class Chambers : public testing::TestWithParam<Style> {
  protected:
   Chambers()
-      : o_(options(GetParam())),
+      : o_(options_of(GetParam())),
         rock_(cave(2.2 * o_.graph.to.x, 0.12, 2.2 * o_.graph.to.x)),
         graph_(build_graph(rock_, o_.graph)),
         grown_(grow_dripstone(rock_, graph_, o_)) {
