@@ -47,8 +47,10 @@ TEST(Language, ExamplesAreValid) {
 TEST(Language, DripsOfTheirPageAreValid) {
   const std::vector<std::string> examples = blocks("vug", "reference/drips.md");
   ASSERT_GE(examples.size(), 1u);
+  LoadOptions options;
+  options.include_folders = {fs::path(VUG_DATA)};
   for (const std::string& example : examples)
-    EXPECT_EQ(load_text(example, "drips.md", {}).report(), "") << example;
+    EXPECT_EQ(load_text(example, "drips.md", options).report(), "") << example;
 }
 
 TEST(Language, EveryDecorationMakesRock) {
