@@ -77,7 +77,7 @@ TEST(Language, EveryDecorationMakesRock) {
     EXPECT_GT(grown, 0) << entry.path() << ": nothing grew in the room";
     EXPECT_LT(grown, 2800) << entry.path() << ": the room is full";
   }
-  EXPECT_GE(count, 6u);
+  EXPECT_GE(count, 9u);
 }
 
 TEST(Language, DecorationsOfTheirGuideAreValid) {
