@@ -104,6 +104,12 @@ void Drainage::find_crests(double head) {
   }
 }
 
+bool Drainage::reaches_outlets() const {
+  for (uint32_t p = 0; p < pools(); ++p)
+    if (crests_.degree(p) == 0) return false;
+  return true;
+}
+
 void Drainage::set_weights(const std::vector<Vec3f>& position, int gather) {
   weight_.assign(links_.to.size(), 0);
   steep_.assign(height_.size(), 0);

@@ -40,6 +40,9 @@ class Drainage {
   uint32_t pools() const { return static_cast<uint32_t>(members_.size()); }
   std::span<const uint32_t> members(uint32_t pool) const { return members_.of(pool); }
 
+  /// Whether each piece of the network has an outlet.
+  bool reaches_outlets() const;
+
   /// Sends water from the highest cells to the outlets. `load` contains what enters at each cell;
   /// afterwards, what arrives there in total; for the cells of a pool, all that arrives in the
   /// pool. `in_cell(cell, load)` and `in_pool(pool, load)` return what leaves. Returns the total

@@ -72,6 +72,9 @@ FilmFlow::FilmFlow(Pass& pass, const FilmParams& params, double calcium)
       drainage_(pass.network().links, surface_positions(pass), outlet_,
                 {params.gather, params.head}),
       sources_(entering_loads(pass, params, calcium)) {
+  if (!drainage_.reaches_outlets() && !pass.is_trial())
+    throw Error(ErrorCode::bad_input, "water cannot leave: the attribute 'outlet' is 0 in a piece",
+                {}, "set 'outlet' to 1 somewhere in each piece, or let 'film' find outlets");
   set_speeds();
   const auto is_wet = [](const Load& load) { return load.water > 0; };
   if (!pass.is_trial() && std::none_of(sources_.begin(), sources_.end(), is_wet))

@@ -47,7 +47,8 @@ void describe_film(Schema<P>& s) {
 class FilmFlow {
  public:
   /// `calcium`: of the water of sources, mol/m3; condensed water contains none. Stores the outlets
-  /// in the attribute `outlet` the first time. Throws Error(bad_input) if no water enters anywhere.
+  /// in the attribute `outlet` unless it exists. Throws Error(bad_input) if no water enters, or if
+  /// it cannot leave.
   FilmFlow(Pass& pass, const FilmParams& params, double calcium = 0);
 
   const Drainage& drainage() const { return drainage_; }

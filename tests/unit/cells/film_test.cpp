@@ -188,5 +188,17 @@ TEST(Film, NeedsWater) {
   EXPECT_EQ(message({{"condensation", 0.001}}), "");
 }
 
+TEST(Film, LeavesAtGivenOutlets) {
+  Simulation s(slope_network(0.3, 0.2, 0.02, 0.3), RandomKey(1));
+  auto& outlet = s.attributes().column<float>("outlet").now;
+  EXPECT_THROW(s.run({stage("film")}, 1), Error);
+  outlet[7] = 1;
+  s.run({stage("film", {{"rate", 1}})}, 1);
+  const auto& area = s.network().area;
+  const double supply = std::accumulate(area.begin(), area.end(), 0.0) / 86400;
+  const auto& discharge = s.attributes().values<float>("discharge");
+  EXPECT_NEAR(static_cast<double>(discharge[7]) / supply, 1, 1e-4);
+}
+
 }  // namespace
 }  // namespace vug::cells
