@@ -66,6 +66,16 @@ class Drips(VugTest):
         groups = {group["name"]: group["points"] for group in grid["points"]["groups"]}
         self.assertEqual(groups["drop"], sum(node["kind"] == "drop" for node in nodes))
 
+    def test_too_many_forms_are_refused(self):
+        # 2.25 million places, with up to 4 kB each.
+        error = self.drips("--max-memory", "500M", edits="density: 100%,", code=0)
+        (self.folder / "cave.vug").write_text(SCENE.replace("EDITS", "").replace("spacing: 40cm", "spacing: 4mm, density: 100%"))
+        error = self.expect(2, "drips", "cave.vug", "--max-memory", "500M").err
+        self.assertRegex(error, r"the graph of the drips would take about [\d.]+ GiB of memory, more than the limit of 500 MiB")
+        self.assertIn("raise --max-memory", error)
+        (self.folder / "cave.vug").write_text(SCENE.replace("EDITS", "").replace("spacing: 40cm", "spacing: 1mm"))
+        self.assertIn("there would be millions of drips", self.expect(2, "drips", "cave.vug").err)
+
     def test_faults(self):
         error = self.drips(edits="edits: [remove_drip(drip: 99999)],", code=2)
         self.assertIn("drip 99999 is removed, but the roof has no such drip", error)

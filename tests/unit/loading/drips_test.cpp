@@ -107,6 +107,36 @@ TEST(DripsDeclaration, GivesLabelsWithTheNumbersOfDrips) {
   EXPECT_GT(skirts, 5);
 }
 
+TEST(DripsDeclaration, AShareOfTheWaysFollowsTheWaterOfItsDrips) {
+  const Loaded scene = load_text(
+      drips_with(", density: 100%") +
+          "volume some = level_set(water_paths(of: water, share: 30%, radius: 1mm), voxel: 1cm)\n"
+          "volume none = level_set(water_paths(of: water, share: 0%, radius: 1mm), voxel: 1cm)\n",
+      "t.vug", {});
+  ASSERT_EQ(scene.report(), "");
+  const drips::Graph& graph = scene.shot.drips.at(0).drips->graph();
+  const field::Field &some = scene.shot.volumes.at(0)->field,
+                     &none = scene.shot.volumes.at(1)->field;
+  std::vector<bool> reached(graph.nodes.size());
+  size_t shown = 0, seeps = 0;
+  for (const drips::Edge& edge : graph.edges) {
+    const auto on_path = [&](const field::Field& field) {
+      return field.value(0.5 * (edge.path[0] + edge.path[1])) < 1e-4;
+    };
+    EXPECT_FALSE(on_path(none));
+    if (graph.nodes[static_cast<size_t>(edge.from)].kind == drips::NodeKind::seep) {
+      ++seeps;
+      shown += on_path(some);
+    }
+    if (on_path(some)) reached[static_cast<size_t>(edge.to)] = true;
+    if (reached[static_cast<size_t>(edge.from)] && edge.path[0] != edge.path[1]) {
+      EXPECT_TRUE(on_path(some)) << "water takes its stain along";
+    }
+  }
+  EXPECT_GT(shown, seeps / 5);
+  EXPECT_LT(shown, seeps / 2);
+}
+
 TEST(DripsDeclaration, WhatHasGrownHasAMaterialOfItsOwn) {
   const auto scene_with = [](const std::string& rock) {
     return load_text(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_options.h"
 
+#include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/delivery/drip_points.h>
 #include <vug/drips/growth_report.h>
@@ -103,6 +104,14 @@ void write_points(const std::filesystem::path& target, const volume::Points& poi
   volume::write(target, {volume::point_grid(points, voxel_for(points)).named("drips")});
 }
 
+/// The drips of a loaded scene. Error(too_large) if their graph needs more memory than allowed.
+const shot::DripsPlan& plan_of(const loading::Loaded& loaded, const DripsOptions& options) {
+  const shot::DripsPlan& plan = *shot::find_drips(loaded.shot, options.name).drips;
+  require_memory(drips::graph_memory(plan.options().graph), options.work.memory_limit(),
+                 "the graph of the drips", "use a larger spacing or a smaller box");
+  return plan;
+}
+
 std::string event_line(const drips::GrowthEvent& event) {
   return fmt::format("{:.2g} cm, {} of drip {} at frame {}", 100 * event.size, event.kind,
                      event.drip, event.frame);
@@ -119,7 +128,7 @@ int run_frames(const DripsOptions& options) {
   drips::GrowthCheck check;
   for (const int frame : picture::parse_frames(options.frames)) {
     const loading::Loaded loaded = options.scene.load(source, frame);
-    const shot::DripsPlan& plan = *shot::find_drips(loaded.shot, options.name).drips;
+    const shot::DripsPlan& plan = plan_of(loaded, options);
     check.add(frame, plan.grown(), plan.options().forms);
   }
   const drips::GrowthReport& report = check.report();
@@ -133,7 +142,7 @@ int run_frames(const DripsOptions& options) {
 
 int run_drips(const DripsOptions& options) {
   const loading::Loaded loaded = options.scene.load();
-  const shot::DripsPlan& plan = *shot::find_drips(loaded.shot, options.name).drips;
+  const shot::DripsPlan& plan = plan_of(loaded, options);
   const drips::Graph& graph = plan.graph();
   const std::vector<drips::Speleothem> grown = drips::inventory(plan.grown(), graph);
   if (!options.points.empty()) write_points(options.points, delivery::drip_points(graph));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tubes along the ways of the water of drips.
+#include <vug/base/rng.h>
 #include <vug/field/boolean.h>
 #include <vug/field/deferred.h>
 #include <vug/passages/lines/centreline.h>
@@ -15,26 +16,51 @@ struct WaterPaths {
   DripsPtr of;
   Paths only = Paths::all;
   double radius = 0.005;
+  double share = 1;
+  int seed = 1;
 
   static void describe(Schema<WaterPaths>& s) {
     s.doc(
          "Tubes along the ways of the water of named drips: films on roofs, walls and floors, and "
-         "falls of drops. They show the graph, and as a distance they are a mask for stains.")
+         "falls of drops. They show the graph, and as the distance of the mask `near` they place "
+         "wet films and stains.")
         .param("of", &WaterPaths::of, {.doc = "the drips", .required = true})
         .choice("only", &WaterPaths::only,
                 {{"all", Paths::all}, {"films", Paths::films}, {"falls", Paths::falls}},
                 "which ways")
-        .param("radius", &WaterPaths::radius, positive_length("radius of the tubes"));
+        .param("radius", &WaterPaths::radius, positive_length("radius of the tubes"))
+        .param("share", &WaterPaths::share,
+               {.doc = "share of the drips whose ways are included, with all places to which their "
+                       "water runs: e.g. those whose water carries iron",
+                .dimension = Dimension::ratio,
+                .min = 0,
+                .max = 1})
+        .param("seed", &WaterPaths::seed, {.doc = "random seed of this choice"});
   }
   bool shows(drips::EdgeKind kind) const {
     return only == Paths::all || (only == Paths::falls) == (kind == drips::EdgeKind::fall);
   }
 };
 
+/// Whether the water at each node comes from a drip of the share. Edges are in the order of the
+/// flow.
+std::vector<bool> chosen_nodes(const WaterPaths& p) {
+  const drips::Graph& graph = p.of->graph();
+  const RandomKey key = RandomKey(static_cast<uint64_t>(p.seed)).at("water paths");
+  std::vector<bool> chosen;
+  for (const drips::Node& node : graph.nodes)
+    chosen.push_back(node.kind == drips::NodeKind::seep &&
+                     RandomStream(key.at(static_cast<uint64_t>(node.id))).uniform() < p.share);
+  for (const drips::Edge& edge : graph.edges)
+    if (chosen[static_cast<size_t>(edge.from)]) chosen[static_cast<size_t>(edge.to)] = true;
+  return chosen;
+}
+
 std::vector<passages::AxisLine> lines(const WaterPaths& p) {
+  const std::vector<bool> chosen = chosen_nodes(p);
   std::vector<passages::AxisLine> out;
   for (const drips::Edge& edge : p.of->graph().edges) {
-    if (!p.shows(edge.kind)) continue;
+    if (!p.shows(edge.kind) || !chosen[static_cast<size_t>(edge.from)]) continue;
     for (size_t i = 1; i < edge.path.size(); ++i)
       if (edge.path[i] != edge.path[i - 1])
         out.push_back({.from = edge.path[i - 1], .to = edge.path[i]});
