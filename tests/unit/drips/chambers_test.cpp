@@ -2,6 +2,7 @@
 // Statistics of three decorated chambers, with the numbers of the styles show_cave, pristine and
 // dry: drips follow joints, stalagmites are under their drops, sizes are spread, nothing floats.
 #include <vug/drips/dripstone.h>
+#include <vug/drips/growth.h>
 #include <vug/drips/surface.h>
 
 #include <gtest/gtest.h>
