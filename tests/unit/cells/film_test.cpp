@@ -125,7 +125,7 @@ std::vector<float> slow_levels(const Links& links, const std::vector<float>& hei
 }
 
 TEST(FillPools, EqualsTheLowestPassToAnOutlet) {
-  for (const uint64_t seed : {1, 2, 3}) {
+  for (const uint64_t seed : {1U, 2U, 3U}) {
     const RoughSlope slope(0.1, seed);
     std::vector<float> height;
     for (const Vec3f& p : slope.position) height.push_back(p.y);
