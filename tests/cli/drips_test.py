@@ -53,7 +53,8 @@ class Drips(VugTest):
         self.assertRegex(text, r"greatest step between two frames: [\d.]+ cm, \w+ of drip -?\d+ at frame \d+")
         self.assertIn("speleothems that disappear: 0", text)
         # A key of the density is not growth: drips disappear, and the answer is no.
-        text = self.drips("--frames", "1..2", edits="density: keys(1: 100%, 2: 10%),", code=1)
+        self.drips("--frames", "1..2", edits="density: keys(1: 100%, 2: 10%),", code=1)
+        self.assertIn("--json excludes --frames", self.drips("--frames", "1..2", "--json", code=2))
 
     def test_contradictory_ages(self):
         error = self.drips(edits="age: 5000, final_age: 4000,", code=2)
@@ -68,7 +69,7 @@ class Drips(VugTest):
 
     def test_too_many_forms_are_refused(self):
         # 2.25 million places, with up to 4 kB each.
-        error = self.drips("--max-memory", "500M", edits="density: 100%,", code=0)
+        self.drips("--max-memory", "500M", edits="density: 100%,")
         (self.folder / "cave.vug").write_text(SCENE.replace("EDITS", "").replace("spacing: 40cm", "spacing: 4mm, density: 100%"))
         error = self.expect(2, "drips", "cave.vug", "--max-memory", "500M").err
         self.assertRegex(error, r"the graph of the drips would take about [\d.]+ GiB of memory, more than the limit of 500 MiB")

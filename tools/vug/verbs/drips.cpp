@@ -168,7 +168,9 @@ Verb drips_verb() {
                          "The whole graph with its paths, and the speleothems, as JSON");
             app.add_option("--frames", options->frames,
                            "Compare the speleothems of these frames, e.g. 1..240: sizes at the "
-                           "first frame, steps, and breaks. Exit code 1 if one disappears");
+                           "first frame, steps, and breaks. Exit code 1 if one disappears")
+                ->excludes("--json")
+                ->excludes("--points");
             return [options] {
               return with_threads(options->work.threads, [&] {
                 return options->frames.empty() ? run_drips(*options) : run_frames(*options);
