@@ -35,13 +35,21 @@ class BoxLanes {
 
  private:
   static constexpr size_t kLanes = Pack::kLanes;
-  /// Eight solids.
+  /// Eight solids, or the boxes around eight solids each.
   struct Lanes {
     float low[3][kLanes], high[3][kLanes];
     float growth[kLanes], depth[kLanes], margin[kLanes];
   };
+  /// A box of points, around which distances may be shorter by `nearer`.
+  struct Region {
+    float least[3], greatest[3], nearer = 0;
+  };
+  static Pack bound(const Lanes& lanes, const Region& region);
+  /// Calls visit(i) for the solids whose values in the region may be at most `limit`, in order.
+  template <class Visit>
+  void visit_candidates(const Region& region, const Pack& limit, const Visit& visit) const;
 
-  std::vector<Lanes> lanes_;
+  std::vector<Lanes> lanes_, groups_;
   size_t count_ = 0;
 };
 

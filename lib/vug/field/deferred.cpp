@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/memory.h>
 #include <vug/field/deferred.h>
+#include <vug/field/evaluates_below.h>
 #include <vug/field/material_source.h>
 
 #include <tbb/task_arena.h>
@@ -16,7 +17,7 @@
 namespace vug::field {
 namespace {
 
-class DeferredNode final : public Node, public MaterialSource {
+class DeferredNode final : public Node, public MaterialSource, public EvaluatesBelow {
  public:
   DeferredNode(Traits traits, std::string work, std::function<Field()> make, double bytes)
       : Node(std::move(traits)), work_(std::move(work)), make_(std::move(make)), bytes_(bytes) {}
@@ -50,6 +51,17 @@ class DeferredNode final : public Node, public MaterialSource {
     made().eval(points, count, out, scratch);
   }
   Restriction restrict_to(const Ball& ball) const override { return made().restrict_to(ball); }
+  void eval_below(const Point<Pack>* points, const Pack* limits, int count, Pack* out,
+                  Scratch& scratch) const override {
+    evaluate_below(made(), points, limits, count, out, scratch);
+  }
+  void eval_below(const Point<Pack>* points, const Pack* limits, int count, Dual<Pack>* out,
+                  Scratch& scratch) const override {
+    evaluate_below(made(), points, limits, count, out, scratch);
+  }
+  Restriction restrict_below(const Ball& ball, double limit) const override {
+    return field::restrict_below(made(), ball, limit);
+  }
   std::string name() const override { return ready_ ? made().name() : "deferred"; }
   std::vector<NodePtr> children() const override {
     return ready_ ? made().children() : std::vector<NodePtr>();

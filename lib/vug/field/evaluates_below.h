@@ -26,6 +26,20 @@ class EvaluatesBelow {
   EvaluatesBelow& operator=(const EvaluatesBelow&) = default;
 };
 
+/// The same of any node.
+template <class T>
+void evaluate_below(const Node& node, const Point<Pack>* points, const Pack* limits, int count,
+                    T* out, Scratch& scratch) {
+  if (const auto* below = dynamic_cast<const EvaluatesBelow*>(&node))
+    below->eval_below(points, limits, count, out, scratch);
+  else
+    node.eval(points, count, out, scratch);
+}
+inline Restriction restrict_below(const Node& node, const Ball& ball, double limit) {
+  const auto* below = dynamic_cast<const EvaluatesBelow*>(&node);
+  return below ? below->restrict_below(ball, limit) : node.restrict_to(ball);
+}
+
 /// A limit above which values do not change a blend of the given radius with `value`. It is a
 /// little larger, so that equal values are below it.
 inline Pack limit_for(const Pack& value, double radius) {

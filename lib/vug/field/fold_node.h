@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,8 @@ class FoldNode final : public EvaluationModes<FoldNode>,
 
   template <class T>
   T at(const Point<T>& p) const {
+    if constexpr (!std::is_same_v<T, Interval>)
+      if (operands_.size() >= kMany && is_plain_union()) return at_near(p);
     T folded = operands_[0].node->eval(p) * T(operands_[0].sign);
     for (size_t i = 1; i < operands_.size(); ++i)
       folded = blend_.smin(folded, operands_[i].node->eval(p) * T(operands_[i].sign));
@@ -77,7 +80,7 @@ class FoldNode final : public EvaluationModes<FoldNode>,
 
   Restriction restrict_to(const Ball& ball) const override { return restricted(ball, kInfinity); }
   Restriction restrict_below(const Ball& ball, double limit) const override {
-    return restricted(ball, sign_ > 0 && blend_.profile == Profile::sharp ? limit : kInfinity);
+    return restricted(ball, is_plain_union() ? limit : kInfinity);
   }
 
   std::string name() const override {
@@ -109,6 +112,8 @@ class FoldNode final : public EvaluationModes<FoldNode>,
   static constexpr size_t kFew = 4;              // A test of these would not pay.
   static constexpr std::ptrdiff_t kSorted = 16;  // The others are rarely evaluated.
   static constexpr size_t kOrdered = 512;  // More are restricted again before they are evaluated.
+  static constexpr size_t kMany = 32;      // At single points, a search among these does not pay.
+  bool is_plain_union() const { return sign_ > 0 && blend_.profile == Profile::sharp; }
   bool is_complement() const { return operands_.size() == 1 && operands_[0].sign != sign_; }
   template <class T>
   static void flip(T* values, int count, double sign) {
@@ -117,6 +122,23 @@ class FoldNode final : public EvaluationModes<FoldNode>,
   }
 
   Restriction restricted(const Ball& ball, double limit) const;
+  /// The minimum over the operands that can have it, in order, of a plain union.
+  template <class T>
+  T at_near(const Point<T>& p) const {
+    const Vec3d here(value_of(p.x), value_of(p.y), value_of(p.z));
+    const size_t first = boxes_.nearest(here).value_or(0);
+    double least = operands_[first].node->eval(point(here)) * operands_[first].sign;
+    std::vector<uint32_t> near;
+    boxes_.find_candidates({here, 0}, least, near);
+    T folded(kInfinity);
+    for (const uint32_t i : near) {
+      const Operand& operand = operands_[i];
+      if (operand.reach.least({here, 0}) > least) continue;
+      folded = min(folded, operand.node->eval(p) * T(operand.sign));
+      least = std::min(least, value_of(folded));
+    }
+    return folded;
+  }
   template <class T>
   void eval(size_t i, const Point<Pack>* points, int count, T* out, Scratch& scratch) const {
     operands_[i].node->eval(points, count, out, scratch);
@@ -126,8 +148,7 @@ class FoldNode final : public EvaluationModes<FoldNode>,
   template <class T>
   void fill_below(const Point<Pack>* points, const Pack* limits, int count, T* out,
                   Scratch& scratch) const {
-    if (boxes_.empty() || sign_ < 0 || blend_.profile != Profile::sharp)
-      return fill(points, count, out, scratch);
+    if (boxes_.empty() || !is_plain_union()) return fill(points, count, out, scratch);
     for (int k = 0; k < count; ++k) out[k] = without_derivatives<T>(limits[k]);
     add_near_operands(0, points, count, out, scratch);
   }

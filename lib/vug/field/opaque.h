@@ -12,7 +12,7 @@ namespace vug::field {
 ///        NodePtr restricted(const Ball&, const Traits&) const   (optional: see Restriction::node)
 /// Batches are evaluated lane by lane in double precision; intervals use the Lipschitz constant.
 template <class S>
-class OpaqueNode final : public EvaluationModes<OpaqueNode<S>> {
+class OpaqueNode : public EvaluationModes<OpaqueNode<S>> {
  public:
   OpaqueNode(std::string name, Traits traits, S source)
       : EvaluationModes<OpaqueNode<S>>(std::move(traits)),

@@ -8,6 +8,8 @@
 #include <vug/field/registry.h>
 #include <vug/field/speleothems/deposits.h>
 #include <vug/field/speleothems/drapery_sheet.h>
+#include <vug/field/speleothems/element_field.h>
+#include <vug/field/speleothems/nodule.h>
 #include <vug/field/speleothems/turned.h>
 
 #include <gtest/gtest.h>
@@ -134,6 +136,14 @@ TEST(ManySolids, UnionEqualsThePlainMinimum) {
     const Field part = whole.restricted(ball).field;
     EXPECT_EQ(stored(gradients(part, points)).value, expected.value);
     EXPECT_EQ(values(part, points), expected.value);
+    for (int k = 0; k < 8; ++k) {
+      const Vec3d p = point_in(random, ball);
+      Dual<double> least = all[0].node()->eval(seeded(point(p)));
+      for (const Field& each : all) least = min(least, each.node()->eval(seeded(point(p))));
+      EXPECT_EQ(whole.value(p), least.v);
+      EXPECT_EQ(whole.gradient(p).value, least.v);
+      EXPECT_EQ(whole.gradient(p).gradient, Vec3d(least.dx, least.dy, least.dz));
+    }
   }
 }
 
@@ -161,6 +171,49 @@ TEST(ManySolids, RockBlendsWithThemAsWithThePlainMinimum) {
       EXPECT_EQ(part.value(p), blend.smin(rock.value(p), unite(all).value(p)));
     }
   }
+}
+
+/// Knobs on the plane y = 0, where the rock of the next test ends.
+std::vector<Nodule> knobs(int count) {
+  RandomStream random(RandomKey(8).at("knobs"));
+  std::vector<Nodule> out;
+  for (int i = 0; i < count; ++i) {
+    Vec3d foot = random_point(random, 3);
+    foot.y *= 0.03;
+    const double radius = random.uniform(0.02, 0.06);
+    const Vec3d top = foot + Vec3d(0.03, 2 * radius, 0.02);
+    out.push_back({{foot, top, 0.4 * radius, 0.4 * radius}, radius, {Profile::smooth, 0.02}});
+  }
+  return out;
+}
+
+TEST(ManySolids, RockJoinsManySmallElements) {
+  const Field rock = make("displace", {{"field", as_value(make("half_space"))}, {"amount", 0.1}});
+  for (const Blend& fillet : {Blend{}, Blend{Profile::smooth, 0.05}})
+    for (const int count : {300, 4000}) {
+      const Field crust = element_field("knobs", knobs(count), Exactness::bound, fillet);
+      const Field whole = unite({rock, crust});
+      RandomStream random(RandomKey(9).at("balls"));
+      for (int i = 0; i < 10; ++i) {
+        Ball ball{random_point(random, 3), std::exp2(random.uniform(-4, 1))};
+        ball.centre.y *= 0.3;
+        const std::vector<Point<Pack>> points = rows(random, ball);
+        EXPECT_EQ(stored(gradients(whole, points)), stored(plain_union({rock, crust}, points)));
+        const Field::RestrictedField part = whole.restricted(ball);
+        const std::vector<Dual<Pack>> parts =
+            plain_union({rock.restricted(ball).field, crust.restricted(ball).field}, points);
+        const Values found = values(part.field, points), expected = stored(parts).value;
+        for (size_t k = 0; k < kPacks; ++k)
+          for (size_t lane = 0; lane < Pack::kLanes; ++lane)
+            // Lists of elements have single precision, the tree of all has double precision.
+            EXPECT_NEAR(found[k][lane], expected[k][lane], 4e-6);
+        for (int k = 0; k < 10; ++k) {
+          const Vec3d p = point_in(random, ball);
+          EXPECT_EQ(part.field.value(p), whole.value(p));
+          EXPECT_TRUE(part.range.contains(whole.value(p)));
+        }
+      }
+    }
 }
 
 TEST(ManySolids, BoxesExcludeNoSolidThatMatters) {

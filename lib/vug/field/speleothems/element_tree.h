@@ -56,8 +56,9 @@ class ElementTree {
     return true;
   }
 
-  Nearest nearest(const Vec3d& p, double reach) const {
-    Nearest out;
+  /// Elements that are not nearer than `limit` are not found: it counts as their distance.
+  Nearest nearest(const Vec3d& p, double reach, double limit = kInfinity) const {
+    Nearest out{limit, limit};
     std::array<Visit, 128> stack;  // The depth is at most 64, since the tree is balanced.
     size_t size = 0;
     if (!nodes_.empty()) stack[size++] = {0, least(nodes_[0], p)};
