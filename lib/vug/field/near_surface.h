@@ -37,6 +37,9 @@ struct FirstOrderRuns {
   Pack* distances;
 };
 
+/// Where the values of a block are: all above the limit, all below -limit, or near the surface.
+enum class BlockRange { above, below, near };
+
 /// "Near the surface" means: where |value| <= limit. Elsewhere results may have any value of the
 /// same sign beyond the limit.
 class NearSurface {
@@ -46,10 +49,10 @@ class NearSurface {
   /// node only near the surface. The restricted node must be restricted further with the same limit
   /// or a smaller one.
   virtual Restriction restrict_near(const Ball& ball, double limit) const = 0;
-  /// Fills the values and distances of FirstOrder for the runs of a block. Returns false, and
-  /// leaves the arrays as they are, if all values are above the limit.
-  virtual bool first_order(const LatticeBlock& block, double limit, const FirstOrderRuns& out,
-                           Scratch& scratch) const = 0;
+  /// Fills the values and distances of FirstOrder for the runs of a block that is `near`; others
+  /// leave the arrays as they are. Blocks without a value near the surface may be `near`, too.
+  virtual BlockRange first_order(const LatticeBlock& block, double limit, const FirstOrderRuns& out,
+                                 Scratch& scratch) const = 0;
 
  protected:
   NearSurface() = default;

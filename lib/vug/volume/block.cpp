@@ -171,19 +171,21 @@ class FirstOrderDistances {
 };
 
 /// The values of a node that computes them itself near its surface, or first-order distances where
-/// values are not distances. False if the block is outside the band.
-bool evaluate_near(const field::NearSurface& node, const field::Field& field, const Cell& cell,
-                   const NarrowBand& band, Pack* values, field::Scratch& scratch) {
+/// values are not distances, if the block is near the band.
+field::BlockRange evaluate_near(const field::NearSurface& node, const field::Field& field,
+                                const Cell& cell, const NarrowBand& band, Pack* values,
+                                field::Scratch& scratch) {
   field::Scratch::Frame frame(scratch);
   auto* distances = frame.take<Pack>(kPacks);
   field::LatticeBlock block{.step = band.voxel};
   for (int axis = 0; axis < 3; ++axis)
     block.origin[axis] = static_cast<double>(cell.origin[axis]) * band.voxel;
-  if (!node.first_order(block, reach(band, field), {values, distances}, scratch)) return false;
-  if (field.exactness() <= Exactness::eikonal) return true;
+  const field::BlockRange range =
+      node.first_order(block, reach(band, field), {values, distances}, scratch);
+  if (range != field::BlockRange::near || field.exactness() <= Exactness::eikonal) return range;
   const Neighbours neighbours(field, band);
   for (int i = 0; i < kPacks; ++i) values[i] = neighbours.held(values[i], distances[i]);
-  return true;
+  return range;
 }
 
 /// For unrepaired steep values.
@@ -206,8 +208,8 @@ const field::NearSurface* near_surface_of(const field::Field& field, const Narro
   return distances ? dynamic_cast<const field::NearSurface*>(field.node().get()) : nullptr;
 }
 
-void Block::fill_outside(float background) {
-  std::fill_n(values, kSize, background);
+void Block::fill(float value) {
+  std::fill_n(values, kSize, value);
   std::fill_n(active, 8, 0);
 }
 
@@ -220,8 +222,9 @@ void evaluate(const field::Field& field, const Cell& cell, const NarrowBand& ban
   field::Scratch::Frame frame(scratch);
   auto* values = frame.take<Pack>(kPacks);
   if (const field::NearSurface* near = near_surface_of(field, band)) {
-    if (!evaluate_near(*near, field, cell, band, values, scratch))
-      return block.fill_outside(band.background);
+    const field::BlockRange range = evaluate_near(*near, field, cell, band, values, scratch);
+    if (range != field::BlockRange::near)
+      return block.fill(range == field::BlockRange::above ? band.background : -band.background);
   } else {
     auto* points = frame.take<Point<Pack>>(kPacks);
     place_points(cell, band.voxel, points);

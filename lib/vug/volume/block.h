@@ -13,7 +13,8 @@ struct Block {
   alignas(32) float values[kSize];
   uint64_t active[8];
 
-  void fill_outside(float background);
+  /// Gives all voxels one value, and none is active.
+  void fill(float value);
   bool any_active() const;
 };
 

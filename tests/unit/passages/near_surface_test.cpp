@@ -30,6 +30,7 @@ double lane(const Pack& pack, size_t i) {
 
 struct Counts {
   int near = 0, off = 0;
+  int inside = 0;  // Blocks.
 };
 
 /// Compares a block with values and gradients of points. The gradient jumps where two segments have
@@ -37,20 +38,22 @@ struct Counts {
 void compare(const Field& field, const LatticeBlock& block, double limit, Counts& counts) {
   field::Scratch scratch;
   Pack values[LatticeBlock::kRuns], distances[LatticeBlock::kRuns];
-  const bool any = near_surface(field)->first_order(block, limit, {values, distances}, scratch);
+  const field::BlockRange range =
+      near_surface(field)->first_order(block, limit, {values, distances}, scratch);
+  counts.inside += range == field::BlockRange::below;
   for (size_t run = 0; run < LatticeBlock::kRuns; ++run)
     for (size_t z = 0; z < 8; ++z) {
       const Vec3d p =
           block.origin + block.step * Vec3d(static_cast<double>(run / 8),
                                             static_cast<double>(run % 8), static_cast<double>(z));
       const field::Gradient g = field.gradient(p);
-      if (!any || std::fabs(g.value) > limit) {
-        if (any) {
-          ASSERT_GT(std::fabs(lane(values[run], z)), limit - 2e-4) << p;
-          ASSERT_GT(g.value * lane(values[run], z), 0) << p;
-        } else {
-          ASSERT_GT(g.value, limit - 2e-4) << p;
-        }
+      if (range != field::BlockRange::near) {
+        ASSERT_GT(range == field::BlockRange::above ? g.value : -g.value, limit - 2e-4) << p;
+        continue;
+      }
+      if (std::fabs(g.value) > limit) {
+        ASSERT_GT(std::fabs(lane(values[run], z)), limit - 2e-4) << p;
+        ASSERT_GT(g.value * lane(values[run], z), 0) << p;
         continue;
       }
       const double value = lane(values[run], z), distance = lane(distances[run], z);
@@ -84,6 +87,21 @@ TEST(NearSurface, BlocksEqualPoints) {
     EXPECT_LT(counts.off, 0.02 * counts.near) << c.label;
   }
   EXPECT_GT(cases, passage_cases().size() / 2);
+}
+
+TEST(NearSurface, BlocksInsideOfWidePassagesAreNotEvaluated) {
+  const Field field =
+      passages(with_radius(network_of({{0, 0, 0}, {30, 4, 0}, {40, 0, 25}}, {{0, 1}, {1, 2}}), 3));
+  RandomStream random(RandomKey(33));
+  Counts counts;
+  for (int i = 0; i < 200; ++i) {
+    LatticeBlock block;
+    block.step = 0.1;
+    block.origin = Vec3d(random.uniform(2, 28), random.uniform(-1, 5), random.uniform(-2, 2));
+    compare(field, block, 0.3, counts);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(counts.inside, 20);
 }
 
 TEST(NearSurface, RestrictionKeepsValuesUpToTheLimit) {

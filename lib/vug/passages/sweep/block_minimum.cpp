@@ -95,6 +95,20 @@ size_t near_segments(const BlockTask& task, const ActiveSet& set, Bounded* out) 
   return count;
 }
 
+/// True if a block lies inside of one of the nearest segments, beyond the limit. Small blocks of
+/// wide passages often do.
+bool contains_block(const BlockTask& task, const ActiveSet& set, const Bounded* near,
+                    size_t count) {
+  constexpr size_t kTried = 2;
+  const field::Ball ball = task.block.ball();
+  const double reach = task.limit + ball.radius + tolerance(ball.centre, ball.radius);
+  if (task.parts.deepest <= reach) return false;
+  const Point<double> centre = field::point(ball.centre);
+  return std::any_of(near, near + std::min(count, kTried), [&](const Bounded& at) {
+    return task.parts.sweep.segments[set.segments[at.segment]].value(centre) < -reach;
+  });
+}
+
 /// Some segments of a set, in the order of their evaluation.
 struct NearSegments {
   const ActiveSet& set;
@@ -171,12 +185,13 @@ void select_segments(const SweepParts& parts, const NearSegments& near, ActiveSe
 
 }  // namespace
 
-bool first_order_minimum(const BlockTask& task, const ActiveSet& set,
-                         const field::FirstOrderRuns& out) {
+field::BlockRange first_order_minimum(const BlockTask& task, const ActiveSet& set,
+                                      const field::FirstOrderRuns& out) {
   field::Scratch::Frame frame(task.scratch);
   auto* near = frame.take<Bounded>(set.segments.size());
   const size_t count = near_segments(task, set, near);
-  if (count == 0) return false;
+  if (count == 0) return field::BlockRange::above;
+  if (contains_block(task, set, near, count)) return field::BlockRange::below;
   thread_local ActiveSet joined;
   const ActiveSet* chosen = &set;
   const auto filleted = [](const Bounded& segment) { return segment.fillet > 0; };
@@ -185,12 +200,12 @@ bool first_order_minimum(const BlockTask& task, const ActiveSet& set,
     chosen = &joined;
     if (!joined.joints.empty()) {
       find_minimum_with_joints(task, {joined, near, count}, out);
-      return true;
+      return field::BlockRange::near;
     }
   }
   Results<FirstOrder> least({out.values, out.distances});
   find_minimum<FirstOrder>(task, {*chosen, near, count}, least, nullptr);
-  return true;
+  return field::BlockRange::near;
 }
 
 }  // namespace vug::passages

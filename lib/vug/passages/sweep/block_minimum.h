@@ -8,6 +8,9 @@
 
 namespace vug::passages {
 
+/// Upper bounds include the rounding of batches in single precision, as Node::centre_form does.
+inline double tolerance(const Vec3d& p, double radius) { return 1e-6 * (1 + p.length() + radius); }
+
 /// A block of voxels in which the sweep's values up to a limit matter.
 struct BlockTask {
   const SweepParts& parts;
@@ -17,8 +20,8 @@ struct BlockTask {
 };
 
 /// The results of NearSurface::first_order for the segments of a set.
-bool first_order_minimum(const BlockTask& task, const ActiveSet& set,
-                         const field::FirstOrderRuns& out);
+field::BlockRange first_order_minimum(const BlockTask& task, const ActiveSet& set,
+                                      const field::FirstOrderRuns& out);
 
 /// Where |value| <= limit, only segments whose value is at most `limit` matter, and those within
 /// the radius k of a joint of the minimum of its arms, which is at most the value + k / 4.

@@ -23,9 +23,6 @@ using PartsPtr = std::shared_ptr<const SweepParts>;
 /// where a restriction has more segments.
 constexpr size_t kMostActive = 256;
 
-/// Upper bounds include the rounding of batches in single precision, as Node::centre_form does.
-double tolerance(const Vec3d& p, double radius) { return 1e-6 * (1 + p.length() + radius); }
-
 /// A segment of a set whose value at the point is known.
 struct Known {
   uint32_t segment = 0;
@@ -103,8 +100,9 @@ class SweepNode final : public field::EvaluationModes<SweepNode>,
 
   field::Restriction restrict_to(const Ball& ball) const override;
   field::Restriction restrict_near(const Ball& ball, double limit) const override;
-  bool first_order(const field::LatticeBlock& block, double limit, const field::FirstOrderRuns& out,
-                   field::Scratch& scratch) const override;
+  field::BlockRange first_order(const field::LatticeBlock& block, double limit,
+                                const field::FirstOrderRuns& out,
+                                field::Scratch& scratch) const override;
   std::string name() const override { return "passages"; }
   std::optional<Thin> thinner_than(double thickness) const override;
 
@@ -210,8 +208,9 @@ field::Restriction SweepNode::restrict_near(const Ball& ball, double limit) cons
   return {range, std::make_shared<SweepNode>(traits(), parts_, std::move(active))};
 }
 
-bool SweepNode::first_order(const field::LatticeBlock& block, double limit,
-                            const field::FirstOrderRuns& out, field::Scratch& scratch) const {
+field::BlockRange SweepNode::first_order(const field::LatticeBlock& block, double limit,
+                                         const field::FirstOrderRuns& out,
+                                         field::Scratch& scratch) const {
   if (!many_) return first_order_minimum({*parts_, block, limit, scratch}, active_, out);
   thread_local ActiveSet near;
   const Ball ball = block.ball();
