@@ -31,6 +31,7 @@ struct Shell {
 // are resolved; a shell with this many cells is always fine enough.
 constexpr size_t kEnough = 2048, kTooMany = 60000;
 constexpr double kSettled = 0.05;
+constexpr size_t kSampled = 8192;  // Cells whose points are evaluated, evenly spaced in the shell.
 
 Shell refine(const Shell& outer) {
   Shell inner;
@@ -42,8 +43,9 @@ Shell refine(const Shell& outer) {
       const double step = 0.5 * inner.size;
       const Vec3d centre =
           cell.centre + Vec3d(n & 4 ? step : -step, n & 2 ? step : -step, n & 1 ? step : -step);
-      field::Field::RestrictedField part = cell.field.restricted({centre, step * std::sqrt(3.0)});
-      const double reach = inner.size * part.field.lipschitz();
+      const double reach = inner.size * cell.field.lipschitz();
+      field::Field::RestrictedField part =
+          cell.field.restricted_near({centre, step * std::sqrt(3.0)}, reach);
       if (part.range.lo <= reach && part.range.hi >= -reach)
         kept[i].push_back({std::move(part.field), centre});
     }
@@ -54,11 +56,15 @@ Shell refine(const Shell& outer) {
 }
 
 /// Each point of a lattice with spacing a = size/2 that is nearer than a to the surface represents
-/// a^3 / (2a) of its area.
+/// a^3 / (2a) of its area. Cells follow each other in the order of an octree, so every n-th one
+/// represents its neighbours.
 double area(const Shell& shell) {
+  if (shell.cells.empty()) return 0;
   const double a = 0.5 * shell.size;
-  const double near = ordered_sum(shell.cells.size(), 0.0, [&](size_t i) {
-    const Sample& cell = shell.cells[i];
+  const size_t every = (shell.cells.size() + kSampled - 1) / kSampled,
+               sampled = (shell.cells.size() + every - 1) / every;
+  const double near = ordered_sum(sampled, 0.0, [&](size_t i) {
+    const Sample& cell = shell.cells[every * i];
     double count = 0;
     for (int n = 0; n < 8; ++n) {
       const double step = 0.5 * a;
@@ -68,7 +74,7 @@ double area(const Shell& shell) {
     }
     return count;
   });
-  return near * a * a / 2;
+  return near * a * a / 2 * static_cast<double>(shell.cells.size()) / static_cast<double>(sampled);
 }
 
 double cubes(double area, double edge, double band) {

@@ -102,10 +102,10 @@ bool contains_block(const BlockTask& task, const ActiveSet& set, const Bounded* 
   constexpr size_t kTried = 2;
   const field::Ball ball = task.block.ball();
   const double reach = task.limit + ball.radius + tolerance(ball.centre, ball.radius);
-  if (task.parts.deepest <= reach) return false;
   const Point<double> centre = field::point(ball.centre);
   return std::any_of(near, near + std::min(count, kTried), [&](const Bounded& at) {
-    return task.parts.sweep.segments[set.segments[at.segment]].value(centre) < -reach;
+    return static_cast<double>(at.least) < -reach &&
+           task.parts.sweep.segments[set.segments[at.segment]].value(centre) < -reach;
   });
 }
 

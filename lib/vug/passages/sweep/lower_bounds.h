@@ -30,6 +30,9 @@ class LowerBounds {
     const auto* bounds = reinterpret_cast<const float*>(bounds_.data());
     return static_cast<size_t>(std::min_element(bounds, bounds + set_.segments.size()) - bounds);
   }
+  double bound(size_t segment) const {
+    return static_cast<double>(reinterpret_cast<const float*>(bounds_.data())[segment]);
+  }
   /// The number of segments that can matter where the minimum is at most `limit`.
   size_t count_below(double limit) const { return count(limit, 1); }
   /// Appends these segments.

@@ -176,7 +176,7 @@ field::Restriction SweepNode::restrict_to(const Ball& ball) const {
   return {range, std::make_shared<SweepNode>(traits(), parts_, std::move(active))};
 }
 
-/// The bounds of the axes decide, without the value of any segment, unless the ball can be inside.
+/// The bounds of the axes decide, without the value of a segment unless the ball can be inside.
 field::Restriction SweepNode::restrict_near(const Ball& ball, double limit) const {
   const double rounding = tolerance(ball.centre, ball.radius),
                most = limit + ball.radius + rounding;
@@ -193,12 +193,11 @@ field::Restriction SweepNode::restrict_near(const Ball& ball, double limit) cons
   const LowerBounds lower(*list, ball.centre);
   const size_t count = lower.count_near(most);
   if (count == 0) return {{limit + rounding, kInfinity}, nullptr};
+  // No value of the sweep is above that of a segment.
   Interval range(-kInfinity, kInfinity);
-  if (parts_->deepest > most) {
-    ActiveSet middle;
-    lower.append_near(most, middle);
-    link(*parts_, middle);
-    range.hi = centre_form(evaluate(*parts_, middle, field::point(ball.centre)), ball).hi;
+  if (const size_t nearest = lower.nearest(); lower.bound(nearest) < -most) {
+    const Segment& segment = parts_->sweep.segments[list->segments[nearest]];
+    range.hi = centre_form(segment.value(field::point(ball.centre)), ball).hi;
   }
   if (count == list->segments.size() && list != &listed) return {range, nullptr};
   ActiveSet active;
