@@ -57,7 +57,8 @@ field::Field layered(const field::Field& rock, const field::Field& with_flowston
 
 }  // namespace
 
-field::Field with_speleothems(const DripsPtr& drips, const SpeleothemJoin& join) {
+field::Field with_speleothems(const DripsPtr& drips, const SpeleothemJoin& join,
+                              SpeleothemPart part) {
   const drips::DripstoneOptions& options = drips->options();
   const Box3d bounds =
       drips::dripstone_bounds(drips->rock().bounds(), options.graph, options.forms);
@@ -65,14 +66,15 @@ field::Field with_speleothems(const DripsPtr& drips, const SpeleothemJoin& join)
   const field::Field solids = field::deferred(
       {drips::kDripstoneSlope, field::Exactness::sign, bounds, drips::kDripstoneGrowth},
       "finding drips", [drips] { return drips->grown().solids; }, bytes);
+  const field::Field own = join.material ? made_of(solids, join.material) : solids;
+  if (part == SpeleothemPart::solids) return own;
   const field::Field thickness = field::deferred(
       {field::kSteepestDeposit, field::Exactness::sign, infinite_box(), 0}, "laying flowstone",
       [drips] { return drips->grown().thickness; }, bytes);
-  const field::Field rock = field::thickened(drips->rock(), thickness, field::kThickestDeposit);
-  const field::Blend blend{field::Profile::smooth, join.root};
-  if (!join.material) return field::unite({rock, solids}, blend);
-  return field::unite({layered(drips->rock(), rock, join.material), made_of(solids, join.material)},
-                      blend);
+  const field::Field thick = field::thickened(drips->rock(), thickness, field::kThickestDeposit),
+                     rock = join.material ? layered(drips->rock(), thick, join.material) : thick;
+  if (part == SpeleothemPart::rock) return rock;
+  return field::unite({rock, own}, field::Blend{field::Profile::smooth, join.root});
 }
 
 }  // namespace vug::shot

@@ -49,9 +49,13 @@ struct SpeleothemJoin {
   }
 };
 
-/// The rock of the plan with its speleothems, which are computed on first use. Throws
+/// Solids are all speleothems except flowstone, which is a part of the rock.
+enum class SpeleothemPart { all, solids, rock };
+
+/// The rock of the plan with its speleothems, or one part of it; computed on first use. Throws
 /// Error(bad_input) if they have a material and the rock has none.
-field::Field with_speleothems(const DripsPtr& drips, const SpeleothemJoin& join);
+field::Field with_speleothems(const DripsPtr& drips, const SpeleothemJoin& join,
+                              SpeleothemPart part = SpeleothemPart::all);
 
 /// The kinds listed in CMakeLists.txt.
 const Kinds<DripsPtr>& drips_kinds();

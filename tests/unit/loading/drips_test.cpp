@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Named drips of scenes, their edits, points and fields.
 #include <gtest/gtest.h>
+#include <vug/base/rng.h>
 #include <vug/field/material_source.h>
 #include <vug/loading/load.h>
 #include <vug/shot/drips_plan.h>
@@ -62,6 +63,29 @@ TEST(DripsDeclaration, ItsSpeleothemsAreSolidAtTheirDrips) {
   const Vec3d tip = forms[0].bottom, apex = forms[1].top, between = 0.5 * (tip + apex);
   EXPECT_GT(value(0, between), 0) << "air below the tip";
   EXPECT_NEAR(value(1, between), -0.02, 1e-4) << "the fall is the middle of its tube";
+}
+
+TEST(DripsDeclaration, GivesSolidsAndRockApart) {
+  const std::string region = "voxel: 10cm, from: (-4, -2, -4), to: (4, 2, 4))\n";
+  const Loaded scene = load_text(
+      drips_with(", density: 0.3") + "volume all = level_set(speleothems(of: water, root: 5cm), " +
+          region + "volume rock = level_set(speleothems(of: water, part: rock), " + region +
+          "volume solids = level_set(speleothems(of: water, part: solids), voxel: 3cm)\n",
+      "t.vug", {});
+  ASSERT_EQ(scene.report(), "");
+  const auto value = [&](size_t volume, const Vec3d& p) {
+    return scene.shot.volumes.at(volume)->field.value(p);
+  };
+  RandomStream random(RandomKey(5));
+  int in_solids = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3d p(random.uniform(-3, 3), random.uniform(-2, 2), random.uniform(-3, 3));
+    const double rock = value(1, p), solids = value(2, p);
+    in_solids += solids < 0 && rock > 0;
+    ASSERT_LE(value(0, p), std::min(rock, solids)) << p;
+    ASSERT_GE(value(0, p), std::min(rock, solids) - 0.05 / 4) << p;  // The depth of the blend.
+  }
+  EXPECT_GT(in_solids, 4);
 }
 
 TEST(DripsDeclaration, GivesLabelsWithTheNumbersOfDrips) {

@@ -8,11 +8,19 @@ namespace {
 
 struct Speleothems : SpeleothemJoin {
   DripsPtr of;
+  SpeleothemPart part = SpeleothemPart::all;
 
   static void describe(Schema<Speleothems>& s) {
     s.doc("The rock of named drips with the speleothems that grow from them, as in dripstone(...).")
         .cite("short2005")
-        .param("of", &Speleothems::of, {.doc = "the drips", .required = true});
+        .param("of", &Speleothems::of, {.doc = "the drips", .required = true})
+        .choice(
+            "part", &Speleothems::part,
+            {{"all", SpeleothemPart::all},
+             {"solids", SpeleothemPart::solids},
+             {"rock", SpeleothemPart::rock}},
+            "all, the solids alone, or the rock with its flowstone: two volumes may have voxels "
+            "of different sizes");
     SpeleothemJoin::describe(s);
   }
 };
@@ -21,6 +29,7 @@ struct Speleothems : SpeleothemJoin {
 }  // namespace vug::shot
 
 VUG_NETWORK_FIELD_KIND(speleothems) {
-  return field::field_kind<Speleothems>(
-      "speleothems", "detail", [](const Speleothems& p) { return with_speleothems(p.of, p); });
+  return field::field_kind<Speleothems>("speleothems", "detail", [](const Speleothems& p) {
+    return with_speleothems(p.of, p, p.part);
+  });
 }
