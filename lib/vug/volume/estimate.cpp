@@ -31,7 +31,7 @@ struct Shell {
 // are resolved; a shell with this many cells is always fine enough.
 constexpr size_t kEnough = 2048, kTooMany = 60000;
 constexpr double kSettled = 0.05;
-constexpr size_t kSampled = 8192;  // Cells whose points are evaluated, evenly spaced in the shell.
+constexpr size_t kSampled = 16384;  // Cells whose points are evaluated, evenly spaced in the shell.
 
 Shell refine(const Shell& outer) {
   Shell inner;
@@ -61,7 +61,8 @@ Shell refine(const Shell& outer) {
 double area(const Shell& shell) {
   if (shell.cells.empty()) return 0;
   const double a = 0.5 * shell.size;
-  const size_t every = (shell.cells.size() + kSampled - 1) / kSampled,
+  // Odd, so that all eight children of cells take their turn.
+  const size_t every = (shell.cells.size() + kSampled - 1) / kSampled | 1,
                sampled = (shell.cells.size() + every - 1) / every;
   const double near = ordered_sum(sampled, 0.0, [&](size_t i) {
     const Sample& cell = shell.cells[every * i];
