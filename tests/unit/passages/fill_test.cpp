@@ -45,9 +45,9 @@ bool is_water(const field::Field& rock, const field::Field& water, const Vec3d& 
 TEST(Fill, TheWaterHasTheVolumeOfACapAndEndsAtTheLevel) {
   const field::Field rock = two_bowls(false), water = fill_body(rock, bowls(-0.3));
   int inside = 0, other = 0;
-  const double step = 0.03;
+  const double step = 0.03;  // The level lies between two layers of points.
   for (double x = -4 + step / 2; x < 4; x += step)
-    for (double y = -2 + step / 2; y < 2; y += step)
+    for (double y = -0.3 - 56.5 * step; y < 2; y += step)
       for (double z = -2 + step / 2; z < 2; z += step)
         if (is_water(rock, water, {x, y, z})) {
           EXPECT_LT(y, -0.3);
