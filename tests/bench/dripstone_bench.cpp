@@ -42,7 +42,7 @@ shot::DripParams drips_in(const field::Field& rock) {
   shot::DripParams p;
   p.field = rock;
   p.from = Vec3d(-12, -3.5, -12), p.to = Vec3d(12, 3.5, 12);
-  p.spacing = 0.33, p.density = 1, p.age = 8000, p.tip = 0.022;
+  p.spacing = 0.39, p.density = 1, p.age = 8000, p.tip = 0.022;
   return p;
 }
 
