@@ -54,10 +54,8 @@ FlatScene flatten_scene(Builder& builder, const shot::Model& model) {
     return flatten_scene(other);
   }
   FlatScene scene;
-  if (model.mesh) scene.objects.push_back(make_object(builder, shot::plain_object(model.mesh)));
-  for (const shot::ObjectPlan& object : builder.shot().objects)
-    if (!model.mesh && object.name == model.name)
-      scene.objects.push_back(make_object(builder, object));
+  if (const auto object = shot::object_of(builder.shot(), model))
+    scene.objects.push_back(make_object(builder, *object));
   return scene;
 }
 
@@ -187,13 +185,6 @@ void add_instances(Builder& builder, const shot::PointInstancer& plan,
 }
 
 }  // namespace
-
-shot::MeshPtr mesh_of(const shot::Shot& shot, const shot::Model& model) {
-  if (model.scene || model.mesh) return model.mesh;
-  for (const shot::ObjectPlan& object : shot.objects)
-    if (object.name == model.name) return object.mesh;
-  return nullptr;
-}
 
 int choose_model(const Instance& instance, const shot::PointInstancer& plan) {
   const auto count = static_cast<int>(plan.of.size());

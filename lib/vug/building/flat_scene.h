@@ -32,9 +32,6 @@ FlatScene flatten_scene(Builder& builder, const shot::Shot& part, const TimeSamp
 /// instance has a model that the plan lacks.
 int choose_model(const Instance& instance, const shot::PointInstancer& plan);
 
-/// The mesh of a model that is an object or a mesh; null for a scene.
-shot::MeshPtr mesh_of(const shot::Shot& shot, const shot::Model& model);
-
 /// Adds a uniform sky if the scene has no light, no emissive object and no emissive `medium`, which
 /// may be null.
 void add_default_light(FlatScene& flat, const render::Medium* medium);

@@ -66,6 +66,14 @@ ObjectPlan plain_object(const MeshPtr& mesh) {
   return plan;
 }
 
+std::optional<ObjectPlan> object_of(const Shot& shot, const Model& model) {
+  if (model.mesh) return plain_object(model.mesh);
+  if (model.scene) return std::nullopt;
+  for (const ObjectPlan& object : shot.objects)
+    if (object.name == model.name) return object;
+  return std::nullopt;
+}
+
 std::vector<ObjectPlan> shown_objects(const Shot& shot) {
   const auto is_placed = [&](const std::string& name, const MeshPtr& mesh) {
     for (const PointInstancer& plan : shot.instancers)

@@ -4,6 +4,7 @@
 
 #include <vug/shot/cells_plan.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ std::vector<ObjectPlan> shown_objects(const Shot& shot);
 
 /// An object with the name of the mesh and the default grey material.
 ObjectPlan plain_object(const MeshPtr& mesh);
+
+/// The object of a model, or an object with its mesh; nothing for a scene.
+std::optional<ObjectPlan> object_of(const Shot& shot, const Model& model);
 
 /// The light groups of all lights and emissive objects, including those of placed scenes.
 std::vector<std::string> light_groups(const Shot& shot);

@@ -52,10 +52,7 @@ Contents contents_of(const shot::Shot& shot) {
 Contents contents_of(const shot::Shot& shot, const shot::Model& model) {
   if (model.scene) return contents_of(*model.scene);
   Contents out;
-  if (model.mesh) out.solids = solids_of(shot::plain_object(model.mesh));
-  for (const shot::ObjectPlan& object : shot.objects)
-    if (!model.mesh && object.name == model.name)
-      for (Solid& solid : solids_of(object)) out.solids.push_back(std::move(solid));
+  if (const auto object = shot::object_of(shot, model)) out.solids = solids_of(*object);
   return out;
 }
 

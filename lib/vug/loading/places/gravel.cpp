@@ -5,6 +5,7 @@
 #include <vug/loading/instance_source_kinds.h>
 #include <vug/mesh/stones/lay_stones.h>
 #include <vug/paint/kind.h>
+#include <vug/shot/queries.h>
 
 #include <fmt/format.h>
 
@@ -72,13 +73,13 @@ std::vector<mesh::StoneShape> shapes_of(building::Builder& builder,
                                         const shot::PointInstancer& plan) {
   std::vector<mesh::StoneShape> shapes;
   for (const shot::Model& model : plan.of) {
-    const shot::MeshPtr of = building::mesh_of(builder.shot(), model);
-    if (!of)
+    const std::optional<shot::ObjectPlan> object = shot::object_of(builder.shot(), model);
+    if (!object)
       throw Error(ErrorCode::bad_input,
                   fmt::format("the scene '{}' cannot be a stone of 'gravel'", model.name), {},
                   "use objects or meshes");
     try {
-      shapes.push_back(mesh::stone_shape(*builder.mesh(of)));
+      shapes.push_back(mesh::stone_shape(*builder.mesh(object->mesh)));
     } catch (const Error& error) {
       if (error.code() != ErrorCode::bad_input) throw;
       throw Error(ErrorCode::bad_input, fmt::format("'{}': {}", model.name, error.what()), {},
