@@ -31,8 +31,6 @@ SweepParts::SweepParts(Sweep parts)
     joints_of_arm[sweep.joints[joint].b].push_back(joint);
     widest_joint = std::max(widest_joint, sweep.joints[joint].radius);
   }
-  for (const Segment& segment : sweep.segments) deepest = std::max(deepest, segment.depth());
-  deepest += field::Blend{field::Profile::smooth, widest_joint}.depth();
   all.reserve(sweep.segments.size());
   for (uint32_t i = 0; i < sweep.segments.size(); ++i) {
     double fillet = 0;

@@ -55,7 +55,6 @@ struct SweepParts {
   std::vector<std::vector<uint32_t>> arms_of_segment;
   std::vector<std::vector<uint32_t>> joints_of_arm;
   double widest_joint = 0;
-  double deepest = 0;  ///< No value of the sweep is below -deepest.
   SegmentBvh bvh;
 };
 

@@ -64,7 +64,6 @@ class Segment {
                                     : std::pair(2 * to_.depth, end());
   }
   double reach() const { return reach_; }
-  double depth() const { return depth_; }
   double scale() const { return scale_; }
   bool uniform() const { return uniform_; }
   /// A box around the inside; outside of it the field grows at least with the rate `scale()`.
