@@ -2,6 +2,7 @@
 #include <vug/base/maths.h>
 #include <vug/base/parallel.h>
 #include <vug/cells/calcite.h>
+#include <vug/cells/frames.h>
 #include <vug/cells/network.h>
 #include <vug/cells/simulation.h>
 
@@ -36,10 +37,8 @@ std::vector<float> stretch(const Pass& pass) {
       n.size(),
       [&](size_t at) {
         const auto i = static_cast<uint32_t>(at);
-        const Vec3f normal = n.normal[i];
         // The gradient g of least squares: sum (d d^T) g = sum d (h_j - h_i), for tangents d.
-        const Vec3f helper = std::fabs(normal.y) < 0.9f ? Vec3f(0, 1, 0) : Vec3f(1, 0, 0);
-        const Vec3f right = helper.cross(normal).normalized(), ahead = normal.cross(right);
+        const auto [right, ahead] = tangents_of(n.normal[i]);
         double xx = 0, xy = 0, yy = 0, xh = 0, yh = 0;
         for (const uint32_t to : n.links.of(i)) {
           const Vec3f d = n.position[to] - n.position[i];

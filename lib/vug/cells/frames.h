@@ -6,6 +6,7 @@
 
 #include <vug/cells/network.h>
 
+#include <cmath>
 #include <optional>
 
 namespace vug::cells {
@@ -16,6 +17,18 @@ namespace vug::cells {
 /// (parallel transport), followed by smoothing. A component without slopes starts with the x axis.
 /// Around a peak or a pit there is always a point where frames disagree (the hairy ball theorem).
 void orient(Network& network);
+
+/// Tangents that complete a right-handed frame with a normal.
+struct Tangents {
+  Vec3f right, ahead;
+};
+
+/// Tangents that depend on the normal alone, unlike those of `orient`.
+inline Tangents tangents_of(const Vec3f& normal) {
+  const Vec3f helper = std::fabs(normal.y) < 0.9f ? Vec3f(0, 1, 0) : Vec3f(1, 0, 0);
+  const Vec3f right = helper.cross(normal).normalized();
+  return {right, normal.cross(right)};
+}
 
 /// Transports a tangent vector from a point with normal `from` to one with normal `to`, by the
 /// smallest rotation of the normal.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/maths.h>
 #include <vug/base/parallel.h>
+#include <vug/cells/frames.h>
 #include <vug/cells/outlets.h>
 
 #include <algorithm>
@@ -20,9 +21,7 @@ constexpr float kOverhang = -0.05f;
 
 /// The direction of the widest gap between the neighbours, in the tangent plane; 0 if it is narrow.
 Vec3f open_side(const Network& n, uint32_t cell) {
-  const Vec3f normal = n.normal[cell];
-  const Vec3f helper = std::fabs(normal.y) < 0.9f ? Vec3f(0, 1, 0) : Vec3f(1, 0, 0);
-  const Vec3f right = helper.cross(normal).normalized(), ahead = normal.cross(right);
+  const auto [right, ahead] = tangents_of(n.normal[cell]);
   std::array<double, 64> angles{};
   size_t count = 0;
   for (const uint32_t to : n.links.of(cell)) {
