@@ -3,6 +3,8 @@
 // the processor time for each active voxel, and the time of its drip graph. The least of the rounds
 // counts. --voxel METRES sets the voxels (0.1), --rounds N the number of rounds (3), --only NAME
 // restricts the rows to the bare chamber and this one.
+#include "arguments.h"
+
 #include <vug/field/deferred.h>
 #include <vug/field/noise.h>
 #include <vug/field/registry.h>
@@ -12,10 +14,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 #include <functional>
 
@@ -76,18 +76,13 @@ Row measure(const field::Field& field, const Options& o) {
 
 /// False for unknown options and values out of range.
 bool parse(int argc, char** argv, Options& options) {
-  const auto number = [](const char* text, auto low, auto high, auto& out) {
-    const char* end = text + std::strlen(text);
-    const auto [stop, error] = std::from_chars(text, end, out);
-    return error == std::errc() && stop == end && out >= low && out <= high;
-  };
   for (int i = 1; i < argc; i += 2) {
     const std::string name = argv[i];
     if (i + 1 == argc) return false;
     if (name == "--only")
       options.only = argv[i + 1];
-    else if (!(name == "--voxel"    ? number(argv[i + 1], 0.02, 1.0, options.voxel)
-               : name == "--rounds" ? number(argv[i + 1], 1, 1000, options.rounds)
+    else if (!(name == "--voxel"    ? bench::read_number(argv[i + 1], 0.02, 1.0, options.voxel)
+               : name == "--rounds" ? bench::read_number(argv[i + 1], 1, 1000, options.rounds)
                                     : false))
       return false;
   }

@@ -4,6 +4,8 @@
 // new pages of memory, the fastest of the following ones reuses them. --voxel METRES sets the
 // voxels of the passages (0.5: ten thousand legs; fewer legs at smaller voxels, so that the number
 // of active voxels is that of the spheres), --rounds N the number of rounds after the first (3).
+#include "arguments.h"
+
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
@@ -17,10 +19,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 
 namespace {
@@ -113,17 +113,13 @@ struct Options {
 
 /// False for unknown options and values out of range.
 bool parse(int argc, char** argv, Options& options) {
-  const auto number = [](const char* text, auto low, auto high, auto& out) {
-    const char* end = text + std::strlen(text);
-    const auto [stop, error] = std::from_chars(text, end, out);
-    return error == std::errc() && stop == end && out >= low && out <= high;
-  };
   for (int i = 1; i < argc; i += 2) {
     const std::string name = argv[i];
     const bool good =
-        i + 1 < argc && (name == "--voxel"    ? number(argv[i + 1], 0.05, 1.0, options.voxel)
-                         : name == "--rounds" ? number(argv[i + 1], 1, 1000, options.rounds)
-                                              : false);
+        i + 1 < argc &&
+        (name == "--voxel"    ? bench::read_number(argv[i + 1], 0.05, 1.0, options.voxel)
+         : name == "--rounds" ? bench::read_number(argv[i + 1], 1, 1000, options.rounds)
+                              : false);
     if (!good) return false;
   }
   return true;
