@@ -11,9 +11,9 @@
 
 namespace vug::field {
 
-/// Bounds of an operand's values from its box, without evaluating it: outside the box they
-/// grow, and inside they are no lower than the distance to its surface. A fold of thousands of
-/// operands is restricted over large balls with this information alone.
+/// Bounds of an operand's values that follow from its box without an evaluation: outside the box
+/// the values grow with the distance from it, and inside a depth limits them. Restrictions of large
+/// folds to large balls use these bounds alone.
 struct Reach {
   Box3d box;
   double growth = 0;  // 0: no information from the box.

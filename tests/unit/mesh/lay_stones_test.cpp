@@ -87,7 +87,7 @@ TEST(LayStones, CoversTheFractionOfTheGround) {
     // Balls on a floor, or on others, sunk in by a twentieth.
     EXPECT_GT(stone.stone.rest.pose.centre.y, 0.4 * d);
   }
-  // Some fall on larger ones, where there is no rest.
+  // Some fall on larger stones, which do not carry them.
   EXPECT_GT(area, 8);
   EXPECT_LT(area, 10.5);
 }

@@ -11,8 +11,8 @@ struct Film : FilmParams {
 
   static void describe(Schema<Film>& s) {
     s.doc(
-         "The steady film of water that enters at `source` (everywhere, if there is no such "
-         "attribute), runs down to the edges and drips off overhangs. Hollows fill to level pools "
+         "The steady film of water. It enters at `source`, or at all cells if they lack this "
+         "attribute, runs down to the edges and drips off overhangs. Hollows fill to level pools "
          "that overflow at their lowest crests. Provides film (thickness), pool (depth), discharge "
          "(m3/s) and outlet (1 where water leaves).")
         .cite("nusselt1916")

@@ -9,7 +9,7 @@
 
 namespace vug::mesh {
 
-/// Fills in the gaps between a stone in a pose and the ground; none where there is no ground.
+/// Appends the gaps between a stone in a pose and the ground below it.
 using GapFunction = std::function<void(const StonePose&, std::vector<Gap>&)>;
 
 /// A stone at rest.
@@ -24,7 +24,7 @@ struct Rest {
 /// A local minimum of the height of the centre of mass over all rotations, without a horizontal
 /// motion of the centre: each step turns the stone by the support_plane of its gaps, and drops it
 /// until it touches the ground. The ground may be rough. All three contacts are within `tolerance`
-/// of the stone. Nothing if there is no ground or no such minimum was found.
+/// of the stone. Returns nothing if the stone has no ground below it or finds no such minimum.
 std::optional<Rest> settle(StonePose pose, double reach, double tolerance, const GapFunction& gaps);
 
 }  // namespace vug::mesh
