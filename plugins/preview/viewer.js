@@ -44,8 +44,9 @@ export class Viewer {
     if (this.box.isEmpty()) this.box.set(new three.Vector3(-1, -1, -1), new three.Vector3(1, 1, 1));
     this.size = this.box.getSize(new three.Vector3()).length();
     this.findCamera(gltf.cameras);
-    this.addEvenLight();
     this.chooseLights();
+    this.sceneStops = this.data.exposure ?? this.meteredStops();
+    this.addEvenLight();
     this.cut(1);
     this.resize();
     this.goHome();
@@ -87,7 +88,7 @@ export class Viewer {
     this.even.add(sun);
     this.scene.add(this.even);
     // Approximates the indirect light of the scene's lights.
-    this.fill = new three.HemisphereLight(0xffffff, 0xc8bdb0, 0.2 / 2 ** this.data.exposure);
+    this.fill = new three.HemisphereLight(0xffffff, 0xc8bdb0, 0.2 / 2 ** this.sceneStops);
     this.fill.visible = false;
     this.scene.add(this.fill);
     this.torch = new three.DirectionalLight(0xffffff, 1.2);
@@ -105,6 +106,14 @@ export class Viewer {
     this.lights.sort((a, b) => b.intensity - a.intensity).splice(MAX_LIGHTS);
   }
 
+  /// For a metered scene: the exposure in stops that shows a grey surface (albedo 0.3) in the middle of the model as 0.16.
+  meteredStops() {
+    const middle = this.box.getCenter(new three.Vector3()), near = 0.05 * this.size;
+    const irradiance = this.lights.reduce((sum, light) => sum + (light.isDirectionalLight ? light.intensity
+      : light.intensity / Math.max(near, light.getWorldPosition(new three.Vector3()).distanceTo(middle)) ** 2), 0);
+    return irradiance > 0 ? Math.log2(0.16 * Math.PI / (0.3 * irradiance)) : 0;
+  }
+
   useLights(on) {
     for (const light of this.lights) light.visible = on;
     this.fill.visible = on;
@@ -113,7 +122,7 @@ export class Viewer {
   }
 
   exposure() {
-    const own = this.even.visible ? 0 : this.data.exposure;
+    const own = this.even.visible ? 0 : this.sceneStops;
     this.renderer.toneMappingExposure = 2 ** (this.stops + own);
     this.wanted = true;
   }

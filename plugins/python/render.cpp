@@ -78,6 +78,8 @@ std::optional<Value> setting_value(const ParamInfo& info, const py::handle& give
   if (info.name == "crop") return crop(given);
   if (info.type == "true or false") return truth(info.name, given);
   if (info.type == "number") return number(info, given);
+  if (info.type == "number or name")
+    return py::isinstance<py::str>(given) ? name_of_choice(info, given) : number(info, given);
   if (info.type == "whole number") return whole_number(info, given);
   if (info.type == "text") return read<std::string>(info.name, given, "a string");
   if (info.type == "name") return name_of_choice(info, given);

@@ -66,14 +66,16 @@ class Done(VugTest):
             self.assertIn("hint: move its eye out of the solid\n", shot)
 
     def test_a_nearly_black_picture_suggests_an_exposure(self):
-        self.write("dim.vug", BALL + "\nlight sky = sky(radiance: (1e-4, 1e-4, 1e-4))\nrender main { size 8x6  spp 1 }\n")
+        self.write("dim.vug", BALL + "\nlight sky = sky(radiance: (1e-4, 1e-4, 1e-4))\nrender main { size 8x6  spp 1  exposure 0 }\n")
         dim = self.expect(0, "render", "dim.vug", "-o", "dim.exr").err
         self.assertIn("warning: the picture is very dark\n", dim)
         stops = dim.split("hint: --exposure ")[1].split()[0]
         self.assertEqual(self.expect(0, "render", "dim.vug", "-o", "dim.exr", "--exposure", stops, "-q").err, "")
 
+        self.assertEqual(self.expect(0, "render", "dim.vug", "-o", "dim.exr", "--exposure", "auto", "-q").err, "")
+
     def test_a_visible_light_on_black_is_not_too_bright(self):
-        text = "light lamp = sphere(radius: %s, radiance: (900, 900, 900))\ncamera main { eye (0, 0, 4) }\nrender main { size 16x12  spp 4 }\n"
+        text = "light lamp = sphere(radius: %s, radiance: (900, 900, 900))\ncamera main { eye (0, 0, 4) }\nrender main { size 16x12  spp 4  exposure 0 }\n"
         self.write("lamp.vug", text % "50cm")
         self.assertEqual(self.expect(0, "render", "lamp.vug", "-o", "lamp.exr", "-q").err, "")
         self.write("lamp.vug", text % "3m")

@@ -41,6 +41,18 @@ class Frames(VugTest):
         self.assertEqual(part.text("vug:frame"), "7")
         self.assertIn("--frame 7", part.text("vug:recipe"))
 
+    def test_a_locked_exposure_is_that_of_the_first_frame(self):
+        def exposures(*args):
+            self.render("-o", "e.####.exr", "--frames", "1..9x4", *args)
+            return [exr.read(self.folder / f"e.000{n}.exr")[0].attributes["vug:exposure"][1].decode() for n in (1, 5, 9)]
+
+        metered, locked = exposures(), exposures("--exposure", "locked")
+        self.assertEqual(locked, [metered[0]] * 3)
+        self.assertEqual(len(set(metered)), 3)
+        (self.folder / "e.0005.exr").unlink()
+        self.assertEqual(exposures("--exposure", "locked", "--resume"), locked)
+        self.assertEqual(exposures("--exposure", "2", "--compensation", "1"), ["2"] * 3)
+
     def test_resuming_renders_missing_and_outdated_frames(self):
         self.render("-o", "a.#.exr", "--frames", "1..3")
         first = digest(self.folder / "a.2.exr")

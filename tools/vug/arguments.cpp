@@ -42,6 +42,16 @@ CLI::Validator number_in(Dimension dimension, double low, double high) {
   return CLI::Validator(read, "");
 }
 
+CLI::Validator number_or_name(const ParamInfo& info) {
+  const CLI::Validator number = number_in(info.dimension, info.min, info.max);
+  const auto read = [=, names = info.choices](std::string& text) -> std::string {
+    if (std::find(names.begin(), names.end(), text) != names.end()) return {};
+    const std::string fault = number(text);
+    return fault.empty() ? fault : fmt::format("{}, or {}", fault, fmt::join(names, ", "));
+  };
+  return CLI::Validator(read, "");
+}
+
 CLI::Validator integer_in(int low, int high) {
   const auto check = [=](std::string& text) -> std::string {
     int number = 0;

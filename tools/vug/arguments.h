@@ -5,6 +5,7 @@
 #include "verb.h"
 
 #include <vug/base/error.h>
+#include <vug/base/schema.h>
 #include <vug/base/value.h>
 
 #include <string>
@@ -15,6 +16,8 @@ namespace vug::cli {
 /// Validator for a number from `low` to `high`, in base units. The text may carry a unit of the
 /// dimension as in scenes: 3% or 0.03, 90s or 90.
 CLI::Validator number_in(Dimension dimension, double low, double high);
+/// Validator for a parameter that is a number, as above, or one of the names in its `choices`.
+CLI::Validator number_or_name(const ParamInfo& info);
 /// Validator for an integer from `low` to `high`.
 CLI::Validator integer_in(int low, int high);
 /// Validator for an integer from 0 to 2^64 - 1.

@@ -115,11 +115,13 @@ void check_pictures(const std::vector<PlannedPicture>& pictures, SceneAtFrame& s
   }
 }
 
-void skip_finished(std::vector<PlannedPicture>& pictures, const shot::Shot& shot) {
+void skip_finished(std::vector<PlannedPicture>& pictures, const shot::Shot& shot,
+                   picture::ExposureLock& lock) {
   std::erase_if(pictures, [&](const PlannedPicture& each) {
     const bool done =
         !each.options.output.empty() && picture::is_finished(each.options.output, shot, each.plan);
     if (done) picture::remove_checkpoint(each.options.render);
+    if (done) lock.take(each.plan.render.name, each.options.output);
     return done;
   });
 }

@@ -7,6 +7,7 @@
 #include "setting_options.h"
 
 #include <vug/loading/placement/check.h>
+#include <vug/picture/exposure.h>
 #include <vug/picture/render_job.h>
 
 #include <optional>
@@ -59,7 +60,8 @@ void require_placement(const PlannedPicture& picture, const loading::Loaded& loa
 void check_pictures(const std::vector<PlannedPicture>& pictures, SceneAtFrame& scene,
                     Progress& progress);
 
-/// Removes the pictures that an earlier run has finished.
-void skip_finished(std::vector<PlannedPicture>& pictures, const shot::Shot& shot);
+/// Removes the pictures that an earlier run has finished; their exposures can be the locked ones.
+void skip_finished(std::vector<PlannedPicture>& pictures, const shot::Shot& shot,
+                   picture::ExposureLock& lock);
 
 }  // namespace vug::cli

@@ -47,6 +47,11 @@ void SettingOptions::add(CLI::App& app, const ParamInfo& info) {
         name, [=](int64_t count) { keep(count > 0); }, help);
   if (info.type == "number")
     add_text(to_number)->transform(number_in(info.dimension, info.min, info.max));
+  if (info.type == "number or name")
+    add_text([to_number, names = info.choices](const std::string& text) -> Value {
+      if (std::find(names.begin(), names.end(), text) != names.end()) return Value::Name{text};
+      return to_number(text);
+    })->transform(number_or_name(info));
   if (info.type == "whole number")
     add_text(to_number)->check(integer_in(static_cast<int>(info.min), static_cast<int>(info.max)));
   if (info.type == "text") add_text([](const std::string& text) { return text; });

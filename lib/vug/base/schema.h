@@ -86,6 +86,16 @@ class Schema {
   requires std::derived_from<P, Base> Schema& param(std::string name, T Base::*member,
                                                     ParamSpec spec = {});
 
+  /// Adds a parameter that is a number or one of the names, for a T whose traits read both.
+  template <class T, class Base>
+  requires std::derived_from<P, Base> Schema& number_or_name(std::string name, T Base::*member,
+                                                             std::vector<std::string> names,
+                                                             ParamSpec spec) {
+    param(std::move(name), member, std::move(spec));
+    info_.params.back().choices = std::move(names);
+    return *this;
+  }
+
   /// Adds an enumeration stored in `member`, written in the text as one of the names.
   template <class E>
   Schema& choice(std::string name, E P::*member, std::vector<std::pair<std::string, E>> names,

@@ -1,14 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// Statistics about the luminance of images.
+// Statistics about the luminance of images, and exposures that follow from them.
 #pragma once
 
 #include <vug/image/colour_space.h>
 #include <vug/image/image.h>
+
+#include <optional>
 
 namespace vug::image {
 
 /// The fraction of pixels whose luminance exceeds `luminance`; 0 for images without R, G and B.
 double fraction_above(const Image& linear, double luminance,
                       WorkingSpace space = WorkingSpace::rec709);
+
+/// The exposure in stops at which the log-average luminance of the pixels with light becomes middle
+/// grey, 0.18 (reinhard2002). None for an image without R, G, B or without light.
+std::optional<double> grey_exposure(const Image& linear, WorkingSpace space = WorkingSpace::rec709);
+
+/// The exposure in stops of a photographer who leaves dark parts dark, since most of a cave is.
+///   - The lit pixels are those above a 64th of the 90th percentile of the luminance. Their median
+///     becomes 0.16, slightly below middle grey.
+///   - The 99.5th percentile of all pixels becomes at most 6, which the filmic curve still shows
+///     with colour, so that a lamp or the sky in the picture reduces the exposure.
+///   - If the first quartile of the lit pixels stays below 0.01, the exposure is raised so that it
+///     becomes 0.01, by at most one stop.
+/// None for an image without R, G, B or without light.
+std::optional<double> metered_exposure(const Image& linear,
+                                       WorkingSpace space = WorkingSpace::rec709);
 
 }  // namespace vug::image

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
+#include <vug/image/brightness.h>
 #include <vug/image/description.h>
 #include <vug/image/diff_view.h>
 

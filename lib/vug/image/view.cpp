@@ -2,7 +2,7 @@
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
 #include <vug/base/srgb.h>
-#include <vug/image/brightness.h>
+#include <vug/image/colour_channels.h>
 #include <vug/image/ocio_view.h>
 #include <vug/image/view.h>
 
@@ -39,45 +39,6 @@ Colour filmic(Colour c) {
   return multiplied_by(kFromCurve, c);
 }
 
-/// The rational_curve is flat beyond this value; a cap prevents infinities from becoming NaN in the
-/// matrices.
-constexpr double kBrightest = 1e6;
-
-double displayable(double v) { return std::isnan(v) ? 0.0 : std::clamp(v, 0.0, kBrightest); }
-
-using Channels = std::array<size_t, 3>;
-
-std::optional<Channels> colour_channels(const Image& image) {
-  Channels out{};
-  for (size_t i = 0; i < 3; ++i) {
-    const int found = image.find_channel(std::string(1, "RGB"[i]));
-    if (found < 0) return std::nullopt;
-    out[i] = static_cast<size_t>(found);
-  }
-  return out;
-}
-
-Vec3d colour_at(const Image& image, size_t pixel, const Channels& from) {
-  const float* values = &image.pixels[pixel * image.channels.size()];
-  return {static_cast<double>(values[from[0]]), static_cast<double>(values[from[1]]),
-          static_cast<double>(values[from[2]])};
-}
-
-/// Calls `take` with the luminance of each pixel if there are R, G and B.
-template <class Take>
-void each_luminance(const Image& linear, WorkingSpace space, const Take& take) {
-  constexpr double kWeights[] = {0.2126, 0.7152, 0.0722};  // Luminance weights of Rec.709.
-  const std::optional<Channels> channels = colour_channels(linear);
-  if (!channels) return;
-  const ColourMatrix to_rec709(space, WorkingSpace::rec709);
-  for (size_t p = 0; p < linear.pixel_count(); ++p) {
-    const Vec3d c = to_rec709(colour_at(linear, p, *channels));
-    double luminance = 0;
-    for (int i = 0; i < 3; ++i) luminance += kWeights[i] * displayable(c[i]);
-    take(luminance);
-  }
-}
-
 }  // namespace
 
 ViewOptions plain_view() {
@@ -97,26 +58,6 @@ Image in_rec709(Image picture, WorkingSpace space) {
       picture.pixels[p * picture.channels.size() + (*channels)[i]] = c[static_cast<int>(i)];
   }
   return picture;
-}
-
-std::optional<double> grey_exposure(const Image& linear, WorkingSpace space) {
-  constexpr double kGrey = 0.18, kLog2 = 0.69314718055994530942;
-  double sum = 0;
-  size_t lit = 0;
-  each_luminance(linear, space, [&](double luminance) {
-    if (!(luminance > 0)) return;
-    sum += maths::log(luminance);
-    ++lit;
-  });
-  if (lit == 0) return {};
-  return (maths::log(kGrey) - sum / static_cast<double>(lit)) / kLog2;
-}
-
-double fraction_above(const Image& linear, double luminance, WorkingSpace space) {
-  size_t above = 0;
-  each_luminance(linear, space, [&](double each) { above += each > luminance ? 1 : 0; });
-  return static_cast<double>(above) /
-         static_cast<double>(std::max<size_t>(1, linear.pixel_count()));
 }
 
 Image display(const Image& linear, const ViewOptions& options) {

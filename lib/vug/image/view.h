@@ -6,7 +6,6 @@
 #include <vug/image/image.h>
 
 #include <memory>
-#include <optional>
 
 namespace vug::image {
 
@@ -37,9 +36,5 @@ Image display(const Image& linear, const ViewOptions& options = {});
 
 /// Converts R, G and B, if present, to linear Rec.709.
 Image in_rec709(Image picture, WorkingSpace space);
-
-/// The exposure in stops at which the log-average luminance of the pixels with light becomes middle
-/// grey, 0.18 (reinhard2002). None for an image without R, G, B or without light.
-std::optional<double> grey_exposure(const Image& linear, WorkingSpace space = WorkingSpace::rec709);
 
 }  // namespace vug::image

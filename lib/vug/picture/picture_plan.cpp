@@ -77,9 +77,9 @@ std::string settings_hash(const shot::Shot& shot, const PicturePlan& plan) {
       set.display,
       plan.options.config.string(),
       fmt::format("{} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(set.size, "x"), set.noise,
-                  set.exposure, set.openings, set.half, set.multi_part, set.tiled, set.denoise,
-                  is_true(replaced, "deep"), plan.options.eye, fmt::join(set.layers, ","),
-                  fmt::join(set.crop, ","))};
+                  to_string(ValueTraits<shot::Exposure>::write(set.exposure)), set.openings,
+                  set.half, set.multi_part, set.tiled, set.denoise, is_true(replaced, "deep"),
+                  plan.options.eye, fmt::join(set.layers, ","), fmt::join(set.crop, ","))};
   for (const auto& [name, value] : replaced)
     if (!kOlder.count(name)) texts.push_back(fmt::format("{}={}", name, to_string(value)));
   Hasher hash;

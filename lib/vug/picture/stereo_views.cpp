@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/image/brightness.h>
+#include <vug/picture/exposure.h>
 #include <vug/picture/stereo_views.h>
 
 #include <fmt/format.h>
@@ -37,10 +38,11 @@ std::vector<PictureView> picture_views(const std::vector<RenderResult>& rendered
 
 void warn_about_exposure(const building::Builder& builder, const RenderResult& picture) {
   constexpr double kOff = 5;  // stops
-  const double exposure = picture.output.settings.exposure;
+  const double exposure = exposure_stops(picture.output.settings, *picture.image);
   const image::WorkingSpace space = picture.output.settings.working_space;
   const std::optional<double> grey = image::grey_exposure(*picture.image, space);
-  if (grey && std::fabs(*grey - exposure) <= kOff) return;
+  if (grey && (picture.output.settings.exposure.metered() || std::fabs(*grey - exposure) <= kOff))
+    return;
   // A single light in a dark room is not a reason to warn: most of the picture must be bright.
   const double bright = 0.18 * std::exp2(kOff - exposure);
   if (grey && *grey < exposure && image::fraction_above(*picture.image, bright, space) < 0.5)

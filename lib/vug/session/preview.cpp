@@ -9,6 +9,7 @@
 #include <vug/exchange/format.h>
 #include <vug/exchange/levels.h>
 #include <vug/grammar/tree_output.h>
+#include <vug/picture/exposure.h>
 #include <vug/picture/stereo_views.h>
 #include <vug/session/preview.h>
 #include <vug/shot/queries.h>
@@ -166,6 +167,12 @@ void decimate(exchange::Assembly& assembly, size_t most, Progress& progress) {
   progress.end();
 }
 
+/// The exposure in stops; null if the picture is metered, which the page does itself.
+Json exposure(const shot::OutputSettings& settings) {
+  if (settings.exposure.metered()) return nullptr;
+  return picture::exposure_stops(settings, {});
+}
+
 }  // namespace
 
 Preview make_preview(building::Builder& builder, const loading::Loaded& loaded,
@@ -178,7 +185,7 @@ Preview make_preview(building::Builder& builder, const loading::Loaded& loaded,
                {"frame", shot.frame},
                {"version", VUG_VERSION},
                {"camera", picture::camera_name(shot, plan)},
-               {"exposure", plan.settings.exposure},
+               {"exposure", exposure(plan.settings)},
                {"picture", nullptr},
                {"metrics", nullptr}};
   if (!options.picture.empty())

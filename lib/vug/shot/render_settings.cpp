@@ -21,6 +21,11 @@ class ValueTable {
     values.emplace_back(name, ValueTraits<T>::write(settings_.*member));
     return *this;
   }
+  template <class T, class Base>
+  ValueTable& number_or_name(const std::string& name, T Base::*member,
+                             const std::vector<std::string>&, const ParamSpec& spec) {
+    return param(name, member, spec);
+  }
   template <class E>
   ValueTable& choice(const std::string& name, E Settings::*member,
                      const std::vector<std::pair<std::string, E>>& names, const std::string&) {
@@ -61,6 +66,8 @@ Value from_text(const ParamInfo& info, const std::string& text) {
   if (info.type == "true or false") return text == "true";
   if (info.type == "name") return Value::Name{text};
   if (info.type == "text") return text;
+  if (std::find(info.choices.begin(), info.choices.end(), text) != info.choices.end())
+    return Value::Name{text};
   return std::strtod(text.c_str(), nullptr);
 }
 

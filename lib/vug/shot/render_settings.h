@@ -8,6 +8,7 @@
 #include <vug/render/integrator.h>
 #include <vug/render/sampler.h>
 #include <vug/render/scene.h>
+#include <vug/shot/exposure.h>
 
 #include <optional>
 #include <string>
@@ -22,11 +23,14 @@ std::vector<std::pair<std::string, image::WorkingSpace>> working_space_names();
 /// Encoding and display of a picture. Partial renders contain these settings, because merging
 /// writes the picture.
 struct OutputSettings {
-  double exposure = 0;      ///< Exposure of the PNG in stops.
-  bool half = true;         ///< 16-bit colour channels in the EXR.
-  bool multi_part = false;  ///< One part of the EXR per AOV.
-  bool tiled = false;       ///< Tiles instead of scan lines.
-  bool denoise = false;     ///< Add a denoised AOV, which the PNG shows; see image::denoise.
+  Exposure exposure;        ///< Exposure of the PNG.
+  double compensation = 0;  ///< Stops added to an exposure that is not a number of stops.
+  double iso = PhysicalExposure{}.iso, f_number = PhysicalExposure{}.f_number,
+         exposure_time = PhysicalExposure{}.time;  ///< See PhysicalExposure.
+  bool half = true;                                ///< 16-bit colour channels in the EXR.
+  bool multi_part = false;                         ///< One part of the EXR per AOV.
+  bool tiled = false;                              ///< Tiles instead of scan lines.
+  bool denoise = false;  ///< Add a denoised AOV, which the PNG shows; see image::denoise.
   image::WorkingSpace working_space = image::WorkingSpace::rec709;
   std::string view, display;  ///< Display transform of the PNG; see image::ViewSelection.
 
@@ -34,8 +38,25 @@ struct OutputSettings {
   template <class Table>
   static void describe(Table& table) {
     table
-        .param("exposure", &OutputSettings::exposure,
-               {.doc = "exposure of the PNG in stops", .min = -30, .max = 30})
+        .number_or_name("exposure", &OutputSettings::exposure, exposure_names(),
+                        {.doc = "exposure of the PNG in stops; auto: metered from the picture; "
+                                "locked: from the first frame of a sequence; physical: that of a "
+                                "camera with 'iso', 'f_number' and 'exposure_time'",
+                         .min = -30,
+                         .max = 30})
+        .param("compensation", &OutputSettings::compensation,
+               {.doc = "stops added to the exposures auto, locked and physical",
+                .min = -30,
+                .max = 30})
+        .param("iso", &OutputSettings::iso,
+               {.doc = "film speed of the physical exposure", .min = 1, .max = 10'000'000})
+        .param("f_number", &OutputSettings::f_number,
+               {.doc = "f-number of the physical exposure, such as 2.8", .min = 0.5, .max = 128})
+        .param("exposure_time", &OutputSettings::exposure_time,
+               {.doc = "exposure time of the physical exposure, such as 20ms",
+                .dimension = Dimension::time,
+                .min = 1e-6,
+                .max = 1e5})
         .param("half", &OutputSettings::half, {.doc = "store colours as 16-bit floats"})
         .param("multi_part", &OutputSettings::multi_part,
                {.doc = "one part of the EXR per AOV, instead of a single part"})

@@ -58,15 +58,5 @@ TEST(View, HandlesNanAndInfinity) {
   }
 }
 
-TEST(View, GreyExposureIsThatOfTheGeometricMean) {
-  Image picture(3, 1, {"R", "G", "B"});
-  for (size_t i = 0; i < 3; ++i) picture.pixels[i] = 0.18f / 64;  // Six stops below.
-  for (size_t i = 3; i < 6; ++i) picture.pixels[i] = 0.18f * 4;   // Two above; the third is black.
-  ASSERT_TRUE(grey_exposure(picture));
-  EXPECT_NEAR(*grey_exposure(picture), 2, 1e-6);
-  EXPECT_FALSE(grey_exposure(Image(2, 2, {"R", "G", "B"})));
-  EXPECT_FALSE(grey_exposure(Image(2, 2, {"Z"})));
-}
-
 }  // namespace
 }  // namespace vug::image

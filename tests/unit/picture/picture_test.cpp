@@ -6,6 +6,7 @@
 #include <vug/picture/picture_output.h>
 #include <vug/picture/picture_plan.h>
 
+#include <algorithm>
 #include <set>
 
 namespace vug::picture {
@@ -115,7 +116,9 @@ TEST(PicturePlan, TheHashDependsOnEverySettingThatAnOptionReplaces) {
     if (info.type == "true or false")
       hashes.insert(hash({{info.name, info.fallback == "false"}}));
     else if (info.type == "number")
-      hashes.insert(hash({{info.name, 0.5}}));
+      hashes.insert(hash({{info.name, std::max(info.min, 0.5)}}));
+    else if (info.type == "number or name")
+      hashes.insert(hash({{info.name, Value::Name{info.choices.back()}}}));
     else if (info.type == "whole number")
       hashes.insert(hash({{info.name, 5}}));
     else if (info.type == "text")
@@ -130,7 +133,8 @@ TEST(PicturePlan, TheHashDependsOnEverySettingThatAnOptionReplaces) {
 
 TEST(PictureOutput, SurvivesThePartialRender) {
   PictureOutput output;
-  output.settings.exposure = -1.3;
+  output.settings.exposure = {shot::Exposure::Mode::stops, -1.3};
+  output.settings.compensation = 0.5;
   output.settings.half = false;
   output.settings.denoise = true;
   output.settings.working_space = image::WorkingSpace::acescg;
@@ -144,6 +148,9 @@ TEST(PictureOutput, SurvivesThePartialRender) {
   EXPECT_EQ(to_header_attributes(again), attributes);
   EXPECT_EQ(again.settings.working_space, image::WorkingSpace::acescg);
   EXPECT_THROW(from_header_attributes({{"exposure", "99"}}), Error);
+  for (const std::string& name : shot::exposure_names())
+    EXPECT_EQ(to_header_attributes(from_header_attributes({{"exposure", name}})).at(0).second,
+              name);
 }
 
 }  // namespace

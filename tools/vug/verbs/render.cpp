@@ -7,6 +7,7 @@
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/delivery/write_products.h>
+#include <vug/picture/exposure.h>
 #include <vug/picture/frame_sequence.h>
 #include <vug/picture/stereo_views.h>
 
@@ -77,7 +78,7 @@ void print_estimate(double before, double seconds, double bytes) {
 
 /// Renders and writes one picture of the loaded scene.
 void render_one(const RenderOptions& options, building::Builder& builder,
-                const picture::PicturePlan& plan, double start) {
+                const picture::PicturePlan& plan, double start, picture::ExposureLock& lock) {
   if (learns_only(options)) {
     picture::learn_light(builder, plan, options.guiding);
     fmt::print("{}\n", options.guiding);
@@ -88,7 +89,9 @@ void render_one(const RenderOptions& options, building::Builder& builder,
     render.estimate = [&](double seconds, double bytes) {
       print_estimate(stage_times().total_seconds() - start, seconds, bytes);
     };
-  const std::vector<picture::RenderResult> rendered = picture::render_views(builder, plan, render);
+  std::vector<picture::RenderResult> rendered = picture::render_views(builder, plan, render);
+  for (picture::RenderResult& each : rendered)
+    if (each.image) lock.apply(plan.render.name, *each.image, each.output.settings);
   const std::vector<picture::PictureView> views = picture::picture_views(rendered);
   if (views.empty()) {
     fmt::print("{}\n", options.part);
@@ -102,9 +105,9 @@ void render_one(const RenderOptions& options, building::Builder& builder,
 
 /// Renders all pictures with one builder. `start`: the seconds of the run before this frame.
 void render_all(const std::vector<PlannedPicture>& pictures, building::Builder& builder,
-                double start) {
+                double start, picture::ExposureLock& lock) {
   for (const auto& [options, plan] : pictures) {
-    render_one(options, builder, plan, start);
+    render_one(options, builder, plan, start, lock);
     start = stage_times().total_seconds();
   }
 }
@@ -131,6 +134,7 @@ int render_frames(const RenderOptions& options, const loading::SceneSource& sour
       require_placement(each, loaded, loading::Accuracy::bounds);
   }
   std::unique_ptr<SceneAtFrame> now;
+  picture::ExposureLock lock;
   double seconds = 0;
   size_t rendered = 0, skipped = 0;
   for (size_t i = 0; i < frames.size(); ++i) {
@@ -140,7 +144,7 @@ int render_frames(const RenderOptions& options, const loading::SceneSource& sour
     if (now) next->builder.reuse_from(std::move(now->builder));
     now = std::move(next);
     std::vector<PlannedPicture> pictures = plan_pictures(options, now->loaded.shot, frames[i]);
-    if (options.render.resume) skip_finished(pictures, now->loaded.shot);
+    if (options.render.resume) skip_finished(pictures, now->loaded.shot, lock);
     if (pictures.empty()) {
       ++skipped;
       continue;
@@ -156,7 +160,7 @@ int render_frames(const RenderOptions& options, const loading::SceneSource& sour
       fmt::print(stderr, "\n");
     }
     try {
-      render_all(pictures, now->builder, start);
+      render_all(pictures, now->builder, start, lock);
       finish(options_at_frame(options, frames[i]), now->builder);
     } catch (Error& error) {
       throw error.within(fmt::format("rendering frame {}", frames[i]));
@@ -184,7 +188,8 @@ int run_render(RenderOptions options) {
                      progress);
   const std::vector<PlannedPicture> pictures = plan_pictures(options, scene.loaded.shot);
   check_pictures(pictures, scene, progress);
-  render_all(pictures, scene.builder, 0);
+  picture::ExposureLock lock;
+  render_all(pictures, scene.builder, 0, lock);
   finish(options, scene.builder);
   options.work.summarise(scene.builder);
   return kDone;
