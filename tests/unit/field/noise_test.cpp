@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vug::field {
@@ -20,10 +21,13 @@ Vec3d random_float_point(RandomStream& random, double reach) {
 
 class EachNoise : public testing::TestWithParam<const NoiseKind*> {
  protected:
-  /// With defaults, or of rocks if it needs materials.
+  /// With defaults, or of rocks with materials if it needs a field.
   Noise noise() const {
     if (const auto with_defaults = default_noise(GetParam()->info.name)) return *with_defaults;
-    return make_noise(GetParam()->info.name, {{"of", as_value(two_rocks(0.2))}});
+    const auto& params = GetParam()->info.params;
+    const auto field =
+        std::find_if(params.begin(), params.end(), [](const auto& each) { return each.required; });
+    return make_noise(GetParam()->info.name, {{field->name, as_value(two_rocks(0.2))}});
   }
 };
 
@@ -88,6 +92,22 @@ TEST_P(EachNoise, BatchesAgreeWithScalars) {
   const double allowed = 4e-6 * n.field.lipschitz() + 2e-6;
   for (size_t i = 0; i < points.size(); ++i)
     ASSERT_NEAR(values[i], n.field.value(Vec3d(points[i])), allowed);
+}
+
+TEST(DistanceRamp, IsLinearBetweenItsDistances) {
+  const auto ramp = [](double from, double to) {
+    return make_noise(
+        "distance_ramp",
+        {{"field", as_value(make("sphere", {{"radius", 2}}))}, {"from", from}, {"to", to}});
+  };
+  const Noise away = ramp(1, 3), near = ramp(3, 1);
+  for (const auto& [x, value] :
+       {std::pair(0.0, -1.0), {3.0, -1.0}, {3.5, -0.5}, {4.0, 0.0}, {6.0, 1.0}}) {
+    EXPECT_DOUBLE_EQ(away.field.value({x, 0, 0}), value);
+    EXPECT_DOUBLE_EQ(near.field.value({x, 0, 0}), -value);
+  }
+  EXPECT_DOUBLE_EQ(away.field.lipschitz(), 1);
+  EXPECT_THROW(ramp(1, 1), Error);
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, EachNoise, testing::ValuesIn(noises()),
