@@ -18,6 +18,7 @@
 #include <vug/picture/picture_file.h>
 #include <vug/picture/render_job.h>
 #include <vug/picture/stereo_views.h>
+#include <vug/session/archetypes.h>
 #include <vug/session/facade_fit.h>
 #include <vug/session/facade_model.h>
 #include <vug/session/facade_picture.h>
