@@ -56,18 +56,14 @@ std::optional<double> grey_exposure(const Image& linear, WorkingSpace space) {
 }
 
 std::optional<double> metered_exposure(const Image& linear, WorkingSpace space) {
-  constexpr double kLit = 1.0 / 64, kMiddle = 0.16, kHighlight = 6, kShadow = 0.01;
+  constexpr double kLit = 1.0 / 16, kMiddle = 0.16, kHighlight = 6;
   std::vector<double> all = luminance_of_pixels(linear, space);
   std::sort(all.begin(), all.end());
   if (all.empty() || !(all.back() > 0)) return {};
   const double bright = percentile(all, 0.9);
   const auto first = std::upper_bound(all.begin(), all.end(), kLit * bright);
   const std::vector<double> lit(first, all.end());
-  double gain = kMiddle / percentile(lit, 0.5);
-  gain = std::min(gain, kHighlight / percentile(all, 0.995));
-  const double shadow = gain * percentile(lit, 0.25);
-  if (shadow < kShadow) gain *= std::min(2.0, kShadow / shadow);
-  return stops_of(gain);
+  return stops_of(std::min(kMiddle / percentile(lit, 0.5), kHighlight / percentile(all, 0.995)));
 }
 
 }  // namespace vug::image

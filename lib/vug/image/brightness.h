@@ -18,12 +18,11 @@ double fraction_above(const Image& linear, double luminance,
 std::optional<double> grey_exposure(const Image& linear, WorkingSpace space = WorkingSpace::rec709);
 
 /// The exposure in stops of a photographer who leaves dark parts dark, since most of a cave is.
-///   - The lit pixels are those above a 64th of the 90th percentile of the luminance. Their median
+///   - The lit pixels are those above a sixteenth of the 90th percentile of the luminance. Their
+///   median
 ///     becomes 0.16, slightly below middle grey.
 ///   - The 99.5th percentile of all pixels becomes at most 6, which the filmic curve still shows
 ///     with colour, so that a lamp or the sky in the picture reduces the exposure.
-///   - If the first quartile of the lit pixels stays below 0.01, the exposure is raised so that it
-///     becomes 0.01, by at most one stop.
 /// None for an image without R, G, B or without light.
 std::optional<double> metered_exposure(const Image& linear,
                                        WorkingSpace space = WorkingSpace::rec709);

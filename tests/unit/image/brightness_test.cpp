@@ -45,18 +45,10 @@ TEST(Metering, ADarkForegroundDoesNotBrightenThePicture) {
 
 TEST(Metering, HighlightsLimitTheExposure) {
   const Image sky = picture_of({{900, 0.01f}, {100, 40}});
-  EXPECT_LE(exposed(40, sky), 2 * 6 + 1e-9);
+  EXPECT_NEAR(exposed(40, sky), 6, 1e-6);
   // A bare lamp of a few pixels does not.
   const Image lamp = picture_of({{998, 0.01f}, {2, 4000}});
   EXPECT_NEAR(exposed(0.01, lamp), 0.16, 1e-6);
-}
-
-TEST(Metering, DeepShadowsGainAtMostOneStop) {
-  // A third of the lit part lies at 1/60 of its median.
-  const Image deep = picture_of({{34, 1 / 60.f}, {66, 1}});
-  EXPECT_NEAR(exposed(1, deep), 0.32, 1e-6);
-  const Image soft = picture_of({{34, 1 / 20.f}, {66, 1}});
-  EXPECT_NEAR(exposed(1 / 20.0, soft), 0.01, 1e-6);
 }
 
 TEST(Metering, BrokenPixelsCountAsBlackAndBlackPicturesHaveNone) {
