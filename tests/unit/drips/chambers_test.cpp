@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Statistics of three decorated chambers, with the numbers of the styles show_cave, pristine and
-// dry: drips follow joints, stalagmites are under their drops, sizes are spread, nothing floats.
-#include <vug/drips/dripstone.h>
+// dry: drips follow joints, stalagmites are under their drops, sizes are spread, roots end in rock.
 #include <vug/drips/growth.h>
 #include <vug/drips/surface.h>
 
@@ -12,39 +11,10 @@
 #include <map>
 #include <set>
 
-#include "rooms.h"
+#include "decorated_chambers.h"
 
 namespace vug::drips {
 namespace {
-
-struct Style {
-  const char* name;
-  double spacing, density, age, interval, broken, films, straws, voxel;
-};
-
-constexpr Style kStyles[] = {
-    {"show_cave", 0.25, 0.6, 20000, 110, 0.06, 0.6, 0.25, 0.02},
-    {"pristine", 0.16, 0.9, 9000, 180, 0, 0.9, 0.55, 0.01},
-    {"dry", 0.4, 0.2, 30000, 400, 0.45, 0.25, 0, 0.02},
-};
-
-DripstoneOptions options_of(const Style& style) {
-  DripstoneOptions o;
-  // Sparse drips need a larger chamber for statistics.
-  const double half = style.density < 0.5 ? 10 : 4;
-  o.graph = graph_options(half);
-  o.graph.spacing = style.spacing;
-  o.graph.density = style.density;
-  o.graph.oldest = style.age;
-  o.graph.interval = style.interval;
-  o.graph.straws = style.straws;
-  o.graph.planes = joints();
-  o.forms = {
-      .tip = 0.75 * style.voxel, .broken = style.broken, .age = style.age, .final_age = style.age};
-  o.draperies = {.share = style.films, .tip = o.forms.tip, .floor = -3};
-  o.flowstone = {.share = style.films};
-  return o;
-}
 
 double spread_of_logarithms(const std::vector<double>& values) {
   double sum = 0, squares = 0;
@@ -57,7 +27,7 @@ class Chambers : public testing::TestWithParam<Style> {
  protected:
   Chambers()
       : o_(options_of(GetParam())),
-        rock_(cave(2.2 * o_.graph.to.x, 0.12, 2.2 * o_.graph.to.x)),
+        rock_(rock_of(o_)),
         graph_(build_graph(rock_, o_.graph)),
         grown_(grow_dripstone(rock_, graph_, o_)) {
     for (const Node& node : graph_.nodes)
@@ -137,7 +107,7 @@ TEST_P(Chambers, StrawsAreAsWideAsADropOrAVoxel) {
   }
 }
 
-TEST_P(Chambers, NoStoneFloats) {
+TEST_P(Chambers, RootsEndInTheRock) {
   const field::StalactiteCurve curve = common_curve(o_.forms.girth);
   int ring = 0, outside = 0, forms = 0, hollow = 0;
   for (const Form& form : grown_.forms) {
