@@ -77,7 +77,7 @@ double measured_angle(const Pile& pile, double floor) {
   const field::Field body = pile_body(pile, floor, 0);
   const double radius = pile.height / pile.slope;
   RandomStream random(RandomKey(9));
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < 6000; ++i) {
     const Vec3d p = pile.foot + Vec3d(random.uniform(-1, 1), 0, random.uniform(-1, 1)) * radius;
     const double cone = pile.cone(p) / pile.height;
     if (cone < 0.15 || cone > 0.85) continue;
@@ -95,7 +95,7 @@ double measured_angle(const Pile& pile, double floor) {
 }
 
 TEST(Pile, RestsAtReposeWithItsBulk) {
-  for (const uint64_t seed : {1u, 2u, 4u}) {
+  for (const uint64_t seed : {1u, 2u, 3u, 4u, 8u}) {
     const Vault above = vault({.at = {3, 14, -2},
                                .span = 16,
                                .length = seed % 2 ? 16.0 : 24.0,
@@ -110,7 +110,7 @@ TEST(Pile, RestsAtReposeWithItsBulk) {
     EXPECT_NEAR(bulk, 1.4, 0.07) << seed;
     const double angle = measured_angle(made, floor);
     EXPECT_GT(angle, 30) << seed;
-    EXPECT_LT(angle, 40) << seed;
+    EXPECT_LE(angle, 36) << seed;
     double solid = 0;
     for (size_t i = 0; i < made.blocks.size(); ++i) {
       const OrientedBox& block = made.blocks[i];
