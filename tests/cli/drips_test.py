@@ -75,12 +75,17 @@ class Drips(VugTest):
         self.assertRegex(error, r"the graph of the drips would take about [\d.]+ GiB of memory, more than the limit of 500 MiB")
         self.assertIn("raise --max-memory", error)
         (self.folder / "cave.vug").write_text(SCENE.replace("EDITS", "").replace("spacing: 40cm", "spacing: 1mm"))
-        self.assertIn("there would be millions of drips", self.expect(2, "drips", "cave.vug").err)
+        error = self.expect(2, "drips", "cave.vug").err
+        self.assertRegex(error, r"there would be millions of drips, at [\de.+]+ places, and at most 4e\+06 are possible; use a spacing of")
 
     def test_faults(self):
         error = self.drips(edits="edits: [remove_drip(drip: 99999)],", code=2)
         self.assertIn("drip 99999 is removed, but the roof has no such drip", error)
         self.assertIn("hint: ", error)
+        # A check finds a drip in rock, too, and reports the line of the drips.
+        (self.folder / "cave.vug").write_text(SCENE.replace("EDITS", "edits: [add_drip(at: (0, 1.8, 0))],"))
+        error = self.expect(2, "check", "cave.vug").err
+        self.assertRegex(error, r"cave.vug:\d+:\d+: error: a drip at \(0, 1.8, 0\) is in solid rock")
         self.assertIn("written as .vdb", self.drips("--points", "drips.ply", code=2))
         self.assertIn("the graph of the drips is empty, so it has no points", self.drips("--points", "drips.vdb", edits="density: 0,", code=2))
         self.assertFalse((self.folder / "drips.vdb").exists())

@@ -25,6 +25,16 @@ std::string text(const Vec3d& p) { return fmt::format("({:g}, {:g}, {:g})", p.x,
   throw Error(ErrorCode::bad_input, message, {}, hint);
 }
 
+/// The point, or the one below it if it is on the roof.
+Vec3d point_in_air(const field::Field& rock, const Vec3d& at) {
+  if (rock.value(at) > 0) return at;
+  const Vec3d below = at - Vec3d(0, kTouching, 0);
+  if (!(rock.value(below) > 0))
+    fail(fmt::format("a drip at {} is in solid rock", text(at)),
+         "give a point in the air; water drips from the roof above it");
+  return below;
+}
+
 class Editor {
  public:
   Editor(std::vector<Seep> seeps, const field::Field& rock, const SeepOptions& o)
@@ -70,14 +80,8 @@ class Editor {
   }
 
   /// Moves a seep to the roof above a point.
-  void place(Seep& seep, Vec3d at) const {
-    if (!(rock_.value(at) > 0)) {
-      const Vec3d below = at - Vec3d(0, kTouching, 0);
-      if (!(rock_.value(below) > 0))
-        fail(fmt::format("a drip at {} is in solid rock", text(at)),
-             "give a point in the air; water drips from the roof above it");
-      at = below;
-    }
+  void place(Seep& seep, const Vec3d& point) const {
+    const Vec3d at = point_in_air(rock_, point);
     const auto roof = VerticalLine(rock_, at, kRoofStep).crossing(at.y, o_.to.y);
     if (!roof)
       fail(fmt::format("the drip at {} has no roof above it", text(at)),
@@ -130,6 +134,11 @@ void require_valid(const DripEdits& edits, const SeepOptions& options) {
     require_inside(move.to, options);
   }
   for (const DripEdits::Addition& added : edits.added) require_valid(added, options);
+}
+
+void require_in_air(const DripEdits& edits, const field::Field& rock) {
+  for (const DripEdits::Move& move : edits.moved) point_in_air(rock, move.to);
+  for (const DripEdits::Addition& added : edits.added) point_in_air(rock, added.at);
 }
 
 std::vector<Seep> edited(std::vector<Seep> seeps, const field::Field& rock,

@@ -35,6 +35,9 @@ struct DripEdits {
 /// drips.
 void require_valid(const DripEdits& edits, const SeepOptions& options);
 
+/// Throws Error(bad_input) for a drip that is moved or added in solid rock.
+void require_in_air(const DripEdits& edits, const field::Field& rock);
+
 /// The seeps after the edits, in the order of their ids; those that were added have the ids -1, -2,
 /// ... Throws Error(bad_input) as require_valid, and for a drip that does not exist, a point in
 /// rock, and a point without roof above it.

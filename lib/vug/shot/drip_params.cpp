@@ -2,6 +2,10 @@
 #include <vug/field/box_fault.h>
 #include <vug/shot/drip_params.h>
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 namespace vug::shot {
 
 drips::DripstoneOptions DripParams::options() const {
@@ -44,8 +48,12 @@ drips::DripstoneOptions DripParams::options() const {
 std::string DripParams::fault() const {
   const Vec3d size = to - from;
   if (const std::string fault = field::box_fault(from, to); !fault.empty()) return fault;
-  if (!(size.x / spacing * (size.z / spacing) <= drips::kMostColumns))
-    return "the spacing is too small for a box of this size: there would be millions of drips";
+  const double places = size.x / spacing * (size.z / spacing);
+  if (!(places <= drips::kMostColumns))
+    return fmt::format(
+        "the spacing is too small for a box of this size: there would be millions of drips, at "
+        "{:.2g} places, and at most {:.2g} are possible; use a spacing of {:.3g} m or more",
+        places, drips::kMostColumns, 1.01 * std::sqrt(size.x * size.z / drips::kMostColumns));
   if (final_age > 0 && final_age < age)
     return "the final age must be at least the age; it is the age at the end of a sequence";
   return "";

@@ -14,6 +14,7 @@ namespace vug::shot {
 
 DripsPlan::DripsPlan(const DripParams& params) : rock_(params.field), options_(params.options()) {
   drips::require_valid(options_.graph.edits, options_.graph);
+  drips::require_in_air(options_.graph.edits, rock_);
 }
 
 const drips::Graph& DripsPlan::graph() const {

@@ -108,6 +108,7 @@ TEST(Edits, ReportFaultsWithTheirRemedies) {
   has(message({.removed = {id, id}}), "moved or removed twice");
   has(message({.added = {{Vec3d(0, 50, 0)}}}), "outside the box of the drips");
   has(message({.added = {{Vec3d(0, 2.95, 0)}}}), "in solid rock");
+  has(message({.moved = {{id, Vec3d(0, 2.95, 0)}}}), "in solid rock");
   has(message({.added = {{Vec3d(0, 0, 0), 0.0}}}), "water must flow");
   has(message({.added = {{Vec3d(0, 0, 0), 60, -5}}}), "the age of a drip is -5 years");
   has(message({.added = {{Vec3d(0, 0, 0), 60, 1e6}}}), "the oldest ones are");
