@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/field/numbers/scalar.h>
+#include <vug/passages/polygon_edges.h>
 #include <vug/passages/polygon_section.h>
 
 #include <algorithm>
@@ -12,61 +13,101 @@ namespace {
 using field::abs, field::both, field::clamp, field::max, field::min, field::select, field::sign,
     field::sqrt, field::square;
 
-struct Edge {
-  Edge(const Vec2d& from, const Vec2d& to) : a(from), b(to), along(to - from) {
-    const double length = along.length();
-    inverse = 1 / (length * length);
-    normal = Vec2d(along.y, -along.x) / length;  // Outwards, for a counterclockwise outline.
+/// The nearest edge so far, with its height where the point projects onto it, because the offset
+/// from the nearest point has no direction on the outline itself; and the winding number.
+template <class S>
+class NearestEdge {
+ public:
+  NearestEdge(const S& u, const S& v) : u_(u), v_(v) {}
+  void add(const Edge& edge) {
+    const S pu = u_ - S(edge.a.x), pv = v_ - S(edge.a.y);
+    const S on = (pu * S(edge.along.x) + pv * S(edge.along.y)) * S(edge.inverse);
+    const S t = clamp(on, S(0.0), S(1.0));
+    const S du = pu - S(edge.along.x) * t, dv = pv - S(edge.along.y) * t;
+    const S d2 = square(du) + square(dv);
+    const S height = pu * S(edge.normal.x) + pv * S(edge.normal.y);
+    const auto within = abs(on - S(0.5)) < S(0.5);
+    // Beyond an end, the offset points from the corner; its sign is that of the winding number.
+    const S flip = sign(height);
+    const auto nearer = d2 < least_, at_corner = d2 < S(1e-16);
+    least_ = min(least_, d2);
+    const S nu = S(edge.normal.x) * flip, nv = S(edge.normal.y) * flip;
+    x_ = select(nearer, select(within, nu, S(select(at_corner, nu, du))), x_);
+    y_ = select(nearer, select(within, nv, S(select(at_corner, nv, dv))), y_);
+    winding_ = winding_ + crossing(edge, height);
   }
-  Vec2d a, b, along, normal;
-  double inverse;
+  /// Adds an edge to the winding number alone.
+  void add_crossing(const Edge& edge) {
+    const S pu = u_ - S(edge.a.x), pv = v_ - S(edge.a.y);
+    winding_ = winding_ + crossing(edge, pu * S(edge.normal.x) + pv * S(edge.normal.y));
+  }
+  PlaneDistance<S> finish(double rounding) const {
+    const S away = sqrt(least_);
+    const S size = S(1.0) / max(sqrt(square(x_) + square(y_)), S(1e-18));
+    const S side = select(abs(winding_) > S(0.5), S(-1.0), S(1.0));
+    return {side * away - S(rounding), side * x_ * size, side * y_ * size};
+  }
+
+ private:
+  /// 1 or -1 if the ray towards +u from the point crosses the edge upwards or downwards.
+  S crossing(const Edge& edge, const S& height) const {
+    if (edge.a.y < edge.b.y)
+      return select(both(both(v_ >= S(edge.a.y), v_ < S(edge.b.y)), height < S(0.0)), S(1.0),
+                    S(0.0));
+    return select(both(both(v_ >= S(edge.b.y), v_ < S(edge.a.y)), height > S(0.0)), S(-1.0),
+                  S(0.0));
+  }
+
+  S u_, v_, least_{1e30}, x_{0.0}, y_{0.0}, winding_{0.0};
 };
 
-class PolygonSection final : public SectionModes<PolygonSection> {
+class PolygonSection final : public Section {
  public:
   PolygonSection(SectionTraits traits, std::vector<Edge> edges, double rounding)
-      : SectionModes(traits), edges_(std::move(edges)), rounding_(rounding) {}
+      : Section(traits), edges_(std::move(edges)), lanes_(edges_), rounding_(rounding) {}
 
-  /// The nearest edge, with its height where the point projects onto it, because the offset from
-  /// the nearest point has no direction on the outline itself.
-  template <class S>
-  PlaneDistance<S> sample(const S& u, const S& v) const {
-    S least(1e30), x(0.0), y(0.0), winding(0.0);
-    for (const Edge& edge : edges_) {
-      const S pu = u - S(edge.a.x), pv = v - S(edge.a.y);
-      const S on = (pu * S(edge.along.x) + pv * S(edge.along.y)) * S(edge.inverse);
-      const S t = clamp(on, S(0.0), S(1.0));
-      const S du = pu - S(edge.along.x) * t, dv = pv - S(edge.along.y) * t;
-      const S d2 = square(du) + square(dv);
-      const S height = pu * S(edge.normal.x) + pv * S(edge.normal.y);
-      const auto within = abs(on - S(0.5)) < S(0.5);
-      // Beyond an end, the offset points from the corner; its sign is that of the winding number.
-      const S flip = sign(height);
-      const auto nearer = d2 < least, at_corner = d2 < S(1e-16);
-      least = min(least, d2);
-      const S nu = S(edge.normal.x) * flip, nv = S(edge.normal.y) * flip;
-      x = select(nearer, select(within, nu, S(select(at_corner, nu, du))), x);
-      y = select(nearer, select(within, nv, S(select(at_corner, nv, dv))), y);
-      winding = winding + crossing(edge, v, height);
-    }
-    const S away = sqrt(least);
-    const S size = S(1.0) / max(sqrt(square(x) + square(y)), S(1e-18));
-    const S side = select(abs(winding) > S(0.5), S(-1.0), S(1.0));
-    return {side * away - S(rounding_), side * x * size, side * y * size};
+  PlaneDistance<double> at(double u, double v) const override {
+    PlaneDistance<double> out;
+    sample(&u, &v, 1, [&](int, const PlaneDistance<double>& d) { out = d; });
+    return out;
   }
-
+  void distances(const Pack* u, const Pack* v, int count, Pack* out) const override {
+    sample(u, v, count, [&](int i, const PlaneDistance<Pack>& d) { out[i] = d.value; });
+  }
+  void slopes(const Pack* u, const Pack* v, int count, PlaneDistance<Pack>* out) const override {
+    sample(u, v, count, [&](int i, const PlaneDistance<Pack>& d) { out[i] = d; });
+  }
   std::vector<Vec2d> outline(int count) const override;
 
  private:
-  /// 1 or -1 if the ray towards +u from a point crosses the edge upwards or downwards.
-  template <class S>
-  static S crossing(const Edge& edge, const S& v, const S& height) {
-    if (edge.a.y < edge.b.y)
-      return select(both(both(v >= S(edge.a.y), v < S(edge.b.y)), height < S(0.0)), S(1.0), S(0.0));
-    return select(both(both(v >= S(edge.b.y), v < S(edge.a.y)), height > S(0.0)), S(-1.0), S(0.0));
+  /// Calls keep(i, distance) for each point. Some consecutive points, which are usually close to
+  /// each other, share a selection of edges.
+  template <class S, class Keep>
+  void sample(const S* u, const S* v, int count, const Keep& keep) const {
+    constexpr int kShared = 4;
+    for (int begin = 0; begin < count; begin += kShared) {
+      const int end = std::min(begin + kShared, count);
+      if (lanes_.empty()) {
+        for (int i = begin; i < end; ++i) {
+          NearestEdge<S> nearest(u[i], v[i]);
+          for (const Edge& edge : edges_) nearest.add(edge);
+          keep(i, nearest.finish(rounding_));
+        }
+        continue;
+      }
+      const EdgeLanes::Selection near =
+          lanes_.select(rectangle_around(u + begin, v + begin, end - begin));
+      for (int i = begin; i < end; ++i) {
+        NearestEdge<S> nearest(u[i], v[i]);
+        near.visit([&](size_t n) { nearest.add(edges_[n]); },
+                   [&](size_t n) { nearest.add_crossing(edges_[n]); });
+        keep(i, nearest.finish(rounding_));
+      }
+    }
   }
 
   std::vector<Edge> edges_;
+  EdgeLanes lanes_;
   double rounding_;
 };
 
