@@ -70,7 +70,8 @@ void complete(const SweepParts& parts, ActiveSet& set);
 /// A value above all values of segments.
 inline constexpr double kFar = 1e30;
 
-/// The field of the set, given the value of each segment in order: combine(i, value) and finish().
+/// The field of the set, given the values of segments in order: combine(i, value) and finish().
+/// Segments that cannot matter may be left out.
 template <class T>
 class Minimum {
  public:
@@ -81,6 +82,7 @@ class Minimum {
   void combine(size_t segment, const T& value) {
     using field::min;
     least_ = segment == 0 ? value : T(min(least_, value));
+    while (next_ < set_.links.size() && set_.links[next_].segment < segment) ++next_;
     for (; next_ < set_.links.size() && set_.links[next_].segment == segment; ++next_) {
       T& arm = arms_[set_.links[next_].arm];
       arm = min(arm, value);

@@ -2,6 +2,7 @@
 // Internal to passages/: the minimum over the segments of an active set at a batch of points.
 #pragma once
 
+#include <vug/field/numbers/value_of.h>
 #include <vug/passages/sweep/active_set.h>
 #include <vug/passages/sweep/batch_box.h>
 
@@ -10,8 +11,7 @@
 
 namespace vug::passages {
 
-inline const Pack& value_of(const Pack& x) { return x; }
-inline const Pack& value_of(const Dual<Pack>& x) { return x.v; }
+using field::value_of;
 
 /// The minimum of a batch. The segment that is nearest to its middle is the first; the others
 /// follow in the order of their lower bounds, until these are above all values so far. Packs of

@@ -59,6 +59,7 @@ Segment::Segment(const SectionFrame& from, const SectionFrame& to)
   if (loft_) depth_ = std::max(depth_, loft_->depth());
   const double sigma = uniform_ ? 0 : slope();
   scale_ = 1 / std::sqrt(1 + sigma * sigma);
+  find_box();
 }
 
 /// The frame turned about the line in both planes, as far as `right` shows.
@@ -207,22 +208,6 @@ template double Segment::at(const Point<double>&) const;
 template Dual<double> Segment::at(const Point<Dual<double>>&) const;
 template void Segment::fill(const Point<Pack>*, int, Pack*, field::Scratch&) const;
 template void Segment::fill(const Point<Pack>*, int, Dual<Pack>*, field::Scratch&) const;
-
-/// With D >= d - reach and D >= -depth, d being the distance from the line of the axis, the formula
-/// of `finish` is at least |(max(d - reach + depth, 0), e)| - depth, which decreases with the
-/// depth.
-void Segment::least(const Point<Pack>* points, size_t count, Pack* out) const {
-  using field::max, field::sqrt, field::square;
-  const Point<Pack> start = field::constant<Pack>(start_), along = field::constant<Pack>(along_);
-  const Pack length(length_), flat(reach_ - depth_), depth(depth_), scale(scale_), zero(0.0);
-  for (size_t i = 0; i < count; ++i) {
-    const Point<Pack> offset = points[i] - start;
-    const Pack s = dot(offset, along);
-    const Pack beyond = max(max(zero - s, s - length), zero);
-    const Pack height = max(field::length(offset - along * s) - flat, zero);
-    out[i] = (sqrt(square(height) + square(beyond)) - depth) * scale;
-  }
-}
 
 Box3d Segment::bounds() const {
   Box3d box;

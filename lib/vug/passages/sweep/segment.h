@@ -45,8 +45,11 @@ class Segment {
   void fill(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const;
 
   Capsule capsule() const { return {start_, along_, length_, reach_, scale_}; }
-  /// Higher lower bounds than those of the capsule, for a batch of points.
+  /// Higher lower bounds than those of the capsule, for a batch of points and for one.
   void least(const Point<Pack>* points, size_t count, Pack* out) const;
+  double least(const Vec3d& p) const;
+  /// The rounding of `least` and of values in double precision at a point.
+  double rounding(const Vec3d& p) const { return 1e-12 * (1 + p.length() + reach_ + length_); }
 
   /// Chooses the lanes of a block at which the value can be at most `limit`, and at most the known
   /// value of the lane plus `above` where `known` is given: one pack for each run.
@@ -78,11 +81,14 @@ class Segment {
   };
   Plane plane(const SectionFrame& frame) const;
   static double difference(const Plane& one, const Plane& other);
+  void find_box();
   double slope() const;
   template <class T>
   T finish(const T& from, const T& to, const T& s) const;
   template <class T>
   static T across(const Plane& plane, const Point<T>& offset);
+  template <class S>
+  struct BoxFrame;
   template <class S>
   struct AxisFrame;
   template <class S>
@@ -101,6 +107,7 @@ class Segment {
   bool uniform_ = false;
   std::optional<EllipseLoft> loft_;
   double scale_ = 1, reach_ = 0, depth_ = 0;
+  Vec2d box_centre_{0, 0}, box_half_{0, 0};  // Around both sections, in the frame of the first.
 };
 
 }  // namespace vug::passages

@@ -65,7 +65,9 @@ SegmentBvh::Nearest SegmentBvh::nearest(const Vec3d& p) const {
       [&](const Node& leaf) {
         for (uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
           if (capsules_[order_[i]].least(p) >= best.value) continue;
-          const double value = segments_[order_[i]].value(field::point(p));
+          const Segment& segment = segments_[order_[i]];
+          if (segment.least(p) > best.value + segment.rounding(p)) continue;
+          const double value = segment.value(field::point(p));
           if (value < best.value) best = {value, order_[i]};
         }
       });

@@ -29,19 +29,29 @@ struct Known {
   double value = 0;
 };
 
+/// Segments whose bound exceeds the least value so far by the radius of the widest joint are left
+/// out.
 template <class T>
 T evaluate(const SweepParts& parts, const ActiveSet& set, const Point<T>& p,
-           [[maybe_unused]] const Known* known = nullptr) {
+           const Known* known = nullptr) {
   thread_local std::vector<T> arms;
   if (arms.size() < set.arms) arms.resize(set.arms);
   Minimum<T> minimum(set, arms.data());
+  const Vec3d at(value_of(p.x), value_of(p.y), value_of(p.z));
+  double least = known ? known->value : kFar;
   for (size_t i = 0; i < set.segments.size(); ++i) {
+    const bool is_known = known && known->segment == set.segments[i];
     if constexpr (std::is_same_v<T, double>)
-      if (known && known->segment == set.segments[i]) {
+      if (is_known) {
         minimum.combine(i, known->value);
         continue;
       }
-    minimum.combine(i, parts.sweep.segments[set.segments[i]].at(p));
+    const Segment& segment = parts.sweep.segments[set.segments[i]];
+    if (!is_known && segment.least(at) > least + parts.widest_joint + segment.rounding(at))
+      continue;
+    const T value = segment.at(p);
+    least = std::min(least, value_of(value));
+    minimum.combine(i, value);
   }
   return minimum.finish();
 }
