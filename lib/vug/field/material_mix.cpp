@@ -33,6 +33,12 @@ const RockMaterial* MaterialMix::dominant() const {
   return most ? most->material : nullptr;
 }
 
+double MaterialMix::hardness() const {
+  double sum = 0;
+  for (const Part& part : parts()) sum += part.weight * part.material->hardness;
+  return std::min(1.0, sum);
+}
+
 MaterialMix mixed(const MaterialMix& a, const MaterialMix& b, double share) {
   using Part = MaterialMix::Part;
   if (a.empty() || share >= 1) return b.empty() ? a : b;

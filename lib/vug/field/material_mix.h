@@ -44,6 +44,8 @@ class MaterialMix {
   double weight(std::string_view name) const;
   /// The material with the largest weight, of equal ones the first by name; null without materials.
   const RockMaterial* dominant() const;
+  /// The mean hardness by weight, 0..1; 0 without materials.
+  double hardness() const;
 
   /// (1 - share) a + share b, share in 0..1. If one of them is empty, the result is the other one.
   friend MaterialMix mixed(const MaterialMix& a, const MaterialMix& b, double share);

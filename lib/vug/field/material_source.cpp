@@ -23,6 +23,10 @@ MaterialSample sample_materials(const Node& node, const Vec3d& p) {
   return out;
 }
 
+double hardness_at(const Field& field, const Vec3d& p) {
+  return sample_materials(*field.node(), p).mix.hardness();
+}
+
 Coat coat_at(const Node& node, const Vec3d& p) {
   if (const MaterialSource* source = source_of(node)) return source->coat(p);
   const std::vector<NodePtr> children = node.children();

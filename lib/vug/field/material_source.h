@@ -42,6 +42,8 @@ class MaterialSource {
 /// Value and materials of a node at a point. A node that is not a MaterialSource has those of its
 /// first child at the same point; a node without children has none.
 MaterialSample sample_materials(const Node& node, const Vec3d& p);
+/// The mean hardness of the materials of a field at a point, 0..1; 0 without materials.
+double hardness_at(const Field& field, const Vec3d& p);
 /// The coat of a node, by the same rule.
 Coat coat_at(const Node& node, const Vec3d& p);
 

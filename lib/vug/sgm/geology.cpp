@@ -3,8 +3,6 @@
 #include <vug/field/material_source.h>
 #include <vug/sgm/geology.h>
 
-#include <algorithm>
-
 namespace vug::sgm {
 
 const Component* Geology::at(const Vec3d& point) const {
@@ -14,14 +12,9 @@ const Component* Geology::at(const Vec3d& point) const {
 }
 
 double Geology::amount_at(const Vec3d& point, double amount) const {
-  double hardness = 0;
   const Component* component = at(point);
   if (component) amount = component->lowest + (component->highest - component->lowest) * amount;
-  if (!rock) return amount;
-  for (const field::MaterialMix::Part& part :
-       field::sample_materials(*rock->node(), point).mix.parts())
-    hardness += part.weight * part.material->hardness;
-  return amount * (1 - std::min(1.0, hardness));
+  return rock ? amount * (1 - field::hardness_at(*rock, point)) : amount;
 }
 
 void Geology::require_valid() const {

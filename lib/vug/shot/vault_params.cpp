@@ -14,6 +14,7 @@ passages::Vault VaultParams::vault() const {
   options.azimuth = azimuth;
   options.bedding = bedding;
   options.seed = static_cast<uint64_t>(seed);
+  options.rock = rock;
   return passages::vault(options);
 }
 

@@ -5,6 +5,8 @@
 #include <vug/field/kind.h>
 #include <vug/passages/breakdown/vault.h>
 
+#include <optional>
+
 namespace vug::shot {
 
 struct VaultParams {
@@ -17,6 +19,7 @@ struct VaultParams {
   double azimuth = passages::VaultOptions().azimuth;
   Vec3d bedding{0, 1, 0};
   int seed = 0;
+  std::optional<field::Field> rock = {};
 
   passages::Vault vault() const;
 };
@@ -42,7 +45,10 @@ void describe_vault(Schema<P>& s) {
              {.doc = "direction of the span and of one set of joints, from x to z",
               .dimension = Dimension::angle})
       .param("bedding", &P::bedding, {.doc = "direction across the beds"})
-      .param("seed", &P::seed, {.doc = "of beds, joints and blocks", .min = 0});
+      .param("seed", &P::seed, {.doc = "of beds, joints and blocks", .min = 0})
+      .param(
+          "rock", &P::rock,
+          {.doc = "a solid with materials: the strength of each bed is divided by 1 - hardness"});
 }
 
 }  // namespace vug::shot

@@ -3,11 +3,14 @@
 #include "scatter_fixture.h"
 
 #include <vug/field/boolean.h>
+#include <vug/field/material_source.h>
 #include <vug/field/registry.h>
 #include <vug/field/speleothems/dome_curve.h>
 #include <vug/field/speleothems/pearls.h>
 #include <vug/field/speleothems/random_curve.h>
 #include <vug/field/speleothems/scalenohedron.h>
+
+#include "rocks.h"
 
 #include <gtest/gtest.h>
 
@@ -209,6 +212,41 @@ TEST(Shelfstone, HasItsTopExactlyAtTheLevelAndTheStatedWidth) {
   EXPECT_LT(least, 0.08);
   EXPECT_GT(most, 0.16);
   EXPECT_LE(most, 0.12 * 1.6 + 1e-6);
+}
+
+// What has grown is calcite, the wall below stays limestone, and distances do not change.
+TEST(SmallSpeleothems, HaveAMaterialOfTheirOwn) {
+  const Field bare = make("half_space", {{"normal", Vec3d(1, 0, 0)}}), wall = of(bare, "limestone");
+  const auto weight_at = [](const Field& field, const Vec3d& p) {
+    return sample_materials(*field.node(), p).mix.weight("calcite");
+  };
+  for (const char* kind : {"shelfstone", "cave_clouds", "popcorn"}) {
+    NamedValues values = {{"field", as_value(wall)}};
+    if (std::string(kind) != "shelfstone") {
+      values.emplace_back("from", Vec3d(-0.2, -0.3, -0.3));
+      values.emplace_back("to", Vec3d(0.2, 0.3, 0.3));
+    }
+    const Field plain = make(kind, values);
+    EXPECT_TRUE(sample_materials(*plain.node(), {0.01, -0.1, 0}).mix.weight("limestone") > 0);
+    values.emplace_back("material", "calcite");
+    const Field grown = make(kind, values);
+    int own = 0;
+    RandomStream random(RandomKey(6));
+    for (int i = 0; i < 4000; ++i) {
+      const double x = random.uniform(-0.02, 0.06), y = random.uniform(-0.3, 0.02);
+      const Vec3d p(x, y, random.uniform(-0.3, 0.3));
+      EXPECT_EQ(grown.value(p), plain.value(p)) << kind;
+      if (x > 0.002 && grown.value(p) < -0.001) {
+        EXPECT_GT(weight_at(grown, p), 0.999) << kind << ' ' << p;
+        ++own;
+      }
+    }
+    EXPECT_GT(own, 20) << kind;
+    EXPECT_EQ(weight_at(grown, {-0.15, -0.1, 0.05}), 0) << kind;
+    for (auto& [name, value] : values)
+      if (name == "field") value = as_value(bare);
+    EXPECT_THROW(make(kind, values), Error) << kind;
+  }
 }
 
 TEST(RandomCurve, HasTheStatedCurvatureInAllDirections) {

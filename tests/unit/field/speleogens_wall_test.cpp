@@ -6,6 +6,8 @@
 #include <vug/field/registry.h>
 #include <vug/field/speleogens/cross_beds.h>
 
+#include "rocks.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -129,6 +131,30 @@ TEST(CrossBedding, FlattensTowardsTheBaseOfASetAndIsCutOffAbove) {
     previous_dip = dip;
   }
   EXPECT_NEAR(bases, 40, 4);
+}
+
+// The size of a cell has the factor 1 - H: rock of hardness 0.5 has cells of half the depth, rock
+// of hardness 1 none, at the same places.
+TEST(Tafoni, AreSmallerInHardRock) {
+  const auto deepest = [](const Field& rock) {
+    const Field cells = make("tafoni", {{"field", as_value(rock)},
+                                        {"from", Vec3d(-0.2, -0.5, -0.5)},
+                                        {"to", Vec3d(0.2, 0.5, 0.5)},
+                                        {"width", 0.09},
+                                        {"spacing", 0.085}});
+    double most = 0;
+    for (double y = -0.5; y < 0.5; y += 0.01)
+      for (double z = -0.5; z < 0.5; z += 0.01) {
+        double x = 1e-4;
+        while (x > -0.15 && cells.value({x, y, z}) > 0) x -= 0.001;
+        most = std::max(most, -x);
+      }
+    return most;
+  };
+  const double bare = deepest(wall_along_x());
+  EXPECT_EQ(deepest(of(wall_along_x(), "marl", 0)), bare);
+  EXPECT_NEAR(deepest(of(wall_along_x(), "marl", 0.5)), 0.5 * bare, 0.004);
+  EXPECT_LT(deepest(of(wall_along_x(), "chert", 1)), 0.001) << "less than one step of the search";
 }
 
 TEST(Tafoni, AreCellsOfTheStatedWidthWithSharpWalls) {

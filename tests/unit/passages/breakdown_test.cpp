@@ -2,6 +2,8 @@
 // Vaults and piles of blocks: beam theory, contact, overlap, slope and bulk.
 #include <vug/base/error.h>
 #include <vug/base/rng.h>
+#include <vug/field/grown_material.h>
+#include <vug/field/registry.h>
 #include <vug/passages/breakdown/broken_block.h>
 #include <vug/passages/breakdown/pile.h>
 
@@ -68,6 +70,30 @@ TEST(Vault, BedsBridgeTheSpansOfBeams) {
     EXPECT_LT(air.value(block.corner(1, 1, 1)), 0);
   }
   EXPECT_TRUE(vault({.span = 5, .bed = 1, .strength = 10}).blocks.empty());
+}
+
+// The strength S / (1 - H) of a bed gives its span the factor (1 - H)^(-1/2).
+TEST(Vault, HardBedsBridgeWiderSpans) {
+  const auto made_of = [](double hardness) {
+    const field::RockMaterialPtr material =
+        std::make_shared<field::RockMaterial>(field::RockMaterial{"chert", hardness});
+    return field::of_material(field::make("box", {{"size", Vec3d(99, 99, 99)}}), material);
+  };
+  VaultOptions options{.span = 24, .length = 30, .strength = 2, .seed = 3};
+  const Vault bare = vault(options);
+  options.rock = made_of(0);
+  EXPECT_EQ(vault(options).spans, bare.spans);
+  options.rock = made_of(0.5);
+  const Vault half = vault(options);
+  ASSERT_FALSE(half.spans.empty());
+  EXPECT_LT(half.volume(), bare.volume());
+  for (size_t i = 0; i < half.spans.size(); ++i)
+    EXPECT_GT(half.spans[i], std::sqrt(2) * bridged_span(half.beds[i], 2, options.density));
+  options.rock.reset();
+  options.strength = 4;
+  EXPECT_EQ(vault(options).spans, half.spans);
+  options.rock = made_of(1);
+  EXPECT_TRUE(vault(options).blocks.empty());
 }
 
 /// The slope of the mean height of the tops over the distance from the ridge, fitted where the cone

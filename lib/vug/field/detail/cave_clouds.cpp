@@ -4,6 +4,7 @@
 #include <vug/base/maths.h>
 #include <vug/field/boolean.h>
 #include <vug/field/deferred.h>
+#include <vug/field/grown_material.h>
 #include <vug/field/registry.h>
 #include <vug/field/speleothems/element_field.h>
 #include <vug/field/speleothems/lobe.h>
@@ -21,6 +22,7 @@ struct CaveClouds : SurfaceScatter {
   double diameter = 0.15;
   double rise = 0.6;
   double merge = 0.3;
+  RockMaterialPtr material{};
 
   CaveClouds() { spacing = 0.1; }
 
@@ -42,6 +44,11 @@ struct CaveClouds : SurfaceScatter {
                 .dimension = Dimension::ratio,
                 .min = 0,
                 .max = 0.6});
+    describe_growth_material(s);
+  }
+  std::string fault() const {
+    const std::string own = growth_fault(field, material);
+    return own.empty() ? SurfaceScatter::fault() : own;
   }
   double reach() const { return 2 * diameter; }
   Blend fillet() const { return {Profile::smooth, 0.5 * merge * diameter}; }
@@ -67,8 +74,9 @@ struct CaveClouds : SurfaceScatter {
 
 VUG_FIELD_KIND(cave_clouds) {
   return field_kind<CaveClouds>("cave_clouds", "detail", [](const CaveClouds& c) {
-    return unite({c.field, deferred(
-                               surface_traits(c, c.reach()), "growing cave clouds",
-                               [c] { return c.coating(); }, c.bytes<Lobe>())});
+    const Field clouds = deferred(
+        surface_traits(c, c.reach()), "growing cave clouds", [c] { return c.coating(); },
+        c.bytes<Lobe>());
+    return unite({c.field, of_material(clouds, c.material)});
   });
 }

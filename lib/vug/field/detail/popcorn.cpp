@@ -4,6 +4,7 @@
 #include <vug/base/maths.h>
 #include <vug/field/boolean.h>
 #include <vug/field/deferred.h>
+#include <vug/field/grown_material.h>
 #include <vug/field/speleothems/element_field.h>
 #include <vug/field/speleothems/nodule.h>
 #include <vug/field/speleothems/surface_places.h>
@@ -24,6 +25,7 @@ struct Popcorn : SurfaceScatter {
   double stalk = 0.006;
   int cluster = 4;
   Vec3d wind{0, 0, 0};
+  RockMaterialPtr material{};
 
   Popcorn() { spacing = 0.018; }
 
@@ -45,6 +47,11 @@ struct Popcorn : SurfaceScatter {
         .param("wind", &Popcorn::wind,
                {.doc = "direction of a draught: knobs grow on the side that it meets; zero: in "
                        "still air, on all sides"});
+    describe_growth_material(s);
+  }
+  std::string fault() const {
+    const std::string own = growth_fault(field, material);
+    return own.empty() ? SurfaceScatter::fault() : own;
   }
   double reach() const { return kLargest * diameter * 1.7 + 2 * stalk; }
 
@@ -85,8 +92,9 @@ struct Popcorn : SurfaceScatter {
 
 VUG_FIELD_KIND(popcorn) {
   return field_kind<Popcorn>("popcorn", "detail", [](const Popcorn& p) {
-    return unite({p.field, deferred(
-                               surface_traits(p, p.reach()), "growing popcorn",
-                               [p] { return p.crust(); }, p.bytes<Nodule>(p.cluster))});
+    const Field knobs = deferred(
+        surface_traits(p, p.reach()), "growing popcorn", [p] { return p.crust(); },
+        p.bytes<Nodule>(p.cluster));
+    return unite({p.field, of_material(knobs, p.material)});
   });
 }

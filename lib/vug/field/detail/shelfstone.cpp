@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shelfstone: calcite that grows from the shore of a pool along the surface of its water.
 #include <vug/base/rng.h>
+#include <vug/field/grown_material.h>
 #include <vug/field/speleothems/ledge.h>
 
 namespace vug::field {
@@ -15,6 +16,7 @@ struct Shelfstone {
   double thickness = 0.03;
   double rim = 0.008;
   int seed = 1;
+  RockMaterialPtr material{};
 
   static void describe(Schema<Shelfstone>& s) {
     s.doc(
@@ -38,10 +40,12 @@ struct Shelfstone {
                positive_length("thickness of its rim; in a level set at least two voxels"))
         .param("seed", &Shelfstone::seed,
                {.doc = "random seed; each seed gives another variation"});
+    describe_growth_material(s);
   }
   std::string fault() const {
     if (levels.empty()) return "shelfstone needs at least one level";
-    return rim <= thickness ? "" : "the rim of shelfstone must be at most as thick as its root";
+    if (rim > thickness) return "the rim of shelfstone must be at most as thick as its root";
+    return growth_fault(field, material);
   }
   Ledge ledge() const {
     return {levels,
@@ -60,6 +64,8 @@ struct Shelfstone {
 
 VUG_FIELD_KIND(shelfstone) {
   return field_kind<Shelfstone>("shelfstone", "detail", [](const Shelfstone& s) {
-    return Field(std::make_shared<ModifierNode<Ledge>>("shelfstone", s.ledge(), s.field.node()));
+    const Field ledges(
+        std::make_shared<ModifierNode<Ledge>>("shelfstone", s.ledge(), s.field.node()));
+    return grown_on(s.field, ledges, s.material);
   });
 }

@@ -4,6 +4,7 @@
 #include <vug/base/maths.h>
 #include <vug/field/boolean.h>
 #include <vug/field/deferred.h>
+#include <vug/field/material_source.h>
 #include <vug/field/round_cone.h>
 #include <vug/field/speleothems/element_field.h>
 #include <vug/field/speleothems/surface_places.h>
@@ -26,7 +27,8 @@ struct Tafoni : SurfaceScatter {
   static void describe(Schema<Tafoni>& s) {
     s.doc(
          "Tafoni: round cells that weathering hollows out of a rock face, side by side with sharp "
-         "walls between them, longer along the beds.")
+         "walls between them, longer along the beds. Their size has the factor 1 - hardness of the "
+         "rock there.")
         .cite("mustoe1982");
     describe_surface_scatter(s)
         .param("width", &Tafoni::width,
@@ -50,9 +52,9 @@ struct Tafoni : SurfaceScatter {
   }
   double reach() const { return width * (1.6 + stretch); }
 
-  RoundCone cell(const SurfacePlace& place) const {
+  RoundCone cell(const SurfacePlace& place, double softness) const {
     RandomStream random(place.key);
-    const double radius = 0.5 * width * log_uniform(random, kSpread);
+    const double radius = softness * 0.5 * width * log_uniform(random, kSpread);
     const Vec3d centre = place.at - place.normal * (radius * (2 * depth - 1));
     const Vec3d level = normal.normalized().cross(place.normal);
     const Vec3d along = level.length() > 1e-3
@@ -63,7 +65,9 @@ struct Tafoni : SurfaceScatter {
   }
   Field cells() const {
     std::vector<RoundCone> out;
-    for (const SurfacePlace& place : find_surface_places(*this)) out.push_back(cell(place));
+    for (const SurfacePlace& place : find_surface_places(*this))
+      if (const double softness = 1 - hardness_at(field, place.at); softness > 0)
+        out.push_back(cell(place, softness));
     return element_field("tafoni", std::move(out), Exactness::exact);
   }
 };

@@ -2,6 +2,7 @@
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
 #include <vug/base/rng.h>
+#include <vug/field/material_source.h>
 #include <vug/passages/breakdown/vault.h>
 
 #include <fmt/format.h>
@@ -62,6 +63,11 @@ std::vector<double> joints(double half, double spacing, RandomKey key) {
   return out;
 }
 
+/// The bending strength of a bed at a point, MPa; infinite for hardness 1.
+double strength_at(const VaultOptions& o, const Vec3d& p) {
+  return o.rock ? o.strength / (1 - field::hardness_at(*o.rock, p)) : o.strength;
+}
+
 }  // namespace
 
 double Vault::volume() const {
@@ -98,9 +104,10 @@ Vault vault(const VaultOptions& o) {
   for (int bed = 0; bed < kMostBeds; ++bed) {
     const double spread = maths::exp(kBedSpread * random.normal() - 0.5 * kBedSpread * kBedSpread);
     const double thickness = o.bed * std::clamp(spread, 0.4, 2.5);
-    const double ledge = ledge_length(thickness, o.strength, o.density);
+    const double strength = strength_at(o, o.at + up * (height + 0.5 * thickness));
+    const double ledge = ledge_length(thickness, strength, o.density);
     const double left = 2 * ledge * random.uniform(0.3, 1);
-    if (!(std::min(span, length) > bridged_span(thickness, o.strength, o.density))) break;
+    if (!(std::min(span, length) > bridged_span(thickness, strength, o.density))) break;
     for (size_t i = 0; i + 1 < across_u.size(); ++i)
       for (size_t j = 0; j + 1 < across_v.size(); ++j) {
         const double x = 0.5 * (across_u[i] + across_u[i + 1]);

@@ -6,6 +6,7 @@
 #include <vug/passages/breakdown/oriented_box.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace vug::passages {
@@ -21,6 +22,9 @@ struct VaultOptions {
   double azimuth = 0.4;    ///< Direction of the span in plan, radians from x to z.
   Vec3d bedding{0, 1, 0};  ///< Across the beds; need not be a unit vector.
   uint64_t seed = 0;
+  /// Rock with materials: the strength of each bed is divided by 1 - H with the hardness H at its
+  /// middle above `at`. Beds of hardness 1 never fall.
+  std::optional<field::Field> rock = {};
 };
 
 struct Vault {
