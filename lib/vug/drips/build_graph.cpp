@@ -48,7 +48,7 @@ class Builder {
     std::vector<int> floors;
     if (o_.run_out) floors = run_down(walls);
     const std::vector<int> landings = falls();
-    if (o_.run_out) {
+    if (o_.run_out && o_.over_floors) {
       floors.insert(floors.end(), landings.begin(), landings.end());
       run_over_floors(floors);
     }

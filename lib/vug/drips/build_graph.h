@@ -19,6 +19,9 @@ struct GraphOptions : SeepOptions {
   /// Whether films are followed down walls, over floors and through pools; without, the graph ends
   /// where drops land and where roofs become walls.
   bool run_out = true;
+  /// Whether films are also followed over floors and through pools. Speleothems do not depend on
+  /// these, except flowstone, and skirts at landings that such a film reaches.
+  bool over_floors = true;
   uint64_t memory = uint64_t(8) << 30;  ///< Bytes that the graph may use.
 };
 

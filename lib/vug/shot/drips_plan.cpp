@@ -2,13 +2,10 @@
 #include <vug/base/error.h>
 #include <vug/field/boolean.h>
 #include <vug/field/deferred.h>
-#include <vug/field/material_source.h>
-#include <vug/field/registry.h>
+#include <vug/field/grown_material.h>
 #include <vug/field/speleothems/deposits.h>
 #include <vug/field/thickened.h>
 #include <vug/shot/drips_plan.h>
-
-#include <fmt/format.h>
 
 namespace vug::shot {
 
@@ -19,44 +16,28 @@ DripsPlan::DripsPlan(const DripParams& params) : rock_(params.field), options_(p
 
 const drips::Graph& DripsPlan::graph() const {
   const std::lock_guard lock(computing_);
+  return whole_graph();
+}
+
+const drips::Graph& DripsPlan::whole_graph() const {
   if (!graph_) graph_ = drips::build_graph(rock_, options_.graph);
   return *graph_;
 }
 
 const drips::Dripstone& DripsPlan::grown() const {
-  const drips::Graph& drips = graph();
   const std::lock_guard lock(computing_);
-  if (!grown_) grown_ = drips::grow_dripstone(rock_, drips, options_);
+  if (grown_) return *grown_;
+  if (options_.flowstone.share > 0) {
+    grown_ = drips::grow_dripstone(rock_, whole_graph(), options_);
+  } else {
+    // Nothing grows along films on floors. The whole graph is not used even if it is known, so that
+    // what grows does not depend on what else was asked of the plan.
+    drips::GraphOptions options = options_.graph;
+    options.over_floors = false;
+    grown_ = drips::grow_dripstone(rock_, drips::build_graph(rock_, options), options_);
+  }
   return *grown_;
 }
-
-namespace {
-
-/// Flowstone is this thick in metres where half of the material is its own.
-constexpr double kThinnestFlowstone = 0.001;
-
-field::Field made_of(const field::Field& solid, const field::RockMaterialPtr& material) {
-  return field::make("made_of", {{"field", field::as_value(solid)},
-                                 {"of", ValueTraits<field::RockMaterialPtr>::write(material)}});
-}
-
-/// The rock with its flowstone, whose material is that of the rock inside of the rock alone.
-field::Field layered(const field::Field& rock, const field::Field& with_flowstone,
-                     const field::RockMaterialPtr& material) {
-  if (field::materials_of(rock).empty())
-    throw Error(ErrorCode::bad_input,
-                fmt::format("the speleothems are made of '{}', but the rock has no material",
-                            material->name),
-                {}, "give the rock one: made_of(rock, of: \"limestone\")");
-  const field::Field core =
-      field::make("offset", {{"field", field::as_value(rock)}, {"by", 0.5 * kThinnestFlowstone}});
-  return field::make("host_rock", {{"field", field::as_value(with_flowstone)},
-                                   {"of", ValueTraits<field::RockMaterialPtr>::write(material)},
-                                   {"bodies", List{field::as_value(core)}},
-                                   {"contact", kThinnestFlowstone}});
-}
-
-}  // namespace
 
 field::Field with_speleothems(const DripsPtr& drips, const SpeleothemJoin& join,
                               SpeleothemPart part) {
@@ -67,13 +48,13 @@ field::Field with_speleothems(const DripsPtr& drips, const SpeleothemJoin& join,
   const field::Field solids = field::deferred(
       {drips::kDripstoneSlope, field::Exactness::sign, bounds, drips::kDripstoneGrowth},
       "finding drips", [drips] { return drips->grown().solids; }, bytes);
-  const field::Field own = join.material ? made_of(solids, join.material) : solids;
+  const field::Field own = field::of_material(solids, join.material);
   if (part == SpeleothemPart::solids) return own;
   const field::Field thickness = field::deferred(
       {field::kSteepestDeposit, field::Exactness::sign, infinite_box(), 0}, "laying flowstone",
       [drips] { return drips->grown().thickness; }, bytes);
   const field::Field thick = field::thickened(drips->rock(), thickness, field::kThickestDeposit),
-                     rock = join.material ? layered(drips->rock(), thick, join.material) : thick;
+                     rock = field::grown_on(drips->rock(), thick, join.material);
   if (part == SpeleothemPart::rock) return rock;
   return field::unite({rock, own}, field::Blend{field::Profile::smooth, join.root});
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vug/base/kind.h>
-#include <vug/field/rock_material_kind.h>
+#include <vug/field/grown_material.h>
 #include <vug/shot/drip_params.h>
 
 #include <memory>
@@ -24,6 +24,8 @@ class DripsPlan {
   const drips::Dripstone& grown() const;
 
  private:
+  const drips::Graph& whole_graph() const;  ///< With `computing_` locked.
+
   field::Field rock_;
   drips::DripstoneOptions options_;
   mutable std::mutex computing_;
@@ -42,10 +44,8 @@ struct SpeleothemJoin {
   template <class P>
   static void describe(Schema<P>& s) {
     s.param("root", &SpeleothemJoin::root,
-            positive_length("distance over which roots blend into the rock"))
-        .param("material", &SpeleothemJoin::material,
-               {.doc = "the material of all that has grown, e.g. \"calcite\"; by default that of "
-                       "the rock"});
+            positive_length("distance over which roots blend into the rock"));
+    field::describe_growth_material(s);
   }
 };
 

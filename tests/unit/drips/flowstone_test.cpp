@@ -86,5 +86,54 @@ TEST(Flowstone, ContinuesWhereFilmsMeet) {
   for (const int64_t drip : half) EXPECT_TRUE(all.contains(drip));
 }
 
+TEST(Flowstone, WithoutItFormsDoNotDependOnTheFilmsOverFloors) {
+  const field::Field rock = cave(8);
+  GraphOptions o = graph_options(4);
+  o.density = 1;
+  o.oldest = 20000;
+  const Graph whole = build_graph(rock, o);
+  o.over_floors = false;
+  const Graph part = build_graph(rock, o);
+  EXPECT_LT(part.edges.size(), whole.edges.size());
+  DripstoneOptions options;
+  options.flowstone.share = 0;
+  const Dripstone expected = grow_dripstone(rock, whole, options),
+                  found = grow_dripstone(rock, part, options);
+  ASSERT_GT(expected.forms.size(), 100);
+  ASSERT_EQ(found.forms.size(), expected.forms.size());
+  for (size_t i = 0; i < found.forms.size(); ++i) {
+    EXPECT_EQ(found.forms[i].drip, expected.forms[i].drip);
+    EXPECT_EQ(found.forms[i].top, expected.forms[i].top);
+    EXPECT_EQ(found.forms[i].radius, expected.forms[i].radius);
+  }
+  RandomStream random(RandomKey(1).at("floors"));
+  for (int i = 0; i < 1000; ++i) {
+    const double x = random.uniform(-4, 4), y = random.uniform(-2.2, 1.5);
+    const Vec3d p(x, y, random.uniform(-3, 3));
+    EXPECT_EQ(found.solids.value(p), expected.solids.value(p));
+  }
+  // Skirts remain. Only those at landings that a film from elsewhere reaches differ: they have lost
+  // its water.
+  std::set<int64_t> reached;
+  for (const Edge& edge : whole.edges)
+    if (edge.kind == EdgeKind::floor_film)
+      reached.insert(whole.nodes[static_cast<size_t>(edge.to)].id);
+  ASSERT_EQ(found.layers.size(), expected.layers.size());
+  int same = 0;
+  for (size_t i = 0; i < found.layers.size(); ++i) {
+    const field::Deposit &own = found.layers[i], &all = expected.layers[i];
+    EXPECT_EQ(own.drip, all.drip);
+    if (reached.contains(own.drip)) {
+      EXPECT_LE(own.half_width_from, all.half_width_from);
+      EXPECT_LE(own.thickness_from, all.thickness_from);
+    } else {
+      EXPECT_EQ(own.half_width_from, all.half_width_from);
+      EXPECT_EQ(own.thickness_from, all.thickness_from);
+      ++same;
+    }
+  }
+  EXPECT_GT(same, 20);
+}
+
 }  // namespace
 }  // namespace vug::drips
