@@ -40,6 +40,12 @@ TEST(NetworkDeclaration, ReportsFaultsOfGraphs) {
   EXPECT_NE(problem("names: [\"a\", \"a\"], at: [(0, 0, 0), (1, 0, 0)], paths: [\"a a\"]")
                 .find("two stations are named 'a'"),
             std::string::npos);
+  EXPECT_NE(problem("names: [\"a\", \"b\"], at: [(1, 0, 0), (1, 0, 0)], paths: [\"a b\"]")
+                .find("joins the stations 'a' and 'b', which are at the same place"),
+            std::string::npos);
+  EXPECT_NE(problem("names: [\"a\", \"b\"], at: [(0, 0, 0), (1e300, 0, 0)], paths: [\"a b\"]")
+                .find("the station 'b' is at (1e+300, 0, 0)"),
+            std::string::npos);
   EXPECT_NE(problem("names: [\"a\", \"b\"], at: [(0, 0, 0), (1, 0, 0)], paths: [\"a\"]")
                 .find("the path 'a' needs at least two stations"),
             std::string::npos);

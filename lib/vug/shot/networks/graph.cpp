@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A network that is written in the scene text.
 #include <vug/shot/networks.h>
+#include <vug/survey_files/plausible.h>
 
 #include <fmt/format.h>
 
@@ -54,6 +55,13 @@ struct Graph {
 using Indices = std::map<std::string, int>;
 
 network::Station station_of(const Graph& graph, size_t i) {
+  const Vec3d& at = graph.at[i];
+  for (int axis = 0; axis < 3; ++axis)
+    if (!survey::is_plausible_coordinate(at[axis]))
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("the station '{}' is at ({:g}, {:g}, {:g})", graph.names[i], at[0],
+                              at[1], at[2]),
+                  {}, fmt::format("coordinates are at most {:g} m", survey::kLargestCoordinate));
   network::Station station;
   station.name = graph.names[i];
   station.position = graph.at[i];
@@ -90,6 +98,19 @@ Indices indices_of(const std::vector<std::string>& names) {
               suggestion(name, known));
 }
 
+void add_leg(const std::string& path, int from, int to, network::Network& network) {
+  network.legs.push_back({.from = from, .to = to});
+  if (network::leg_vector(network, network.legs.back()) != Vec3d(0)) return;
+  const auto name = [&](int station) {
+    return network.stations[static_cast<size_t>(station)].name;
+  };
+  throw Error(ErrorCode::bad_input,
+              fmt::format("the path '{}' joins the stations '{}' and '{}', which are at the same "
+                          "place",
+                          path, name(from), name(to)),
+              {}, "move one of them, or remove it");
+}
+
 /// Appends the legs of one path.
 void add_path(const std::string& path, const Indices& indices, network::Network& network) {
   std::istringstream words(path);
@@ -101,7 +122,7 @@ void add_path(const std::string& path, const Indices& indices, network::Network&
       throw Error(ErrorCode::bad_input,
                   fmt::format("the path '{}' joins the station '{}' to itself", path, name), {},
                   "remove one of the two names");
-    if (previous >= 0) network.legs.push_back({.from = previous, .to = found->second});
+    if (previous >= 0) add_leg(path, previous, found->second, network);
     previous = found->second;
   }
   if (count < 2)
