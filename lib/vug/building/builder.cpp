@@ -119,6 +119,10 @@ volume::LevelSet Builder::make_level_set(const shot::VolumePlan& plan) {
   const Progress::Product product(progress_, plan.name);
   if (!mesh) {
     field::compute_deferred(plan.field, progress_, memory_budget());
+    // Before the voxels, whose number may make them slow.
+    if (options_.on_warning)
+      if (const Diagnostics thin = thin_part_warnings(plan, options_.where_of); !thin.all().empty())
+        options_.on_warning(thin);
     return volume::voxelize(plan.field, voxelize_options(plan, memory_budget()), progress_);
   }
   volume::FromMeshOptions options;
@@ -135,10 +139,6 @@ const volume::LevelSet& Builder::level_set(const shot::VolumePtr& plan) {
     held_ += made.statistics().memory_bytes;
     if (!made.holds_solid())
       warn(plan->where, fmt::format("the volume '{}' is empty", plan->name), why_empty(*plan));
-    if (options_.on_warning && !plan->source_mesh)
-      if (const Diagnostics thin = thin_part_warnings(*plan, options_.where_of);
-          !thin.all().empty())
-        options_.on_warning(thin);
     return made;
   } catch (Error& error) {
     throw volume_error(*plan, error, fmt::format("making the volume '{}'", plan->name));

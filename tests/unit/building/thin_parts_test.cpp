@@ -95,5 +95,19 @@ TEST(ThinParts, NarrowPassagesAreReportedWithTheirShare) {
   }
 }
 
+TEST(ThinParts, AreReportedBeforeTheVoxelsAreMade) {
+  const loading::Loaded loaded =
+      loading::load_text("volume plate = level_set(box((50, 1mm, 50)), voxel: 10cm)\n", "t.vug");
+  bool warned = false, warned_before_voxels = false;
+  Progress progress([&](const std::string& stage, double) {
+    if (stage.find("voxels of") == 0) warned_before_voxels = warned;
+  });
+  BuildOptions options;
+  options.on_warning = [&](const Diagnostics&) { warned = true; };
+  Builder builder(loaded.shot, options, progress);
+  builder.level_set(loaded.shot.volumes.at(0));
+  EXPECT_TRUE(warned_before_voxels);
+}
+
 }  // namespace
 }  // namespace vug::building
