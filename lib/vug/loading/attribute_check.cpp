@@ -4,6 +4,7 @@
 #include <vug/facade/semantics.h>
 #include <vug/flora/merge_instances.h>
 #include <vug/loading/attribute_check.h>
+#include <vug/loading/rock_check.h>
 #include <vug/mesh/rock_weights.h>
 #include <vug/shot/cells_plan.h>
 #include <vug/shot/queries.h>
@@ -48,12 +49,9 @@ class AttributeChecker {
       : names_(names.begin(), names.end()), file_(std::move(file)), diagnostics_(diagnostics) {}
 
   /// Checks masks and paints that read an attribute.
-  void check_expression(const scene::ExprPtr& expr) const {
-    if (!expr) return;
-    if (expr->kind == scene::ExprKind::call && (expr->text == "attribute" || expr->text == "value"))
-      check_name(*expr);
-    if (expr->kind == scene::ExprKind::call && expr->text == "by_rock") check_rocks(*expr);
-    for (const scene::Operand& operand : expr->operands) check_expression(operand.value);
+  void check_expression(const scene::Expr& expr) const {
+    if (expr.kind == scene::ExprKind::call && (expr.text == "attribute" || expr.text == "value"))
+      check_name(expr);
   }
 
   /// Checks AOVs "attribute_NAME".
@@ -73,27 +71,6 @@ class AttributeChecker {
       if (operand.name == "name" || operand.name.empty()) name = operand.value.get();
     }
     if (name && name->kind == scene::ExprKind::text) check_name(name->text, name->where);
-  }
-
-  /// Checks the names of rock materials in by_rock(of: [...]).
-  void check_rocks(const scene::Expr& call) const {
-    for (const scene::Operand& operand : call.operands)
-      if (operand.name == "of" || (operand.name.empty() && &operand == &call.operands.front()))
-        for (const scene::Operand& each : operand.value->operands)
-          if (each.value->kind == scene::ExprKind::text)
-            check_rock(each.value->text, each.value->where);
-  }
-  void check_rock(const std::string& name, const SourceLocation& where) const {
-    std::vector<std::string> rocks;
-    for (const std::string& each : names_)
-      if (const auto rock = mesh::material_of_attribute(each)) rocks.push_back(*rock);
-    if (std::find(rocks.begin(), rocks.end(), name) != rocks.end()) return;
-    if (where.file != file_ && nearest_name(name, rocks).empty()) return;
-    diagnostics_.warning(where, fmt::format("no rock is made of '{}'", name),
-                         did_you_mean(name, rocks,
-                                      rocks.empty() ? "made_of(FIELD, of: \"" + name +
-                                                          "\") and host_rock assign materials"
-                                                    : ""));
   }
 
   void check_name(const std::string& name, const SourceLocation& where) const {
@@ -121,18 +98,16 @@ class AttributeChecker {
 
 void check_attributes(const scene::Document& document, const shot::Shot& shot,
                       Diagnostics& diagnostics) {
-  const AttributeChecker checker(available_attributes(shot), document.sources.at(0)->file,
-                                 diagnostics);
-  for (const scene::Let& let : document.lets) checker.check_expression(let.value);
-  for (const scene::Def& def : document.defs) checker.check_expression(def.body);
-  for (const scene::Declaration& declaration : document.declarations) {
-    checker.check_expression(declaration.value);
+  const std::set<std::string> names = available_attributes(shot);
+  const AttributeChecker checker(names, document.sources.at(0)->file, diagnostics);
+  each_expression(document, [&](const scene::Expr& expr) { checker.check_expression(expr); });
+  for (const scene::Declaration& declaration : document.declarations)
     if (const scene::Entry* layers = declaration.find_entry("layers"))
       for (const scene::ExprPtr& value : layers->values) checker.check_layer_names(value);
-    for (const scene::Entry& entry : declaration.entries)
-      if (declaration.kind != "cells")  // reported as errors elsewhere
-        for (const scene::ExprPtr& value : entry.values) checker.check_expression(value);
-  }
+  std::vector<std::string> rocks;
+  for (const std::string& each : names)
+    if (const auto rock = mesh::material_of_attribute(each)) rocks.push_back(*rock);
+  check_rocks(document, shot, rocks, diagnostics);
 }
 
 }  // namespace vug::loading

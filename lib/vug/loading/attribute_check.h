@@ -10,7 +10,7 @@ namespace vug::loading {
 
 /// Warns about each `attribute(name: "stian")` that no mesh of the scene provides, unless it has a
 /// default `otherwise`. Included texts may serve other scenes as well: there, only names similar to
-/// an existing attribute are reported.
+/// an existing attribute are reported. Also checks the rocks of materials; see rock_check.h.
 void check_attributes(const scene::Document& document, const shot::Shot& shot,
                       Diagnostics& diagnostics);
 

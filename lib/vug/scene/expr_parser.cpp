@@ -196,6 +196,8 @@ ExprPtr ExprParser::primary() {
     cursor_.fail(token, fmt::format("expected a value, found '{}'", token.text));
   } else if (cursor_.peek().is("(") && cursor_.peek().touches) {
     return call(token, nullptr, token);
+  } else if (token.is_name("by") && cursor_.peek().is_name("rock") && cursor_.peek(1).is("{")) {
+    return by_rock(token);
   } else if (token.text == "true" || token.text == "false") {
     expr.kind = ExprKind::truth;
   } else if (token.text == "if") {

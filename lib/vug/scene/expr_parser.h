@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parser of expressions (also in binding_parser.cpp); docs/reference/language.md has the EBNF.
+// Parser of expressions, also in binding_parser.cpp and by_rock_parser.cpp; the EBNF is in
+// docs/reference/language.md.
 #pragma once
 
 #include <vug/scene/cursor.h>
@@ -47,6 +48,7 @@ class ExprParser {
   ExprPtr index(ExprPtr base, const Token& first);
   ExprPtr call(const Token& name, ExprPtr receiver, const Token& first);
   void operand(Expr& call, bool& named);
+  ExprPtr by_rock(const Token& by);
   const Token& operator_ahead() const;
 
   ExprPtr finish(Expr expr, const Token& first);

@@ -134,6 +134,12 @@ class Formatter {
     return tokens_[begin].is_name("axiom") || is_rule(begin) || (items_ && indent > inside());
   }
 
+  /// The second word of `by rock {`.
+  bool is_rock(size_t i) const {
+    return i > 0 && tokens_[i - 1].is_name("by") && tokens_[i].is_name("rock") &&
+           tokens_[i + 1].is("{");
+  }
+
   static bool is_clause(const Token& t) { return t.is_name("label") || t.is_name("blend"); }
 
   void fill(FormattedLine& row, size_t begin, size_t end) {
@@ -143,7 +149,7 @@ class Formatter {
     for (size_t i = begin; i < end; ++i) {
       const Token& token = tokens_[i];
       const bool starts_entry = in_braces() && !in_grammar() && token.kind == TokenKind::name &&
-                                !is_word(token) && !key &&
+                                !is_word(token) && !is_rock(i) && !key &&
                                 (i == begin ? !hanging_ : ends_entry(tokens_[i - 1]));
       if (i > begin) {
         if (breaks_cell(row, i, key)) {

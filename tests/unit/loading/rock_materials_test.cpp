@@ -13,22 +13,54 @@ Loaded load_rocks(const std::string& text) { return load_text(text, "rocks.vug")
 const std::string kRock =
     "volume rock = level_set(made_of(sphere(1m), of: \"limestone\"), voxel: 20cm)\n";
 
-TEST(RockMaterials, ANameThatNoRockHasIsAWarning) {
-  const Loaded right =
-      load_rocks(kRock +
-                 "material m = by_rock(of: [\"limestone\"], materials: [lambert()])\n"
-                 "mesh wall on rock {}\nobject o on wall { material m }\n");
-  EXPECT_TRUE(right.usable());
-  EXPECT_EQ(right.report(), "");
-  const Loaded wrong =
-      load_rocks(kRock +
-                 "material m = by_rock(of: [\"limestoen\"], materials: [lambert()])\n"
-                 "mesh wall on rock {}\nobject o on wall { material m }\n");
-  EXPECT_TRUE(wrong.usable());
-  EXPECT_NE(wrong.report().find("no rock is made of 'limestoen'"), std::string::npos)
-      << wrong.report();
-  EXPECT_NE(wrong.report().find("'limestone'"), std::string::npos);
-  EXPECT_NE(wrong.report().find("rocks.vug:2:27"), std::string::npos) << wrong.report();
+/// The report of a scene of limestone whose wall has a table of materials.
+std::string report_with(const std::string& table, bool usable) {
+  const Loaded loaded = load_rocks(kRock + "material m = by rock { " + table +
+                                   " }\nmesh wall on rock {}\nobject o on wall { material m }\n");
+  EXPECT_EQ(loaded.usable(), usable) << table;
+  return loaded.report();
+}
+
+TEST(RockMaterials, ANameThatNoRockHasIsAnError) {
+  EXPECT_EQ(report_with("limestone -> lambert()", true), "");
+  const std::string wrong = report_with("limestone -> lambert(), limestoen -> coated()", false);
+  EXPECT_NE(wrong.find("no rock is made of 'limestoen'"), std::string::npos) << wrong;
+  EXPECT_NE(wrong.find("'limestone'"), std::string::npos) << wrong;
+  EXPECT_NE(wrong.find("rocks.vug:2:48"), std::string::npos) << wrong;
+  const std::string far = report_with("limestone -> lambert(), clay -> coated()", false);
+  EXPECT_NE(far.find("the rocks of the scene are limestone"), std::string::npos) << far;
+}
+
+TEST(RockMaterials, ATextThatOnlyDeclaresMaterialsIsUsable) {
+  const Loaded loaded = load_rocks("material m = by rock { limestone -> lambert() }\n");
+  EXPECT_TRUE(loaded.usable());
+  EXPECT_NE(loaded.report().find("no rock is made of 'limestone'"), std::string::npos);
+}
+
+TEST(RockMaterials, ARockWithoutAMaterialIsAnError) {
+  const std::string two =
+      "volume rock = level_set(host_rock(sphere(1m), of: \"limestone\", "
+      "bodies: [made_of(slab(thickness: 20cm), of: \"clay\")]), voxel: 20cm)\n"
+      "mesh wall on rock {}\n";
+  const Loaded missing =
+      load_rocks(two + "object o on wall { material by rock { limestone -> lambert() } }\n");
+  EXPECT_FALSE(missing.usable());
+  EXPECT_NE(missing.report().find("'o' has no material for its rock 'clay'"), std::string::npos)
+      << missing.report();
+  EXPECT_NE(missing.report().find("rocks.vug:3:29"), std::string::npos) << missing.report();
+  EXPECT_NE(missing.report().find("'clay -> MATERIAL'"), std::string::npos) << missing.report();
+  for (const char* table : {"limestone -> lambert(), clay -> coated()",
+                            "limestone -> lambert(), otherwise -> coated()"}) {
+    const Loaded complete =
+        load_rocks(two + "object o on wall { material by rock { " + table + " } }\n");
+    EXPECT_EQ(complete.report(), "") << table;
+  }
+}
+
+TEST(RockMaterials, AMaterialThatDoesNotExistIsAnError) {
+  const std::string missing = report_with("limestone -> limestome_grey", false);
+  EXPECT_NE(missing.find("limestome_grey"), std::string::npos) << missing;
+  EXPECT_NE(missing.find("rocks.vug:2:14"), std::string::npos) << missing;
 }
 
 TEST(RockMaterials, MasksKnowTheirAttributes) {

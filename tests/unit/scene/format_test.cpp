@@ -32,6 +32,18 @@ std::vector<fs::path> scenes() {
   return all;
 }
 
+TEST(Format, TablesOfMaterialsAreAligned) {
+  const std::string text =
+      "object o on wall {\n  material by rock {\n    limestone -> grey\n    clay      -> f(1)\n"
+      "  }\n}\n";
+  EXPECT_EQ(
+      format("object o on wall {\nmaterial by rock {\nlimestone->grey\nclay -> f( 1)\n}\n}\n"),
+      text);
+  EXPECT_EQ(format(text), text);
+  const std::string line = "material m = by rock { limestone -> grey, otherwise -> f(1) }\n";
+  EXPECT_EQ(format(line), line);
+}
+
 TEST(Format, EverySceneKeepsItsMeaningAndIsIdempotent) {
   ASSERT_GT(scenes().size(), 40u);
   for (const fs::path& path : scenes()) {

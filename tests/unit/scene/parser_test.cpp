@@ -104,6 +104,58 @@ TEST(Grammars, MorphAmounts) {
   EXPECT_EQ(amount("~ f(1) label random").substr(0, 3), "- f");
 }
 
+TEST(ByRock, IsATableOfMaterials) {
+  const auto without_paths = [](std::string text) {
+    for (size_t at = text.find('#'); at != std::string::npos; at = text.find('#'))
+      text.erase(at, text.find('(', at) - at);
+    return text;
+  };
+  const std::string expected = without_paths(
+      shape_of("by_rock(of: [\"limestone\", \"clay 2\"], materials: [grey, f(1)], otherwise: g)"));
+  EXPECT_EQ(
+      without_paths(shape_of("by rock { limestone -> grey, \"clay 2\" -> f(1), otherwise -> g }")),
+      expected);
+  EXPECT_EQ(without_paths(shape_of("by rock {\n  limestone -> grey\n  \"clay 2\" ->\n    f(1)\n"
+                                   "  otherwise -> g,\n}")),
+            expected);
+  // Both words remain names.
+  EXPECT_EQ(shape_of("by"), "by");
+  EXPECT_EQ(shape_of("rock + by"), "(rock + by)");
+  const Document document =
+      parsed("let a = 1\nobject o on rock { material by rock { x -> a }  flat true }");
+  ASSERT_EQ(document.declarations.size(), 1u);
+  ASSERT_EQ(document.declarations[0].entries.size(), 2u);
+  const Expr& call = *document.declarations[0].entries[0].values.at(0);
+  const Operand& rock = call.operands.at(0).value->operands.at(0);
+  EXPECT_EQ(rock.value->where.line, 2);
+  EXPECT_EQ(rock.value->where.column, 39);
+}
+
+TEST(ByRock, RandomDrawsOfAMaterialDependOnItsRock) {
+  const auto path = [](const std::string& text) {
+    const std::string shape = shape_of(text);
+    const size_t at = shape.find("f#");
+    return shape.substr(at, shape.find('(', at) - at);
+  };
+  const std::string alone = path("by rock { clay -> f(1) }");
+  EXPECT_EQ(path("by rock { sand -> g, clay -> f(1) }"), alone);
+  EXPECT_NE(path("by rock { sand -> f(1) }"), alone);
+}
+
+TEST(ByRock, FaultsNameTheProblem) {
+  EXPECT_EQ(faults("let a = by rock {}"), "1: 'by rock' without a rock\n");
+  EXPECT_EQ(faults("let a = by rock { otherwise -> b }"), "1: 'by rock' without a rock\n");
+  EXPECT_EQ(faults("let a = by rock {\n x -> b\n x -> c\n}"),
+            "3: a second material for the rock 'x'\n");
+  EXPECT_EQ(faults("let a = by rock { x -> b, otherwise -> c, otherwise -> d }"),
+            "1: a second 'otherwise'\n");
+  EXPECT_EQ(faults("let a = by rock { x = b }"),
+            "1: expected '->' and a material after the rock x, found '='\n");
+  EXPECT_NE(
+      faults("let a = by rock {\n x -> b\n").find("expected a rock or '}' to close '{' of line 1"),
+      std::string::npos);
+}
+
 TEST(Includes, LoadEachFileOnceAndReportCycles) {
   std::map<std::string, std::string> files = {{"lib/a.vug", "include \"b.vug\"\nlet a = 1"},
                                               {"lib/b.vug", "let b = 2"},

@@ -18,7 +18,7 @@ struct ByRock {
   static void describe(Schema<ByRock>& s) {
     s.doc(
          "The material of each rock, layered by the weights that the mesh has from made_of, "
-         "host_rock and coat.")
+         "host_rock and coat. Scenes write it as a table: by rock { limestone -> grey }.")
         .param("of", &ByRock::of, {.doc = "the names of the rock materials", .required = true})
         .param("materials", &ByRock::materials,
                {.doc = "for each name the material of its surface", .required = true})
