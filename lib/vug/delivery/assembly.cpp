@@ -94,8 +94,12 @@ class Collector {
     return made.back();
   }
   void add_prototype(const render::Object& object, BakeResult baked) {
-    out_.assembly.prototypes.push_back(
-        {object.name, std::move(baked.mesh), object.material_name, baked.look, {}});
+    out_.assembly.prototypes.push_back({object.name,
+                                        std::move(baked.mesh),
+                                        object.material_name,
+                                        baked.look,
+                                        {},
+                                        std::move(baked.rocks)});
   }
 
   static render::Object without_instance_look(render::Object object) {

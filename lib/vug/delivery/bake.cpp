@@ -4,6 +4,7 @@
 #include <vug/delivery/cutout_mesh.h>
 #include <vug/delivery/material_probe.h>
 #include <vug/exchange/channels.h>
+#include <vug/mesh/rock_weights.h>
 
 #include <fmt/format.h>
 
@@ -36,6 +37,38 @@ bool may_vary(const render::Object& object, const exchange::Channel& channel, bo
   if (channel.color == &exchange::Look::through) return material && material->thin();
   if (channel.color == &exchange::Look::emission) return material && material->is_emissive();
   return true;
+}
+
+/// Vertices of a rock from which its mean look is computed.
+constexpr size_t kLookSamples = 16384;
+
+/// For each rock with triangles the mean of the looks at their corners, weighted by the rock. Where
+/// a rock is pure, its mean contains no other, also of properties that no channel carries.
+template <class LookAt>
+std::vector<exchange::RockLook> rock_looks(const mesh::Mesh& mesh, const LookAt& look_at) {
+  const std::vector<std::string> names = mesh::rock_materials(mesh);
+  std::vector<exchange::RockLook> out;
+  if (names.empty()) return out;
+  const std::vector<int32_t> of_faces = mesh::face_materials(mesh, names);
+  for (size_t rock = 0; rock < names.size(); ++rock) {
+    std::vector<uint32_t> corners;
+    for (size_t face = 0; face < of_faces.size(); ++face)
+      if (of_faces[face] == static_cast<int32_t>(rock)) corners.push_back(mesh.triangles[face][0]);
+    if (corners.empty()) continue;
+    const mesh::Attribute& weights =
+        *mesh::find_attribute(mesh, mesh::weight_attribute(names[rock]), 1);
+    const size_t step = (corners.size() + kLookSamples - 1) / kLookSamples;
+    exchange::RockLook mean{names[rock], look_at(corners[0])};
+    double sum = 0;
+    for (size_t i = 0; i < corners.size(); i += step) {
+      const auto weight = static_cast<double>(weights.values[corners[i]]);
+      if (weight <= 0) continue;
+      sum += weight;
+      mean.look = exchange::blend(mean.look, look_at(corners[i]), weight / sum);
+    }
+    out.push_back(std::move(mean));
+  }
+  return out;
 }
 
 /// Bakes the mesh without cutting it. `solid`: the opacity is 1 everywhere.
@@ -97,6 +130,7 @@ BakeResult bake_uncut(const render::Object& object, bool solid) {
           channel.attribute == mesh::kColour ? out.attributes.begin() : out.attributes.end(),
           std::move(found[c]));
   }
+  baked.rocks = rock_looks(*object.mesh, look_at);
   if (object.flat) out.normals.clear();
   baked.mesh = std::make_shared<const mesh::Mesh>(std::move(out));
   return baked;

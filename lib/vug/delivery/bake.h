@@ -5,6 +5,8 @@
 #include <vug/exchange/look.h>
 #include <vug/render/scene.h>
 
+#include <vector>
+
 namespace vug::delivery {
 
 struct BakeResult {
@@ -12,6 +14,8 @@ struct BakeResult {
   /// flat object.
   mesh::MeshPtr mesh;
   exchange::Look look;  ///< Mean values of all channels.
+  /// The mean looks of the rocks that have triangles; see exchange::Prototype.
+  std::vector<exchange::RockLook> rocks = {};
 };
 
 /// Bakes the object's material, viewed from outside, in the mesh's own space or, for world-space

@@ -49,7 +49,13 @@ struct Prototype {
   std::string material;  ///< Name of the material.
   Look look;
   std::vector<Level> coarser;  ///< From fine to coarse.
+  /// The means over the triangles of each rock material of the mesh, ordered by name; none for a
+  /// mesh without weights of rocks.
+  std::vector<RockLook> rocks = {};
 };
+
+/// The prototype with the look and the name "MATERIAL_ROCK" of one of its rocks.
+Prototype of_rock(const Prototype& prototype, const RockLook& rock);
 
 /// One or many instances of a prototype.
 struct InstanceGroup {

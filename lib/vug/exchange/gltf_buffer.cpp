@@ -3,6 +3,7 @@
 #include <vug/base/memory.h>
 #include <vug/exchange/gltf_buffer.h>
 #include <vug/exchange/names.h>
+#include <vug/mesh/rock_weights.h>
 
 #include <fmt/format.h>
 
@@ -123,14 +124,30 @@ std::vector<float> constant_color(const Prototype& prototype) {
 
 }  // namespace
 
-tinygltf::Mesh gltf_mesh(const Prototype& prototype, int material, GltfBuffer& buffer,
-                         std::vector<std::string>& unsupported) {
+namespace {
+
+/// The triangles of each rock of the prototype, and last those of none.
+std::vector<std::vector<mesh::Triangle>> triangles_by_rock(const Prototype& prototype) {
+  std::vector<std::string> names;
+  for (const RockLook& rock : prototype.rocks) names.push_back(rock.rock);
+  const std::vector<int32_t> of_faces = mesh::face_materials(*prototype.mesh, names);
+  std::vector<std::vector<mesh::Triangle>> parts(names.size() + 1);
+  for (size_t face = 0; face < of_faces.size(); ++face)
+    parts[of_faces[face] < 0 ? names.size() : static_cast<size_t>(of_faces[face])].push_back(
+        prototype.mesh->triangles[face]);
+  return parts;
+}
+
+}  // namespace
+
+tinygltf::Mesh gltf_mesh(const Prototype& prototype,
+                         const std::function<int(const Prototype&)>& material_of,
+                         GltfBuffer& buffer, std::vector<std::string>& unsupported) {
   constexpr int kTarget = TINYGLTF_TARGET_ARRAY_BUFFER;
   const mesh::Mesh& mesh = *prototype.mesh;
   const size_t vertices = mesh.positions.size();
   tinygltf::Primitive primitive;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  primitive.material = material;
   primitive.attributes["POSITION"] =
       buffer.floats(&mesh.positions[0].x, vertices, 3, true, kTarget);
   if (!mesh.normals.empty()) {
@@ -156,10 +173,22 @@ tinygltf::Mesh gltf_mesh(const Prototype& prototype, int material, GltfBuffer& b
           fmt::format("the attribute '{}' of '{}', which has {} numbers per vertex", each.name,
                       prototype.name, each.arity));
   }
-  primitive.indices = buffer.indices(mesh.triangles, vertices);
   tinygltf::Mesh out;
   out.name = prototype.name;
-  out.primitives.push_back(std::move(primitive));
+  const auto add = [&](const std::vector<mesh::Triangle>& triangles, const Prototype& look) {
+    if (triangles.empty()) return;
+    out.primitives.push_back(primitive);
+    out.primitives.back().indices = buffer.indices(triangles, vertices);
+    out.primitives.back().material = material_of(look);
+  };
+  if (prototype.rocks.empty()) {
+    add(mesh.triangles, prototype);
+    return out;
+  }
+  const std::vector<std::vector<mesh::Triangle>> parts = triangles_by_rock(prototype);
+  for (size_t rock = 0; rock < prototype.rocks.size(); ++rock)
+    add(parts[rock], of_rock(prototype, prototype.rocks[rock]));
+  add(parts.back(), prototype);
   return out;
 }
 

@@ -6,6 +6,7 @@
 
 #include <tiny_gltf.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,11 @@ class GltfBuffer {
   tinygltf::Model& model_;
 };
 
-/// A mesh with one primitive; names of attributes that it cannot hold are added to `unsupported`.
-tinygltf::Mesh gltf_mesh(const Prototype& prototype, int material, GltfBuffer& buffer,
-                         std::vector<std::string>& unsupported);
+/// A mesh with one primitive for each look: that of the prototype, or those of its rocks, whose
+/// primitives share the vertices. `material_of` yields the number of the material of a look; names
+/// of attributes that the mesh cannot hold are added to `unsupported`.
+tinygltf::Mesh gltf_mesh(const Prototype& prototype,
+                         const std::function<int(const Prototype&)>& material_of,
+                         GltfBuffer& buffer, std::vector<std::string>& unsupported);
 
 }  // namespace vug::exchange

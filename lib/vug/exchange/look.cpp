@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/exchange/assembly.h>
 #include <vug/exchange/channels.h>
 
 #include <vug/mesh/mesh.h>
@@ -21,6 +22,14 @@ Look blend(const Look& a, const Look& b, double share) {
   out.opacity = mix(a.opacity, b.opacity);
   out.emission = mix(a.emission, b.emission);
   out.thin = (share < 0.5 ? a : b).thin;
+  return out;
+}
+
+Prototype of_rock(const Prototype& prototype, const RockLook& rock) {
+  Prototype out = prototype;
+  out.material += '_' + rock.rock;
+  out.look = rock.look;
+  out.rocks.clear();
   return out;
 }
 

@@ -5,6 +5,8 @@
 
 #include <vug/base/vec.h>
 
+#include <string>
+
 namespace vug::exchange {
 
 struct Look {
@@ -23,6 +25,14 @@ struct Look {
   bool thin = false;        ///< A thin sheet without interior.
 
   bool operator==(const Look&) const = default;
+};
+
+/// The look of the triangles of one rock material of a mesh.
+struct RockLook {
+  std::string rock;
+  Look look;
+
+  bool operator==(const RockLook&) const = default;
 };
 
 /// Interpolates between two looks, with weight `share` for the second.

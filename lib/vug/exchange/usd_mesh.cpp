@@ -72,9 +72,9 @@ void write_input(UsdText& out, const Prototype& prototype, const std::string& pa
     out.line("{} inputs:{} = {}", type, input, prototype.look.*channel.number);
 }
 
-/// A subset of the triangles for each material of the rock, all bound to the material of the mesh,
-/// and one for the triangles without weights.
-void write_rock_subsets(UsdText& out, const mesh::Mesh& mesh, const std::string& material) {
+/// A subset of the triangles for each rock, bound to its material, and one for the triangles
+/// without weights.
+void write_rock_subsets(UsdText& out, const mesh::Mesh& mesh, const UsdMaterials& materials) {
   const std::vector<std::string> names = mesh::rock_materials(mesh);
   if (names.empty()) return;
   const std::vector<int32_t> of_faces = mesh::face_materials(mesh, names);
@@ -89,15 +89,16 @@ void write_rock_subsets(UsdText& out, const mesh::Mesh& mesh, const std::string&
     out.line("uniform token elementType = \"face\"");
     out.line("uniform token familyName = \"materialBind\"");
     out.array("int", "indices", faces.data(), faces.size(), 1);
-    out.line("rel material:binding = <{}>", material);
+    out.line("rel material:binding = <{}>",
+             m < 0 ? materials.whole : materials.of(names[static_cast<size_t>(m)]));
     out.end();
   }
 }
 
 void write_mesh(UsdText& out, const Prototype& prototype, const mesh::Mesh& mesh,
-                const std::string& name, const std::string& material) {
+                const std::string& name, const UsdMaterials& materials) {
   out.def("Mesh", name, {"prepend apiSchemas = [\"MaterialBindingAPI\"]"});
-  out.line("rel material:binding = <{}>", material);
+  out.line("rel material:binding = <{}>", materials.whole);
   out.line("uniform token orientation = \"rightHanded\"");
   out.line("uniform token subdivisionScheme = \"none\"");
   if (prototype.look.thin) out.line("uniform bool doubleSided = true");
@@ -105,7 +106,7 @@ void write_mesh(UsdText& out, const Prototype& prototype, const mesh::Mesh& mesh
     out.line("color3f[] primvars:displayColor = [{}] (interpolation = \"constant\")",
              usd_tuple(prototype.look.base_color));
   write_shape(out, mesh);
-  write_rock_subsets(out, mesh, material);
+  write_rock_subsets(out, mesh, materials);
   out.end();
 }
 
@@ -116,26 +117,27 @@ std::string usd_mesh_type(const Prototype& prototype) {
 }
 
 void write_usd_mesh(UsdText& out, const Prototype& prototype, const std::string& name,
-                    const std::string& material) {
-  if (prototype.coarser.empty()) return write_mesh(out, prototype, *prototype.mesh, name, material);
+                    const UsdMaterials& materials) {
+  if (prototype.coarser.empty())
+    return write_mesh(out, prototype, *prototype.mesh, name, materials);
   out.def(usd_mesh_type(prototype), name,
           {fmt::format("variants = {{ string levelOfDetail = \"{}\" }}", kFull),
            "prepend variantSets = \"levelOfDetail\""});
   out.open("variantSet \"levelOfDetail\" = {");
   out.open(fmt::format("\"{}\" {{", kFull));
-  write_mesh(out, prototype, *prototype.mesh, "shape", material);
+  write_mesh(out, prototype, *prototype.mesh, "shape", materials);
   out.end();
   for (size_t i = 0; i < prototype.coarser.size(); ++i) {
     out.open(fmt::format("\"lod{}\" {{", i + 1));
     out.line("custom double vug:distance = {}", prototype.coarser[i].distance);
-    write_mesh(out, prototype, *prototype.coarser[i].mesh, "shape", material);
+    write_mesh(out, prototype, *prototype.coarser[i].mesh, "shape", materials);
     out.end();
   }
   out.end().end();
 }
 
 bool same_usd_material(const Prototype& a, const Prototype& b) {
-  if (a.material != b.material || !(a.look == b.look)) return false;
+  if (a.material != b.material || !(a.look == b.look) || a.rocks != b.rocks) return false;
   return std::all_of(channels().begin(), channels().end(), [&](const Channel& channel) {
     return varies(a, channel) == varies(b, channel);
   });

@@ -5,14 +5,27 @@
 #include <vug/exchange/assembly.h>
 #include <vug/exchange/usd_text.h>
 
+#include <map>
 #include <string>
 
 namespace vug::exchange {
 
-/// Writes a Mesh prim of that name, bound to the material at that path; with levels of detail an
-/// Xform with one variant per mesh.
+/// The paths of the materials of a prototype.
+struct UsdMaterials {
+  std::string whole;                         ///< The material of the mesh.
+  std::map<std::string, std::string> rocks;  ///< Those of rocks with a look of their own.
+
+  /// The material of a rock; of other rocks that of the mesh.
+  const std::string& of(const std::string& rock) const {
+    const auto found = rocks.find(rock);
+    return found == rocks.end() ? whole : found->second;
+  }
+};
+
+/// Writes a Mesh prim of that name, bound to the materials, with a subset for each of its rocks;
+/// with levels of detail an Xform with one variant per mesh.
 void write_usd_mesh(UsdText& out, const Prototype& prototype, const std::string& name,
-                    const std::string& material);
+                    const UsdMaterials& materials);
 
 /// "Mesh" or "Xform", depending on the levels.
 std::string usd_mesh_type(const Prototype& prototype);

@@ -72,13 +72,19 @@ void UsdaWriter::materials() {
     const Prototype& prototype = assembly_.prototypes[i];
     if (prototype.look.through != Vec3d(0.0))
       written_.unsupported.push_back(fmt::format("the light transmitted by '{}'", prototype.name));
-    std::string& path = material_[i];
-    for (size_t j = 0; j < i && path.empty(); ++j)
-      if (same_usd_material(assembly_.prototypes[j], prototype)) path = material_[j];
-    if (!path.empty()) continue;
-    const std::string name = names.unique(prototype.material);
-    path = fmt::format("/{}/materials/{}", root_, name);
-    write_usd_material(out_, prototype, path, name);
+    UsdMaterials& own = materials_[i];
+    for (size_t j = 0; j < i && own.whole.empty(); ++j)
+      if (same_usd_material(assembly_.prototypes[j], prototype)) own = materials_[j];
+    if (!own.whole.empty()) continue;
+    const auto write = [&](const Prototype& look) {
+      const std::string name = names.unique(look.material);
+      const std::string path = fmt::format("/{}/materials/{}", root_, name);
+      write_usd_material(out_, look, path, name);
+      return path;
+    };
+    own.whole = write(prototype);
+    for (const RockLook& rock : prototype.rocks)
+      own.rocks[rock.rock] = write(of_rock(prototype, rock));
   }
   out_.end();
 }
@@ -88,7 +94,7 @@ void UsdaWriter::materials() {
 void UsdaWriter::mesh(size_t part, const std::string& parent, const std::string& name) {
   const auto [known, fresh] = meshes_.try_emplace(part, parent + "/" + name);
   if (fresh || !options_.variants.empty())
-    return write_usd_mesh(out_, assembly_.prototypes[part], name, material_.at(part));
+    return write_usd_mesh(out_, assembly_.prototypes[part], name, materials_.at(part));
   out_.def(usd_mesh_type(assembly_.prototypes[part]), name,
            {fmt::format("prepend references = <{}>", known->second)})
       .end();

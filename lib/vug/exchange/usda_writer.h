@@ -5,6 +5,7 @@
 #include <vug/exchange/format.h>
 #include <vug/exchange/names.h>
 #include <vug/exchange/trs.h>
+#include <vug/exchange/usd_mesh.h>
 #include <vug/exchange/usd_text.h>
 
 #include <functional>
@@ -53,7 +54,8 @@ class UsdaWriter {
   std::string root_;
   bool writes_skies_ = true;
   UniqueNames names_;
-  std::map<size_t, std::string> meshes_, material_;
+  std::map<size_t, std::string> meshes_;
+  std::map<size_t, UsdMaterials> materials_;
 };
 
 }  // namespace vug::exchange

@@ -42,6 +42,8 @@ def fill(mesh, surface):
     if bpy.app.version < (4, 0):  # later versions derive it from loop_start
         mesh.polygons.foreach_set("loop_total", numpy.full(triangles, 3, numpy.int32))
     mesh.polygons.foreach_set("use_smooth", numpy.full(triangles, surface.normals is not None))
+    if len(surface.materials) > 1:
+        mesh.polygons.foreach_set("material_index", surface.slots)
     mesh.update(calc_edges=True)
     for name, values in surface.attributes.items():
         add_attribute(mesh, name, values)

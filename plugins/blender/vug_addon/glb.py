@@ -20,17 +20,20 @@ def turned(vectors):
 
 
 class Surface:
-    """A mesh: `positions`, `normals` or None and `triangles`; `attributes` by name."""
+    """A mesh: `positions`, `normals` or None, `triangles` and `attributes` by name. `materials` are the numbers of
+    its materials and `slots` the index in this list for each triangle. Primitives share their vertices."""
 
     def __init__(self, glb, about):
-        primitive = about["primitives"][0]
-        arrays = {name: glb.array(index) for name, index in primitive["attributes"].items()}
+        primitives = about["primitives"]
+        arrays = {name: glb.array(index) for name, index in primitives[0]["attributes"].items()}
         self.name = about["name"]
-        self.material = primitive.get("material")
+        self.materials = [each["material"] for each in primitives if "material" in each]
         self.positions = turned(arrays.pop("POSITION")) * numpy.float32(glb.scale)
         normals = arrays.pop("NORMAL", None)
         self.normals = None if normals is None else turned(normals)
-        self.triangles = glb.array(primitive["indices"]).reshape(-1, 3).astype(numpy.int32)
+        parts = [glb.array(each["indices"]).reshape(-1, 3).astype(numpy.int32) for each in primitives]
+        self.triangles = numpy.concatenate(parts)
+        self.slots = numpy.repeat(numpy.arange(len(parts), dtype=numpy.int32), [len(each) for each in parts])
         if len(self.triangles) and self.triangles.max() >= len(self.positions):
             raise ValueError(f"'{self.name}' has vertex indices out of range")
         self.attributes = {}

@@ -84,31 +84,42 @@ class SceneImporter:
         arrays = [surface.positions, surface.triangles, *surface.attributes.values()]
         if surface.normals is not None:
             arrays.append(surface.normals)
+        if len(surface.materials) > 1:
+            arrays.append(surface.slots)
         if has_changed(mesh, *arrays, list(surface.attributes)):
             geometry.fill(mesh, surface)
             self.changed += 1
         elif len(mesh.vertices) == len(surface.positions):
             geometry.add_missing(mesh, surface)
-        self.assign_material(mesh, surface)
+        self.assign_materials(mesh, surface)
         return mesh
 
-    def assign_material(self, mesh, surface):
-        if surface.material is None:
+    def assign_materials(self, mesh, surface):
+        """Fills the slots of the mesh. Materials that an artist has assigned are kept."""
+        made = [self.material(surface, number) for number in surface.materials]
+        if len(made) == 1 and len(mesh.materials) > 1:  # slots may have been added around ours
+            ours = [i for i, each in enumerate(mesh.materials) if not each or NAME in each]
+            if ours and mesh.materials[ours[0]] != made[0]:
+                mesh.materials[ours[0]] = made[0]
             return
-        about, channels = self.glb.list("materials")[surface.material], materials.channels_of(surface)
+        for slot, material in enumerate(made):
+            if slot == len(mesh.materials):
+                mesh.materials.append(material)
+            elif mesh.materials[slot] is None or NAME in mesh.materials[slot]:
+                if mesh.materials[slot] != material:
+                    mesh.materials[slot] = material
+
+    def material(self, surface, number):
+        about, channels = self.glb.list("materials")[number], materials.channels_of(surface)
         name = about.get("name") or surface.name
-        key = f"{name}|{'+'.join(channels)}|{surface.material}"
+        key = f"{name}|{'+'.join(channels)}|{number}"
         material = self.materials.get(key)
         if not material:
             material = self.materials[key] = bpy.data.materials.new(name)
             material[NAME] = key
         if has_changed(material, json.dumps(about, sort_keys=True), channels):
             materials.build(material, about, channels)
-        ours = [i for i, each in enumerate(mesh.materials) if not each or NAME in each]
-        if not mesh.materials:
-            mesh.materials.append(material)
-        elif ours and mesh.materials[ours[0]] != material:
-            mesh.materials[ours[0]] = material
+        return material
 
     def nodes(self):
         for name, kind, index, place in self.glb.nodes:

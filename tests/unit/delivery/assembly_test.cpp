@@ -144,6 +144,31 @@ TEST(ExportSet, AirIsCalledAir) {
   EXPECT_EQ(volume::info(folder / "t_rock.vdb").grids.at(0).name, "surface");
 }
 
+TEST(Assemble, EachRockHasALookOfItsOwn) {
+  const Made made(
+      "let beds = [made_of(slab(thickness: 60cm), of: \"clay\")]\n"
+      "volume rock = level_set(host_rock(sphere(1m), of: \"lime\", bodies: beds, contact: 10cm), "
+      "voxel: 5cm)\n"
+      "mesh wall on rock {}\n"
+      "object o on wall { material by rock {\n"
+      "  lime -> surface(color: (0.8, 0.8, 0.7), roughness: 0.9, ior: 1.4, matte: 0)\n"
+      "  clay -> surface(color: (0.3, 0.2, 0.1), roughness: 0.2, ior: 1.6, matte: 0)\n} }\n");
+  const exchange::Prototype& wall = made.out.assembly.prototypes.at(0);
+  ASSERT_EQ(wall.rocks.size(), 2u);
+  EXPECT_EQ(wall.rocks[0].rock, "clay");
+  EXPECT_EQ(wall.rocks[1].rock, "lime");
+  // Only the triangles in the contact, about a twelfth of the bed, mix the two.
+  const exchange::Look &clay = wall.rocks[0].look, &lime = wall.rocks[1].look;
+  EXPECT_NEAR(clay.roughness, 0.2, 0.05);
+  EXPECT_NEAR(lime.roughness, 0.9, 0.05);
+  EXPECT_NEAR(clay.ior, 1.6, 0.02);
+  EXPECT_NEAR(lime.ior, 1.4, 0.02);
+  EXPECT_NEAR(clay.base_color.x, 0.3, 0.04);
+  EXPECT_NEAR(lime.base_color.x, 0.8, 0.04);
+  EXPECT_GT(wall.look.roughness, clay.roughness + 0.1);
+  EXPECT_LT(wall.look.roughness, lime.roughness - 0.1);
+}
+
 TEST(Assemble, RockMaterialsAreGridsOfTheVolumeAndAttributesOfPoints) {
   const loading::Loaded scene = loading::load_text(
       "volume rock = level_set(made_of(sphere(1m), of: \"limestone\"), voxel: 10cm)\n"

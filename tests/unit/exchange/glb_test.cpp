@@ -52,6 +52,27 @@ TEST_F(Glb, ACubeOfAMetreIsOneMetreInEverySpace) {
   }
 }
 
+TEST_F(Glb, EachRockIsAPrimitiveWithItsMaterial) {
+  Assembly all = sample();
+  Prototype& cube = all.prototypes[0];
+  cube.mesh = two_rocks(*cube.mesh);
+  EXPECT_EQ(round_trip(all).meshes.at(0).primitives.size(), 1u);
+  cube.rocks = {{"limestone", cube.look}, {"shale", cube.look}};
+  cube.rocks[1].look.roughness = 0.125;
+  const tinygltf::Model model = round_trip(all);
+  const std::vector<tinygltf::Primitive>& parts = model.meshes.at(0).primitives;
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].attributes, parts[1].attributes) << "the vertices are shared";
+  size_t corners = 0;
+  for (size_t i = 0; i < 2; ++i) {
+    const tinygltf::Material& material = model.materials.at(static_cast<size_t>(parts[i].material));
+    EXPECT_EQ(material.name, cube.material + "_" + cube.rocks[i].rock);
+    EXPECT_NEAR(material.pbrMetallicRoughness.roughnessFactor, cube.rocks[i].look.roughness, 1e-12);
+    corners += model.accessors.at(static_cast<size_t>(parts[i].indices)).count;
+  }
+  EXPECT_EQ(corners, 3 * cube.mesh->triangles.size());
+}
+
 TEST_F(Glb, PartialOpacityIsExported) {
   Assembly all = sample();
   all.prototypes[0].look.opacity = 0.25;

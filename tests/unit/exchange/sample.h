@@ -10,6 +10,17 @@
 
 namespace vug::exchange {
 
+/// The mesh with weights: shale above half a metre, limestone below.
+inline mesh::MeshPtr two_rocks(mesh::Mesh mesh) {
+  for (const char* name : {"w_limestone", "w_shale"}) {
+    mesh::Attribute weight{name, 1, {}};
+    for (const Vec3f& p : mesh.positions)
+      weight.values.push_back((p.y > 0.5f) == (weight.name == "w_shale") ? 1.0f : 0.0f);
+    mesh.attributes.push_back(std::move(weight));
+  }
+  return std::make_shared<const mesh::Mesh>(std::move(mesh));
+}
+
 /// A cube of 1 m that stands on the ground from (0, 0, 0) to (1, 1, 1), once by itself and three
 /// times as instances; two cameras and one light of each shape.
 inline Assembly sample() {

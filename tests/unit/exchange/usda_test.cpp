@@ -51,17 +51,11 @@ std::vector<double> numbers(const std::string& text, const std::string& name,
   return out;
 }
 
-// The subsets are a partition of the triangles, and all have the material of the mesh.
+// The subsets are a partition of the triangles.
 TEST_F(Usda, RockMaterialsAreSubsetsOfTheTriangles) {
   Assembly all = sample();
-  mesh::Mesh cube = *all.prototypes[0].mesh;
-  for (const char* name : {"w_limestone", "w_shale"}) {
-    mesh::Attribute weight{name, 1, {}};
-    for (const Vec3f& p : cube.positions)
-      weight.values.push_back((p.y > 0.5f) == (weight.name == "w_shale") ? 1.0f : 0.0f);
-    cube.attributes.push_back(std::move(weight));
-  }
-  all.prototypes[0].mesh = std::make_shared<const mesh::Mesh>(cube);
+  all.prototypes[0].mesh = two_rocks(*all.prototypes[0].mesh);
+  const mesh::Mesh& cube = *all.prototypes[0].mesh;
   const std::string text = text_of(all);
   EXPECT_EQ(count(text, "subsetFamily:materialBind:familyType = \"partition\""), 1u);
   EXPECT_EQ(count(text, "def GeomSubset \"rock_limestone\""), 1u);
@@ -77,6 +71,36 @@ TEST_F(Usda, RockMaterialsAreSubsetsOfTheTriangles) {
   ASSERT_EQ(faces.size(), cube.triangles.size());
   for (size_t i = 0; i < faces.size(); ++i) EXPECT_EQ(faces[i], static_cast<double>(i));
   EXPECT_EQ(count(text_of(sample()), "GeomSubset"), 0u);
+}
+
+TEST_F(Usda, EachRockHasItsMaterial) {
+  Assembly all = sample();
+  Prototype& cube = all.prototypes[0];
+  cube.mesh = two_rocks(*cube.mesh);
+  const auto binding = [](const std::string& text, const std::string& rock) {
+    const size_t at =
+        text.find("material:binding = <", text.find("GeomSubset \"rock_" + rock + "\""));
+    return text.substr(at + 20, text.find('>', at) - at - 20);
+  };
+  const std::string shared = text_of(all);
+  EXPECT_EQ(binding(shared, "limestone"), binding(shared, "shale"));
+  cube.rocks = {{"limestone", cube.look}, {"shale", cube.look}};
+  cube.rocks[1].look.roughness = 0.125;
+  cube.rocks[1].look.ior = 1.75;
+  const std::string text = text_of(all);
+  for (const char* rock : {"limestone", "shale"}) {
+    const std::string name = cube.material + "_" + rock;
+    EXPECT_TRUE(binding(text, rock).ends_with("/materials/" + name)) << binding(text, rock);
+    EXPECT_EQ(count(text, "def Material \"" + name + "\""), 1u);
+  }
+  EXPECT_EQ(numbers(text, "inputs:roughness", "_shale\"").at(0), 0.125);
+  EXPECT_EQ(numbers(text, "inputs:roughness", "_limestone\"").at(0), cube.look.roughness);
+  // A second mesh of the same looks shares the materials; one with other rocks does not.
+  all.prototypes.push_back(cube);
+  all.groups.push_back({"again", all.prototypes.size() - 1, {Transform()}});
+  EXPECT_EQ(count(text_of(all), "def Material "), count(text, "def Material "));
+  all.prototypes.back().rocks[0].look.roughness = 0.5;
+  EXPECT_EQ(count(text_of(all), "def Material "), count(text, "def Material ") + 3);
 }
 
 TEST_F(Usda, ACubeOfAMetreIsOneMetreInEverySpace) {

@@ -115,7 +115,9 @@ class GlbWriter {
     return static_cast<int>(model_.materials.size()) - 1;
   }
   int add_mesh(const Prototype& prototype) {
-    model_.meshes.push_back(gltf_mesh(prototype, material_of(prototype), buffer_, unsupported_));
+    model_.meshes.push_back(gltf_mesh(
+        prototype, [&](const Prototype& look) { return material_of(look); }, buffer_,
+        unsupported_));
     return static_cast<int>(model_.meshes.size()) - 1;
   }
   int mesh_of(size_t part) {
