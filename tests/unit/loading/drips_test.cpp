@@ -131,6 +131,33 @@ TEST(DripsDeclaration, GivesLabelsWithTheNumbersOfDrips) {
   EXPECT_GT(skirts, 5);
 }
 
+// A film of three times the thickness carries 27 times the water.
+TEST(DripsDeclaration, WaysWidenWithTheirDischarge) {
+  const Loaded scene = load_text(
+      drips_with(", density: 100%") +
+          "volume even = level_set(water_paths(of: water, radius: 1mm), voxel: 1cm)\n"
+          "volume wide = level_set(water_paths(of: water, radius: 1mm, by_discharge: 1/3), voxel: "
+          "1cm)\n",
+      "t.vug", {});
+  ASSERT_EQ(scene.report(), "");
+  const drips::Graph& graph = scene.shot.drips.at(0).drips->graph();
+  const field::Field &even = scene.shot.volumes.at(0)->field,
+                     &wide = scene.shot.volumes.at(1)->field;
+  double least = 1, most = 0;
+  for (const drips::Edge& edge : graph.edges) {
+    const Vec3d middle = 0.5 * (edge.path[0] + edge.path[1]);
+    if (even.value(middle) < -0.00101) continue;  // Another way crosses it.
+    const double drops = 60 * edge.water.discharge / graph.drop;
+    const double radius = 0.001 * std::min(4.0, std::cbrt(drops));
+    // Classes differ by the fourth root of 2, and wider ways may cross.
+    EXPECT_LE(wide.value(middle), -radius / std::pow(2.0, 0.25) + 1e-6);
+    EXPECT_GE(wide.value(middle), -0.00401);
+    least = std::min(least, -wide.value(middle));
+    most = std::max(most, -wide.value(middle));
+  }
+  EXPECT_GT(most, 1.5 * least);
+}
+
 TEST(DripsDeclaration, AShareOfTheWaysFollowsTheWaterOfItsDrips) {
   const Loaded scene = load_text(
       drips_with(", density: 100%") +
