@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Adaptive sampling: as bright as sampling everything, with less work.
-#include <vug/image/view.h>
+#include <vug/image/brightness.h>
 
 #include <gtest/gtest.h>
 
