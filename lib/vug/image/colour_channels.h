@@ -2,6 +2,7 @@
 // Access to the colours of an image by the indices of its channels R, G and B.
 #pragma once
 
+#include <vug/base/vec.h>
 #include <vug/image/image.h>
 
 #include <algorithm>

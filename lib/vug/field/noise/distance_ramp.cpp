@@ -14,8 +14,8 @@ struct DistanceRamp {
   static void describe(Schema<DistanceRamp>& s) {
     s.doc(
          "-1 where a field has the value `from`, 1 where it has the value `to`, linear between: as "
-         "the mask of drips or of a displacement it keeps things away from a path, or near it if "
-         "`from` is larger than `to`.")
+         "a mask it keeps drips or a displacement away from a path, or near it if `from` is larger "
+         "than `to`.")
         .param(
             "field", &DistanceRamp::field,
             {.doc = "a solid or another field, such as centreline(of: NETWORK)", .required = true})
