@@ -47,7 +47,7 @@ int run_new(const NewOptions& options) {
   const std::string stem = (file.parent_path() / file.stem()).string();
   write_text(file, session::new_scene(archetype, stem));
   fmt::print("{}\n", file.string());
-  fmt::print(stderr, "render it with: vug render {0} -o {1}.exr\n", file.string(), stem);
+  fmt::print(stderr, "render it with: vug render '{0}' -o '{1}.exr'\n", file.string(), stem);
   return kDone;
 }
 
