@@ -122,10 +122,6 @@ std::vector<float> constant_color(const Prototype& prototype) {
   return out;
 }
 
-}  // namespace
-
-namespace {
-
 /// The triangles of each rock of the prototype, and last those of none.
 std::vector<std::vector<mesh::Triangle>> triangles_by_rock(const Prototype& prototype) {
   std::vector<std::string> names;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/base/maths.h>
+#include <vug/base/log2.h>
 #include <vug/image/brightness.h>
 #include <vug/image/colour_channels.h>
 
@@ -7,10 +7,6 @@
 
 namespace vug::image {
 namespace {
-
-constexpr double kNaturalLog2 = 0.69314718055994530942;
-
-double stops_of(double factor) { return maths::log(factor) / kNaturalLog2; }
 
 /// The luminance of each pixel; empty without R, G and B.
 std::vector<double> luminance_of_pixels(const Image& linear, WorkingSpace space) {
@@ -29,9 +25,12 @@ std::vector<double> luminance_of_pixels(const Image& linear, WorkingSpace space)
   return out;
 }
 
-/// The value below which the fraction `share` of the sorted values lies.
-double percentile(const std::vector<double>& sorted, double share) {
-  return sorted[static_cast<size_t>(share * static_cast<double>(sorted.size() - 1))];
+/// The value below which the fraction `share` of the values lies; reorders them.
+double percentile(std::vector<double>& values, double share) {
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 }  // namespace
@@ -52,18 +51,17 @@ std::optional<double> grey_exposure(const Image& linear, WorkingSpace space) {
     ++lit;
   }
   if (lit == 0) return {};
-  return (maths::log(kGrey) - sum / static_cast<double>(lit)) / kNaturalLog2;
+  return (maths::log(kGrey) - sum / static_cast<double>(lit)) / maths::kLn2;
 }
 
 std::optional<double> metered_exposure(const Image& linear, WorkingSpace space) {
   constexpr double kLit = 1.0 / 16, kMiddle = 0.16, kHighlight = 6;
   std::vector<double> all = luminance_of_pixels(linear, space);
-  std::sort(all.begin(), all.end());
-  if (all.empty() || !(all.back() > 0)) return {};
-  const double bright = percentile(all, 0.9);
-  const auto first = std::upper_bound(all.begin(), all.end(), kLit * bright);
-  const std::vector<double> lit(first, all.end());
-  return stops_of(std::min(kMiddle / percentile(lit, 0.5), kHighlight / percentile(all, 0.995)));
+  if (std::none_of(all.begin(), all.end(), [](double luminance) { return luminance > 0; }))
+    return {};
+  const double dark = kLit * percentile(all, 0.9), most = kHighlight / percentile(all, 0.995);
+  std::erase_if(all, [&](double luminance) { return luminance <= dark; });
+  return maths::log2(std::min(kMiddle / percentile(all, 0.5), most));
 }
 
 }  // namespace vug::image

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The FLIP measure of HDR pictures: the largest difference over a range of exposures.
-#include <vug/base/maths.h>
+#include <vug/base/log2.h>
 #include <vug/base/parallel.h>
 #include <vug/image/flip.h>
 
@@ -10,7 +10,6 @@
 namespace vug::image {
 namespace {
 
-constexpr double kLog2 = 0.69314718055994530942;
 constexpr double kShoulder = 0.85;  ///< Value of the aces_curve at the ends of the range.
 
 // Narkowicz's fit of the ACES aces_curve (narkowicz2016aces) with its exposure of 0.6 included: (a
@@ -51,7 +50,7 @@ double median(const std::vector<double>& ordered) {
 }
 
 Image exposed(const Image& picture, double stops) {
-  const double gain = maths::exp(stops * kLog2);
+  const double gain = maths::exp2(stops);
   Image out = picture.select({"R", "G", "B"});
   parallel_for(
       out.pixels.size(),
@@ -74,7 +73,7 @@ std::optional<ExposureRange> exposure_range(const Image& reference) {
   if (!(middle > 0))
     middle = median({std::upper_bound(light.begin(), light.end(), 0.0), light.end()});
   const double at = light_of(kShoulder);
-  return ExposureRange{maths::log(at / light.back()) / kLog2, maths::log(at / middle) / kLog2};
+  return ExposureRange{maths::log2(at / light.back()), maths::log2(at / middle)};
 }
 
 Plane flip_hdr(const Image& reference, const Image& test, const ExposureRange& range,

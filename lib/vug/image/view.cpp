@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
-#include <vug/base/maths.h>
+#include <vug/base/log2.h>
 #include <vug/base/srgb.h>
 #include <vug/image/colour_channels.h>
 #include <vug/image/ocio_view.h>
@@ -67,7 +67,7 @@ Image display(const Image& linear, const ViewOptions& options) {
       throw Error(ErrorCode::bad_input, "displaying an image requires the channels R, G and B");
     from = Channels{0, 0, 0};
   }
-  const double gain = maths::exp(options.exposure * 0.69314718055994530942);
+  const double gain = maths::exp2(options.exposure);
   Image out(linear.width, linear.height, {"R", "G", "B"});
   if (options.ocio) {
     for (size_t p = 0; p < linear.pixel_count(); ++p) {

@@ -2,12 +2,10 @@
 // Base-2 logarithms. Code lengths are in bits; probabilities are natural logarithms.
 #pragma once
 
-#include <vug/base/maths.h>
+#include <vug/base/log2.h>
 
 namespace vug::inference {
 
-constexpr double kLn2 = 0.69314718055994530942;
-
-inline double log2(double x) { return maths::log(x) / kLn2; }
+using maths::kLn2, maths::log2;
 
 }  // namespace vug::inference

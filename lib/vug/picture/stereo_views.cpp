@@ -38,11 +38,12 @@ std::vector<PictureView> picture_views(const std::vector<RenderResult>& rendered
 
 void warn_about_exposure(const building::Builder& builder, const RenderResult& picture) {
   constexpr double kOff = 5;  // stops
-  const double exposure = exposure_stops(picture.output.settings, *picture.image);
-  const image::WorkingSpace space = picture.output.settings.working_space;
+  const shot::OutputSettings& settings = picture.output.settings;
+  const image::WorkingSpace space = settings.working_space;
   const std::optional<double> grey = image::grey_exposure(*picture.image, space);
-  if (grey && (picture.output.settings.exposure.metered() || std::fabs(*grey - exposure) <= kOff))
-    return;
+  if (grey && settings.exposure.metered()) return;
+  const double exposure = exposure_stops(settings, *picture.image);
+  if (grey && std::fabs(*grey - exposure) <= kOff) return;
   // A single light in a dark room is not a reason to warn: most of the picture must be bright.
   const double bright = 0.18 * std::exp2(kOff - exposure);
   if (grey && *grey < exposure && image::fraction_above(*picture.image, bright, space) < 0.5)

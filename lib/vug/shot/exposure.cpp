@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/base/maths.h>
+#include <vug/base/log2.h>
+#include <vug/render/lighting/blackbody.h>
 #include <vug/shot/exposure.h>
 
 #include <algorithm>
@@ -7,9 +8,7 @@
 namespace vug::shot {
 namespace {
 
-constexpr double kLumensPerWatt = 179;  // Radiance RGBE's luminous efficacy of white light
-constexpr double kSaturation = 1.2;     // cd/m^2 at EV100 0
-constexpr double kLog2 = 0.69314718055994530942;
+constexpr double kSaturation = 1.2;  // cd/m^2 at EV100 0
 
 }  // namespace
 
@@ -20,8 +19,8 @@ const std::vector<std::string>& exposure_names() {
 
 double physical_stops(const PhysicalExposure& camera) {
   const double ev100 =
-      maths::log(camera.f_number * camera.f_number / camera.time * 100 / camera.iso) / kLog2;
-  return maths::log(kLumensPerWatt / kSaturation) / kLog2 - ev100;
+      maths::log2(camera.f_number * camera.f_number / camera.time * 100 / camera.iso);
+  return maths::log2(render::kLumenPerWatt / kSaturation) - ev100;
 }
 
 }  // namespace vug::shot

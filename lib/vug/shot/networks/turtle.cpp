@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A network that the turtle of an L-system draws.
+#include <vug/base/cell.h>
 #include <vug/shot/lsystem_plan.h>
 #include <vug/shot/networks.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -42,28 +41,25 @@ struct Turtle {
 class StationIndex {
  public:
   std::optional<int> find(const Vec3d& point, const network::Network& network) const {
-    const Cell cell = cell_of(point);
-    for (int64_t x = cell[0] - 1; x <= cell[0] + 1; ++x)
-      for (int64_t y = cell[1] - 1; y <= cell[1] + 1; ++y)
-        for (int64_t z = cell[2] - 1; z <= cell[2] + 1; ++z) {
-          const auto [first, last] = cells_.equal_range({x, y, z});
-          for (auto at = first; at != last; ++at)
-            if ((network.stations[static_cast<size_t>(at->second)].position - point).length() <=
-                kSamePlace)
-              return at->second;
-        }
-    return {};
+    std::optional<int> found;
+    const auto visit = [&](const Cell& cell) {
+      const auto stations = cells_.find(cell);
+      if (found || stations == cells_.end()) return;
+      for (const int station : stations->second)
+        if (!found && (network.stations[static_cast<size_t>(station)].position - point).length() <=
+                          kSamePlace)
+          found = station;
+    };
+    const Vec3d reach(kSamePlace);
+    for_each_cell(cell_at(point - reach, kSamePlace), cell_at(point + reach, kSamePlace), visit);
+    return found;
   }
-  void add(const Vec3d& point, int station) { cells_.emplace(cell_of(point), station); }
+  void add(const Vec3d& point, int station) {
+    cells_[cell_at(point, kSamePlace)].push_back(station);
+  }
 
  private:
-  using Cell = std::array<int64_t, 3>;
-  static Cell cell_of(const Vec3d& point) {
-    const auto index = [](double x) { return static_cast<int64_t>(std::floor(x / kSamePlace)); };
-    return {index(point[0]), index(point[1]), index(point[2])};
-  }
-
-  std::multimap<Cell, int> cells_;
+  CellMap<std::vector<int>> cells_;
 };
 
 /// The index of the station at a point, which is added if it is new.
