@@ -25,7 +25,8 @@ inline std::string with_article(const std::string& type) {
   if (type == "true or false") return type;
   if (type.starts_with("list of ")) return "a " + plural_of(type);
   if (type.ends_with('s')) return type;  // A plural: points, cells, drips.
-  return "a " + type;
+  const bool vowel = type.find_first_of("aeio") == 0 || type == "lsystem";  // As it is spoken.
+  return (vowel ? "an " : "a ") + type;
 }
 
 /// "1 edit", "0 edits", "7 edits".

@@ -190,13 +190,14 @@ void report_type(const ParamInfo& info, const Argument& argument, int misfit,
   const std::string hint =
       info.choices.empty() ? correction(info, argument.value) : suggestion("", info.choices);
   std::string found = "not " + given_text(argument.value, info.type);
+  const SourceLocation* where = &argument.where;
   if (const List* list = argument.value.get<List>(); list && misfit >= 0) {
     const auto i = static_cast<size_t>(misfit);
     found = fmt::format("and the {} is {}", ordinal(i), given_text((*list)[i], info.type));
+    if (argument.elements.size() == list->size()) where = &argument.elements[i];
   }
-  diagnostics.error(argument.where,
-                    fmt::format("'{}' expects {}, {}", info.name, with_article(info.type), found),
-                    hint);
+  diagnostics.error(
+      *where, fmt::format("'{}' expects {}, {}", info.name, with_article(info.type), found), hint);
 }
 
 bool check_range(const ParamInfo& info, const Argument& argument, Diagnostics& diagnostics) {

@@ -25,6 +25,7 @@ struct Argument {
   std::string name;
   Value value;
   SourceLocation where;
+  std::vector<SourceLocation> elements = {};  ///< Places of the elements of a list in the text.
 };
 using Arguments = std::vector<Argument>;
 

@@ -2,6 +2,7 @@
 #include <vug/field/boolean.h>
 #include <vug/field/registry.h>
 #include <vug/loading/example.h>
+#include <vug/loading/kit_functions.h>
 #include <vug/loading/reader.h>
 #include <vug/loading/resolver.h>
 #include <vug/shot/networks.h>
@@ -249,6 +250,10 @@ std::string Resolver::call_for(const std::string& word) const {
     for (const RegisteredKind& kind : registry.kinds)
       if (is_synonym(word, *kind.info)) return kind.info->name;
   return "";
+}
+
+std::string Resolver::include_with(const std::string& function) const {
+  return kit_file_of(function);
 }
 
 }  // namespace vug::loading

@@ -66,6 +66,7 @@ class Resolver final : public scene::Resolver {
   std::vector<std::string> known_names() const override;
   std::vector<std::string> known_calls() const override;
   std::string call_for(const std::string& word) const override;
+  std::string include_with(const std::string& function) const override;
 
   /// Records that the value was made by the text at `where`, if it is a field, and the files of a
   /// network.

@@ -163,6 +163,23 @@ void require_valid_crop(const shot::RenderPlan& plan) {
   }
 }
 
+/// Warns about settings of an exposure that the chosen one ignores.
+void warn_about_unused_exposure(const shot::RenderPlan& plan, const scene::Document& document,
+                                Diagnostics& diagnostics) {
+  using Mode = shot::Exposure::Mode;
+  const Mode mode = plan.settings.exposure.mode;
+  const auto warn = [&](const char* key, const char* hint) {
+    if (const scene::Entry* entry = find_entry(plan, key, document))
+      diagnostics.warning(entry->extent, fmt::format("'{}' has no effect on this exposure", key),
+                          hint);
+  };
+  if (mode != Mode::physical)
+    for (const char* key : {"iso", "f_number", "exposure_time"})
+      warn(key, "it belongs to 'exposure physical'");
+  if (mode == Mode::stops)
+    warn("compensation", "it is added to 'exposure auto'; add the stops to 'exposure' instead");
+}
+
 /// Reports the error of a check at the entry that it checks.
 template <class Check>
 void report_entry(const char* key, const shot::RenderPlan& plan, const scene::Document& document,
@@ -191,6 +208,7 @@ void validate(const shot::Shot& shot, const scene::Document& document, Diagnosti
   if (!whole) return;
   warn_about_dark_portals(shot, document, diagnostics);
   for (const shot::RenderPlan& plan : shot.renders) {
+    warn_about_unused_exposure(plan, document, diagnostics);
     report_entry("layers", plan, document, diagnostics, [&] { expected_aovs(shot, plan); });
     report_entry("crop", plan, document, diagnostics, [&] { require_valid_crop(plan); });
   }

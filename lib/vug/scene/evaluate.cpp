@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluates expressions: operators, calls, lists and vectors, seeded ranges and choices, and the
-// hints for unknown names and functions.
+// Evaluates expressions: operators, calls, lists and vectors, seeded ranges and choices.
 #include <vug/scene/evaluator.h>
 #include <vug/scene/functions.h>
 #include <vug/scene/list_functions.h>
@@ -20,6 +19,17 @@ constexpr int kMaxDepth = 2000;
 bool can_be_object(ExprKind kind) {
   return kind != ExprKind::number && kind != ExprKind::text && kind != ExprKind::truth &&
          kind != ExprKind::vector && kind != ExprKind::range;
+}
+
+/// The name in an argument or an element of it that is written at `where`; null if it is another
+/// value.
+const Value::Name* name_at(const Argument& argument, const SourceLocation& where) {
+  if (argument.where == where) return argument.value.get<Value::Name>();
+  const List* list = argument.value.get<List>();
+  if (!list || list->size() != argument.elements.size()) return nullptr;
+  for (size_t i = 0; i < list->size(); ++i)
+    if (argument.elements[i] == where) return (*list)[i].get<Value::Name>();
+  return nullptr;
 }
 
 bool is_axis(const std::string& name) { return name == "X" || name == "Y" || name == "Z"; }
@@ -109,26 +119,6 @@ bool Evaluator::is_known(const Value& value, const Expr& expr) {
   const std::string hint = name_hint(unknown->text);
   site(expr).fault(fmt::format("unknown name '{}'", unknown->text), hint);
   return false;
-}
-
-/// "did you mean 'x'?" for the nearest name with a value or else of a kind, or an empty hint.
-std::string Evaluator::name_hint(const std::string& name) const {
-  std::vector<std::string> names = resolver_.known_names();
-  for (const auto& [known, value] : globals_) names.push_back(known);
-  if (defs_.count(name)) return fmt::format("'{0}' is a function: call it as {0}(...)", name);
-  if (document_.find_module(name)) return fmt::format("'{0}' is a module: write {0}.NAME", name);
-  if (const size_t dot = name.find('.');
-      dot != std::string::npos && !document_.find_module(name.substr(0, name.rfind('.'))))
-    return fmt::format("'{0}' is not a module; write {0}[0] for the first component of a vector",
-                       name.substr(0, dot));
-  if (nearest_name(name, names) != name)
-    return did_you_mean(name, names, did_you_mean(name, resolver_.known_calls()));
-  for (const Declaration& made : document_.declarations)  // it exists, but has another kind
-    if (made.name == name && made.target && made.target->kind == ExprKind::name)
-      return fmt::format("'{}' is declared by '{}' on '{}'", name, made.kind, made.target->text);
-    else if (made.name == name)
-      return fmt::format("'{}' is declared by '{}'", name, made.kind);
-  return "";
 }
 
 Value Evaluator::parts(const Expr& expr, const Context& context) {
@@ -297,7 +287,9 @@ Arguments Evaluator::arguments(const Expr& call, RandomKey key, const Scope* sco
     const bool choice = word && resolver_.is_choice(call.text, i, part.name, part.value->text);
     Value value = choice ? Value(Value::Name{part.value->text})
                          : evaluate(*part.value, {key, scope_or_default(scope), expected});
-    arguments.push_back({part.name, std::move(value), part.where});
+    Argument& made = arguments.emplace_back(Argument{part.name, std::move(value), part.where});
+    if (part.value->kind == ExprKind::list)
+      for (const Operand& element : part.value->operands) made.elements.push_back(element.where);
   }
   return arguments;
 }
@@ -305,8 +297,7 @@ Arguments Evaluator::arguments(const Expr& call, RandomKey key, const Scope* sco
 void Evaluator::report(const Diagnostics& found, const Arguments& given) {
   for (Diagnostic one : found.all()) {
     for (const Argument& argument : given)
-      if (const auto* unknown = argument.value.get<Value::Name>();
-          unknown && one.hint.empty() && argument.where == one.where)
+      if (const auto* unknown = name_at(argument, one.where); unknown && one.hint.empty())
         one.hint = name_hint(unknown->text);
     diagnostics_->add(std::move(one));
   }
@@ -360,17 +351,6 @@ Value Evaluator::call(const Expr& expr, const Context& context) {
   }
   report_unknown_function(expr);
   return {};
-}
-
-void Evaluator::report_unknown_function(const Expr& expr) {
-  std::vector<std::string> names = resolver_.known_calls();
-  for (const Function& function : functions()) names.emplace_back(function.name);
-  for (const auto& [name, def] : defs_) names.push_back(name);
-  names.insert(names.end(), {"if", "pick", "keys"});
-  const std::string call = resolver_.call_for(expr.text);
-  diagnostics_->error(word_at(expr.where, expr.text),
-                      fmt::format("unknown function '{}'", expr.text),
-                      did_you_mean(call.empty() ? name_in_this_language(expr.text) : call, names));
 }
 
 }  // namespace vug::scene

@@ -214,6 +214,7 @@ class Evaluator {
   bool in_range(const ParamValue& param, Value& value, const SourceLocation& where);
   std::string name_hint(const std::string& name) const;
   void report_unknown_function(const Expr& call);
+  std::string hint_for_module_function(const std::string& name) const;
   std::optional<Value> resolved(const Expr& call, const Arguments& given, RandomKey key,
                                 std::string_view expected);
   bool is_known(const Value& value, const Expr& expr);

@@ -217,8 +217,12 @@ Document parse_file(const fs::path& file, Diagnostics& diagnostics, const ParseO
   auto text = options.read ? options.read(file) : read_disk(file);
   if (!text) {
     const std::string why = options.read ? "" : unreadable_reason(file);
-    throw Error(ErrorCode::bad_input, fmt::format("cannot read '{}'{}{}", file.generic_string(),
-                                                  why.empty() ? "" : ": ", why));
+    const fs::path longer = fs::path(file) += ".vug";
+    std::error_code failed;
+    throw Error(
+        ErrorCode::bad_input,
+        fmt::format("cannot read '{}'{}{}", file.generic_string(), why.empty() ? "" : ": ", why),
+        {}, fs::exists(longer, failed) ? suggestion("", {longer.generic_string()}) : "");
   }
   return parse(std::move(*text), file.generic_string(), diagnostics, options);
 }

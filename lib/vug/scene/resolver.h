@@ -60,6 +60,8 @@ class Resolver {
   virtual std::vector<std::string> known_calls() const { return {}; }
   /// The call that other programs name with this word, for suggestions; empty if there is none.
   virtual std::string call_for(const std::string& /*word*/) const { return {}; }
+  /// The include that declares a function of that name, as "kit/lamps.vug"; empty if there is none.
+  virtual std::string include_with(const std::string& /*function*/) const { return {}; }
 
   /// Maximum number of names that depend on one another in a chain.
   static constexpr int kMaxPending = 200;
