@@ -24,8 +24,9 @@ struct Dripstone {
   field::Field thickness;  ///< The thickness of the flowstone on the rock, see thickness_field.
 };
 
-/// Bounds of the slope of the solids, and of their growth; see field::Traits.
-inline constexpr double kDripstoneSlope = 2.3, kDripstoneGrowth = 0.5;
+/// Bounds of the slope of the solids, most of which is that of their lumps, and of their growth;
+/// see field::Traits.
+inline constexpr double kDripstoneSlope = 8, kDripstoneGrowth = 0.5;
 
 /// The speleothems of a rock, whose air is where it is positive, from its drips. The result is the
 /// same for any number of threads.

@@ -3,11 +3,13 @@
 #include <vug/base/parallel.h>
 #include <vug/drips/chemistry.h>
 #include <vug/drips/dripstone.h>
+#include <vug/drips/form_fields.h>
 #include <vug/drips/growth.h>
 #include <vug/drips/trunk.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -63,6 +65,54 @@ TEST(Trunk, HasGirdlesAndAFootButTheRadiusOfItsDripAtTheApex) {
   }
   EXPECT_GT(waists, 25) << "no candles";
   EXPECT_GT(feet, 35);
+}
+
+/// The distance of the surface from the axis at the height `y`, in the direction `angle`.
+double radius_of(const field::Field& form, double y, double angle) {
+  double inside = 0, outside = 0.5;
+  for (int i = 0; i < 40; ++i) {
+    const double r = 0.5 * (inside + outside);
+    (form.value(Vec3d(r * std::cos(angle), y, r * std::sin(angle))) < 0 ? inside : outside) = r;
+  }
+  return inside;
+}
+
+/// The standard deviation of the radius around the axis over its mean, at that height.
+double unevenness(const field::Field& form, double y) {
+  constexpr int kDirections = 24;
+  double sum = 0, squares = 0;
+  for (int i = 0; i < kDirections; ++i) {
+    const double r = radius_of(form, y, 2 * kPi * i / kDirections);
+    sum += r;
+    squares += r * r;
+  }
+  const double mean = sum / kDirections;
+  return std::sqrt(std::max(0.0, squares / kDirections - mean * mean)) / mean;
+}
+
+TEST(Lumps, MakeTrunksUnevenWhereVoxelsCanShowThem) {
+  const field::StalactiteCurve curve = common_curve(0.05);
+  double fine = 0;
+  for (int64_t drip = 0; drip < 10; ++drip) {
+    Form form = candle(1.2, 0.06);
+    form.drip = drip;
+    fine += unevenness(form_field(form, {.tip = 0.005}, curve), 0.6) / 10;
+    EXPECT_LT(unevenness(form_field(form, {.tip = 0.06}, curve), 0.6), 1e-5);
+  }
+  EXPECT_GT(fine, 0.04);
+  EXPECT_LT(fine, 0.2);
+}
+
+TEST(Lumps, StayInPlaceWhileTheApexGrows) {
+  const field::StalactiteCurve curve = common_curve(0.05);
+  const Form low = candle(0.8, 0.05), high = candle(1.6, 0.05);
+  const field::Field young = form_field(low, {.tip = 0.005}, curve),
+                     old = form_field(high, {.tip = 0.005}, curve);
+  for (double y = 0.05; y < 0.55; y += 0.05)
+    for (double angle = 0; angle < 6; angle += 0.7) {
+      const double now = radius_of(old, y, angle);
+      EXPECT_NEAR(radius_of(young, y, angle), now, 0.12 * now);
+    }
 }
 
 TEST(Skirts, HoldTheCalciteThatTheirWaterLost) {
