@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
+#include <vug/delivery/clearance.h>
 #include <vug/delivery/describe_cells.h>
 #include <vug/delivery/measure.h>
 #include <vug/loading/dependencies.h>
@@ -29,6 +30,8 @@ struct MeasureOptions {
   bool score = false;
   std::string network;
   std::string plot;
+  bool clearance = false;
+  delivery::ClearanceRequest way;
 };
 
 bool is_scene(const MeasureOptions& options) { return extension_of(options.scene.scene) == ".vug"; }
@@ -105,8 +108,48 @@ int run_score(const MeasureOptions& options) {
   return kDone;
 }
 
+int run_clearance(const MeasureOptions& options) {
+  if (!is_scene(options))
+    throw Error(ErrorCode::bad_input, "--clearance requires a scene with a mesh and a network");
+  const loading::Loaded loaded = options.scene.load();
+  building::Builder builder(loaded.shot, options.work.build_options(loaded),
+                            terminal_progress(options.work.bar_mode()));
+  delivery::ClearanceRequest request = options.way;
+  request.mesh = options.mesh;
+  request.network = options.network;
+  const delivery::ClearanceReport report = delivery::measure_clearance(builder, request);
+  if (options.json)
+    fmt::print("{}\n", delivery::to_json(report).dump(2));
+  else
+    fmt::print("{}", delivery::to_table(report));
+  return report.passes ? kDone : kAnswerNo;
+}
+
+void add_clearance_to(CLI::App& app, MeasureOptions& options) {
+  CLI::Option* clearance = app.add_flag(
+      "--clearance", options.clearance,
+      "Instead: whether a person, an upright capsule, passes through the mesh from one station of "
+      "a network to another; exit code 1 if not");
+  clearance->excludes("--cells")->excludes("--max-invalid")->excludes("--score");
+  delivery::ClearanceRequest& way = options.way;
+  app.add_option("--from", way.from,
+                 "Station at which the way begins; default the first entrance or station")
+      ->needs(clearance);
+  app.add_option("--to", way.to, "Station at which it ends; default the farthest along the legs")
+      ->needs(clearance);
+  app.add_option("--body-width", way.body.diameter,
+                 "Diameter of the capsule, e.g. 60cm; default 40cm")
+      ->needs(clearance)
+      ->transform(number_in(Dimension::length, 0.05, 100));
+  app.add_option("--body-height", way.body.height,
+                 "Height of the capsule, at least its diameter; default 1.8m")
+      ->needs(clearance)
+      ->transform(number_in(Dimension::length, 0.05, 100));
+}
+
 int run_measure(const MeasureOptions& options) {
   if (options.score) return run_score(options);
+  if (options.clearance) return run_clearance(options);
   if (!options.cells.empty()) return run_cells(options);
   const metrics::Report report = report_of(options);
   if (options.json)
@@ -124,7 +167,7 @@ Verb measure_verb() {
       "measure",
       "Measures a mesh of a scene, or a .vdb, .obj, .ply or .stl file; exit code 1 if it is not a "
       "closed solid, intersects itself or is folded. With --score, compares the plan of a cave "
-      "with real caves.",
+      "with real caves; with --clearance, reports whether a person passes through it.",
       [](CLI::App& app) {
         auto options = std::make_shared<MeasureOptions>();
         options->scene.add_to(app, &options->work);
@@ -141,10 +184,11 @@ Verb measure_verb() {
             "Compare a network with real caves instead: a network of the scene, a survey, or "
             "NAME_nodes.dat");
         score->excludes("--mesh")->excludes("--cells")->excludes("--max-invalid");
-        app.add_option("--network", options->network, "Network of the scene; default the first")
-            ->needs(score);
+        app.add_option("--network", options->network,
+                       "Network of the scene for --score and --clearance; default the first");
         app.add_option("--plot", options->plot, "SVG file for a drawing of the score")
             ->needs(score);
+        add_clearance_to(app, *options);
         app.add_flag("--json", options->json, "Machine-readable output");
         options->work.add_to(app);
         return [options] {
