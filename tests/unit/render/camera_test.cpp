@@ -29,6 +29,20 @@ TEST(Perspective, FovIsTheFullHorizontalAngle) {
   EXPECT_NEAR(top.y / -top.z, 1 / aspect, 1e-6);  // square pixels
 }
 
+TEST(Perspective, FocalLengthGivesTheAngleOfAPhotograph) {
+  // The horizontal angle of a 24 mm lens on 35 mm film is 73.7 degrees.
+  NamedValues parameters = kView;
+  parameters.emplace_back("focal_length", 0.024);
+  const auto half_angle = [](const CameraPtr& camera) {
+    const Ray left = camera->ray({0, 0.5f}, 1.5f, {0.5f, 0.5f}),
+              middle = camera->ray({0.5f, 0.5f}, 1.5f, {0.5f, 0.5f});
+    return std::acos(dot(left.direction, middle.direction)) * 180 / static_cast<float>(kPi);
+  };
+  EXPECT_NEAR(half_angle(make_camera("perspective", parameters)), 73.74 / 2, 0.01);
+  parameters.emplace_back("sensor_width", 0.048);
+  EXPECT_NEAR(half_angle(make_camera("perspective", parameters)), 45, 0.01);
+}
+
 TEST(Perspective, LensKeepsTheFocusPlaneSharp) {
   NamedValues parameters = kView;
   parameters.emplace_back("aperture", 0.5);

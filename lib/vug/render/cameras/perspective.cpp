@@ -10,6 +10,8 @@ namespace {
 
 struct Perspective : CameraFrameParams, LensParams, StereoParams {
   double fov = kPi / 3;
+  std::optional<double> focal_length;
+  double sensor_width = 0.036;
 
   static void describe(Schema<Perspective>& s) {
     describe_camera_frame(s.doc("A perspective view with square pixels."))
@@ -17,7 +19,19 @@ struct Perspective : CameraFrameParams, LensParams, StereoParams {
                {.doc = "Horizontal angle of view.",
                 .dimension = Dimension::angle,
                 .min = 1e-6,
-                .max = 3.1});
+                .max = 3.1})
+        .param("focal_length", &Perspective::focal_length,
+               {.doc = "Focal length of a photograph's lens, such as 24mm, in place of `fov`.",
+                .dimension = Dimension::length,
+                .min = 1e-4,
+                .max = 100})
+        .param(
+            "sensor_width", &Perspective::sensor_width,
+            {.doc = "Width of the sensor behind the focal length; 36mm is that of 35 mm film, to "
+                    "which many cameras convert their focal lengths.",
+             .dimension = Dimension::length,
+             .min = 1e-4,
+             .max = 1});
     describe_lens(s);
     describe_shutter(describe_stereo(s));
   }
@@ -30,7 +44,8 @@ struct Perspective : CameraFrameParams, LensParams, StereoParams {
 class PerspectiveCamera final : public Camera {
  public:
   explicit PerspectiveCamera(const Perspective& p) : frame_(p), aperture_(p) {
-    half_width_ = static_cast<float>(maths::tan(0.5 * p.fov));
+    half_width_ = static_cast<float>(p.focal_length ? 0.5 * p.sensor_width / *p.focal_length
+                                                    : maths::tan(0.5 * p.fov));
     lens_radius_ = static_cast<float>(0.5 * p.aperture);
     focus_ = static_cast<float>(p.focus.value_or((p.target - p.eye).length()));
     half_interaxial_ = static_cast<float>(0.5 * p.interaxial);
