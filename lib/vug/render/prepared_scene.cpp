@@ -32,9 +32,9 @@ PreparedScene::PreparedScene(const PreparedScene& other, float time)
 
 PreparedScene::~PreparedScene() = default;
 
-bool PreparedScene::intersect(const Ray& ray, Hit& hit, void (*work)(const void*),
+bool PreparedScene::intersect(const Ray& ray, float distance, Hit& hit, void (*work)(const void*),
                               const void* what) const {
-  const Geometry::Intersection found = geometry_->intersect(ray, time_);
+  const Geometry::Intersection found = geometry_->intersect(ray, distance, time_);
   work(what);
   return geometry_->fill_hit(found, ray, time_, hit);
 }

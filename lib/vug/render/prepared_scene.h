@@ -45,11 +45,16 @@ class PreparedScene {
   bool intersect(const Ray& ray, Hit& hit) const {
     return intersect(ray, hit, [] {});
   }
+  /// The same for surfaces before `distance`, up to rounding: a short search is much faster.
+  bool intersect(const Ray& ray, float distance, Hit& hit) const {
+    return intersect(
+        ray, distance, hit, [](const void*) {}, nullptr);
+  }
   /// Also runs `meanwhile` while the data of the surface is fetched from memory.
   template <class Work>
   bool intersect(const Ray& ray, Hit& hit, const Work& meanwhile) const {
     const auto work = [](const void* what) { (*static_cast<const Work*>(what))(); };
-    return intersect(ray, hit, work, &meanwhile);
+    return intersect(ray, kFar, hit, work, &meanwhile);
   }
   /// True if a surface blocks the ray before `distance`.
   bool occluded(const Ray& ray, float distance) const;
@@ -62,7 +67,8 @@ class PreparedScene {
  private:
   struct Geometry;
   PreparedScene(const PreparedScene& other, float time);
-  bool intersect(const Ray& ray, Hit& hit, void (*work)(const void*), const void* what) const;
+  bool intersect(const Ray& ray, float distance, Hit& hit, void (*work)(const void*),
+                 const void* what) const;
 
   std::shared_ptr<const Geometry> geometry_;
   std::shared_ptr<const LightSet> lights_;

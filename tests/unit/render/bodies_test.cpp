@@ -2,8 +2,11 @@
 // Bodies that light enters and leaves, in scenes with known results.
 #include "scenes.h"
 
+#include <vug/base/maths.h>
 #include <vug/paint/kind.h>
 #include <vug/render/materials/material_input.h>
+#include <vug/render/paths/subsurface_walk.h>
+#include <vug/render/sampling.h>
 
 #include <gtest/gtest.h>
 
@@ -63,6 +66,58 @@ TEST(Bodies, WithSubsurfaceScatteringHaveTheirColour) {
                              mesh::box_mesh({Vec3d(-20, -20, -20), Vec3d(20, 20, 0)}));
   const Mean mean = seen(scene, 64, 0);
   EXPECT_NEAR(mean.value, 0.6, 0.03);
+}
+
+/// The walk as its definition says: a ray to the nearest surface for each free path.
+bool walk_by_unlimited_rays(const PreparedScene& world, const SubsurfaceMedium& medium,
+                            const Vec3f& direction, RandomStream& random, Hit& hit,
+                            int& collisions) {
+  const uint32_t object = hit.object;
+  Ray ray{hit.behind, direction};
+  for (collisions = 0;; ++collisions) {
+    const auto free = static_cast<float>(-maths::log(1 - random.uniform())) * medium.mean_free_path;
+    if (!world.intersect(ray, hit)) return false;
+    if (hit.distance <= free) return hit.object == object && hit.surface.inside;
+    ray = {ray.at(free), sample_sphere(next_pair(random))};
+  }
+}
+
+// Surfaces beyond the free path make no difference, whether the body is thick or thin, and whether
+// another body is in it.
+TEST(Bodies, ARandomWalkEndsWhereUnlimitedRaysEndIt) {
+  Scene scene = in_white_sky({{"subsurface", 1.0}}, mesh::sphere_mesh({0, 0, 0}, 1, 3));
+  scene.objects.push_back(object(mesh::sphere_mesh({0.2, 0.1, 0.5}, 0.3, 2), 0.5));
+  const PreparedScene world(scene);
+  int exits = 0, all_collisions = 0;
+  for (int i = 0; i < 400; ++i) {
+    const float x = 0.02f * static_cast<float>(i % 80 - 40);
+    Hit hit;
+    ASSERT_TRUE(world.intersect({{x, 0.1f, 4}, {0, 0, -1}}, hit));
+    // Without absorption, the walk draws no number for its survival.
+    const SubsurfaceMedium medium{i % 2 ? 0.05f : 0.8f, Rgb(1.0f)};
+    RandomStream one(RandomKey(static_cast<uint64_t>(i))), two = one;
+    Hit expected = hit;
+    int collisions = 0;
+    Rgb left(1.0f);
+    const bool exit = walk_by_unlimited_rays(world, medium, {0, 0, -1}, two, expected, collisions);
+    if (collisions >= 32) continue;  // then the walk also draws numbers for its survival
+    ASSERT_EQ(random_walk_subsurface(world, medium, {0, 0, -1}, one, hit, left), exit) << i;
+    exits += exit, all_collisions += collisions;
+    if (exit) {
+      EXPECT_EQ(hit.surface.position, expected.surface.position) << i;
+    }
+  }
+  EXPECT_GT(exits, 100);
+  EXPECT_GT(all_collisions, 400);
+}
+
+// The light of an open body does not come from beyond the scene.
+TEST(Bodies, AnOpenBodyEndsAtTheBoundsOfTheScene) {
+  Scene scene = in_white_sky({{"subsurface", 1.0}, {"color", Vec3d(1, 1, 1)}}, floor_mesh(1));
+  scene.camera = view({0, 4, 0.1}, {0, 0, 0}, 0.2);
+  const Mean mean = seen(scene, 16, 4);
+  EXPECT_LT(mean.value, 0.1);  // what the interface reflects
+  EXPECT_GT(mean.value, 0.01);
 }
 
 TEST(Inputs, AreEvaluatedAtTheHit) {

@@ -124,9 +124,10 @@ void PreparedScene::Geometry::add(const Object& object, uint32_t number,
 PreparedScene::Geometry::~Geometry() = default;
 
 PreparedScene::Geometry::Intersection PreparedScene::Geometry::intersect(const Ray& ray,
+                                                                         float distance,
                                                                          float time) const {
   Intersection found;
-  raytree::BvhTraversal traversal(triangles_, ray, kFar, raytree::BvhTraversal::Query::closest);
+  raytree::BvhTraversal traversal(triangles_, ray, distance, raytree::BvhTraversal::Query::closest);
   finish(traversal);
   if (traversal.hit())
     found = {true, false, traversal.geometry(), traversal.triangle(), traversal.corners(), {}};

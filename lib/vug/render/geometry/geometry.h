@@ -35,8 +35,9 @@ struct PreparedScene::Geometry {
     Corners corners;         ///< Corners of the triangle, in its mesh's space.
     Crossing crossing;       ///< Valid for level sets.
   };
-  /// `time`: see PreparedScene::at. Prefetches the data that `fill_hit` will read.
-  Intersection intersect(const Ray& ray, float time) const;
+  /// The closest primitive before `distance`, up to rounding. `time`: see PreparedScene::at.
+  /// Prefetches the data that `fill_hit` will read.
+  Intersection intersect(const Ray& ray, float distance, float time) const;
   /// False without a hit.
   bool fill_hit(const Intersection& found, const Ray& ray, float time, Hit& hit) const;
   bool occluded(const Ray& ray, float distance, float time) const;

@@ -8,6 +8,9 @@ namespace {
 
 /// Long walks are subject to Russian roulette; none is cut off, so the estimate is unbiased.
 constexpr int kSureSteps = 32;
+/// Surfaces are searched up to this multiple of the free path, because the distance of a hit, which
+/// decides, has fewer rounding errors than the search.
+constexpr float kBeyond = 1.001f;
 constexpr int kMostSteps = 100000;  // limit for bodies that absorb nothing
 
 /// The same point from the other side.
@@ -36,8 +39,7 @@ bool random_walk_subsurface(const PreparedScene& world, const SubsurfaceMedium& 
   Ray ray{hit.behind, direction};
   for (int step = 0; step < kMostSteps; ++step) {
     const auto free = static_cast<float>(-maths::log(1 - random.uniform())) * medium.mean_free_path;
-    if (!world.intersect(ray, hit)) return false;
-    if (hit.distance <= free) {
+    if (world.intersect(ray, free * kBeyond, hit) && hit.distance <= free) {
       if (hit.object != object || !hit.surface.inside) return false;
       flip(hit);
       return true;
@@ -49,6 +51,7 @@ bool random_walk_subsurface(const PreparedScene& world, const SubsurfaceMedium& 
       throughput *= 1 / survival;
     }
     ray = {ray.at(free), sample_sphere(next_pair(random))};
+    if (!world.bounds().intersects(ray.origin)) return false;
   }
   return false;
 }

@@ -26,9 +26,9 @@ Rgb beer_lambert(const Rgb& absorption, float distance);
 
 /// Walks from `hit` in an inward direction until a face of the same object is hit from inside.
 /// `hit` then is that point, seen from outside, and `throughput` is reduced by absorption. Returns
-/// false if no light exits: it is absorbed, the body is open, or another object inside it is hit,
-/// which counts as black. Steps are short compared with the scene, so that rays take nearly all of
-/// the time.
+/// false if no light exits: it is absorbed, or another object inside the body is hit, which counts
+/// as black. Where the body is open the medium continues to the bounds of the scene, which absorb.
+/// Surfaces are only searched within each free path, which is short compared with the scene.
 bool random_walk_subsurface(const PreparedScene& world, const SubsurfaceMedium& medium,
                             const Vec3f& direction, RandomStream& random, Hit& hit,
                             Rgb& throughput);
