@@ -81,15 +81,53 @@ TEST(AutomaticPortals, KeepTheMean) {
   EXPECT_LT(std::sqrt(spread[0]), 0.02 * mean[0]);
 }
 
+/// The room under a sky that samples directions: most of its samples hit the roof.
+Scene room_under(const char* sky) {
+  Scene scene = room_with_hole(-0.4f);
+  scene.lights = {make_light(sky, {{"elevation", radians(1.2)}})};
+  if (sky == std::string("sun")) scene.lights.push_back(make_light("daylight"));
+  return scene;
+}
+
+TEST(AutomaticPortals, KeepTheMeanOfDaylightWithLessNoise) {
+  constexpr int kRuns = 12;
+  for (const char* sky : {"daylight", "sun"}) {
+    const Scene scene = room_under(sky);
+    double mean[2] = {}, square[2] = {}, noise[2] = {};
+    for (int found = 0; found < 2; ++found)
+      for (int run = 0; run < kRuns; ++run) {
+        Options o = options(12, 9, 64, 4);
+        o.aovs = plan_aovs({"beauty", "variance"}, {});
+        o.openings = found;
+        o.seed = static_cast<uint64_t>(run);
+        const image::Image taken = render(scene, o);
+        const double m = mean_of(taken, "G").value;
+        mean[found] += m / kRuns, square[found] += m * m / kRuns;
+        noise[found] += mean_of(taken, "variance.G").value / kRuns;
+      }
+    double error = 0;
+    for (const int found : {0, 1})
+      error += (square[found] - mean[found] * mean[found]) / (kRuns - 1);
+    error = std::sqrt(error);
+    EXPECT_LT(std::fabs(mean[1] - mean[0]), 3 * error) << sky;
+    EXPECT_LT(error, 0.05 * mean[0]) << sky;
+    // The sun samples itself, and portals do not find it.
+    EXPECT_LT(noise[1], (sky == std::string("sun") ? 1.1 : 0.7) * noise[0]) << sky;
+    RecordProperty(std::string(sky) + "_variance_ratio", std::to_string(noise[1] / noise[0]));
+  }
+}
+
 TEST(AutomaticPortals, AreTheSameForAnyNumberOfThreads) {
-  const auto picture = [](int threads) {
+  const auto picture = [](const char* sky, int threads) {
     Options o = options(8, 6, 8, 4);
     o.threads = threads;
-    return render(room_with_hole(0.2f), o);
+    return render(*sky ? room_under(sky) : room_with_hole(0.2f), o);
   };
-  const image::Image one = picture(1);
-  EXPECT_EQ(one, picture(2));
-  EXPECT_EQ(one, picture(7));
+  for (const char* sky : {"", "daylight"}) {
+    const image::Image one = picture(sky, 1);
+    EXPECT_EQ(one, picture(sky, 2)) << sky;
+    EXPECT_EQ(one, picture(sky, 7)) << sky;
+  }
 }
 
 TEST(AutomaticPortals, RectanglesEncloseBoundaryHits) {

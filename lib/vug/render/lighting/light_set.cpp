@@ -73,19 +73,18 @@ LightSet::LightSet(std::vector<LightPtr> lights, const std::vector<Object>& obje
                    const std::vector<std::string>& omitted)
     : lights_(std::move(lights)), emitters_(objects) {
   lights_.erase(std::remove(lights_.begin(), lights_.end(), nullptr), lights_.end());
-  bool portals = false;
   for (LightId id = 0; id < scene_light_count(); ++id) {
     const Light& light = *lights_[id];
-    portals |= light.is_portal();
+    has_portals_ |= light.is_portal();
     if (!light.is_infinite() || light.is_portal()) continue;
     skies_.push_back(id);
     if (!light.sampled_with_portals()) sky_scale_ += light.mean_luminance();
   }
   for (LightId id = 0; id < scene_light_count(); ++id) {
     const Light& light = *lights_[id];
-    // Portals find the sky better than the sky does.
+    // Portals find a uniform sky; other skies know where they are bright.
     if (!light.is_infinite() ||
-        (light.is_portal() ? !(sky_scale_ > 0) : portals && !light.sampled_with_portals()))
+        (light.is_portal() ? !(sky_scale_ > 0) : has_portals_ && is_plain(light)))
       continue;
     sampled_skies_.push_back(id);
     branches_.push_back({nullptr, 0, id, light.is_portal() ? sky_scale_ : 1, light.center()});
@@ -286,13 +285,6 @@ float LightSet::pmf(LightId light, const LightSampleContext& point,
   for (size_t i = 0; i < sampled_skies_.size(); ++i)
     if (sampled_skies_[i] == light) return selection.expected_samples(weight_of(i, weight));
   return 0;
-}
-
-bool LightSet::sky_is_plain() const {
-  return std::all_of(sampled_skies_.begin(), sampled_skies_.end(), [&](LightId id) {
-    const Light& sky = *lights_[id];
-    return !sky.is_portal() && (sky.sampled_with_portals() || is_plain(sky));
-  });
 }
 
 Rgb LightSet::sky_radiance(const Vec3f& direction, uint32_t object) const {

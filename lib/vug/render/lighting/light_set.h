@@ -92,14 +92,12 @@ class LightSet {
   }
 
   bool has_sky() const { return !skies_.empty(); }
-  /// No light directs samples to the visible parts of the sky: there are no portals, and only suns
-  /// sample directions.
-  bool sky_is_plain() const;
+  /// Some light directs samples to the visible parts of the sky.
+  bool has_portals() const { return has_portals_; }
   const std::vector<LightId>& skies() const { return skies_; }
   /// Sum over all skies that light the object.
   Rgb sky_radiance(const Vec3f& direction, uint32_t object) const;
-  /// Skies that can be chosen. With portals: the portals and the skies that they would hardly find;
-  /// without portals: all skies that sample directions.
+  /// Skies that can be chosen: the portals, and all skies that sample directions.
   const std::vector<LightId>& sampled_skies() const { return sampled_skies_; }
   const Light& sky(LightId id) const { return *lights_[id]; }
   /// Density with which light sampling by this selection chooses a sky direction, excluding the
@@ -139,6 +137,7 @@ class LightSet {
   std::vector<Branch> branches_;
   std::vector<LightId> skies_, sampled_skies_;
   std::vector<LightId> all_;  ///< All lights that may emit, for uniform choices.
+  bool has_portals_ = false;
   float sky_scale_ = 0;
   std::vector<std::vector<bool>> lit_;  ///< For each light: by object; empty for all objects.
   bool linked_ = false;

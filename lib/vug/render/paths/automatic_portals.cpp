@@ -89,7 +89,7 @@ void refine_hits(const TrainingContext& context, const std::vector<PathPoint>& f
 std::vector<RectangleParams> find_automatic_portals(const TrainingContext& context,
                                                     Progress& progress) {
   const LightSet& lights = context.world.lights();
-  if (!lights.has_sky() || !lights.sky_is_plain()) return {};
+  if (!lights.has_sky() || lights.has_portals()) return {};
   progress.begin("finding openings to the sky", 4);
   const std::vector<PathPoint> from = path_points(context, progress);
   progress.advance();
