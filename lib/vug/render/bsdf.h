@@ -24,10 +24,10 @@ struct Scattering {
 class Bsdf;
 
 struct BsdfSample {
-  Vec3f direction;  ///< Local, unit; below the surface (z < 0) for transmission.
-  Rgb weight;       ///< f |cos| / pdf, summed over all lobes.
-  Rgb diffuse;      ///< The contribution of diffuse lobes to `weight`.
-  float pdf = 0;    ///< Per solid angle; 0: nothing was sampled.
+  Vec3f direction{0, 0, 0};  ///< Local, unit; below the surface (z < 0) for transmission.
+  Rgb weight{0, 0, 0};       ///< f |cos| / pdf, summed over all lobes.
+  Rgb diffuse{0, 0, 0};      ///< The contribution of diffuse lobes to `weight`.
+  float pdf = 0;             ///< Per solid angle; 0: nothing was sampled.
   const Bsdf* body =
       nullptr;  ///< Provides `absorption` and `subsurface`; null: the BSDF that was sampled.
   bool subsurface =
@@ -48,13 +48,16 @@ struct SubsurfaceMedium {
 class Bsdf {
  public:
   virtual Scattering evaluate(const Vec3f& in) const = 0;
-  /// `lobe` and `u`: uniform numbers in [0, 1).
+  /// `lobe` and `u`: uniform numbers in [0, 1). Samples below the surface have the largest values
+  /// of `lobe`: see subsurface_fraction().
   virtual BsdfSample sample(float lobe, const Vec2f& u) const = 0;
   /// Approximate fraction of reflected light: the AOV `albedo`.
   virtual Rgb albedo() const = 0;
-  /// The fraction of samples that path guiding may replace: about half of the share of broad lobes;
-  /// 0 where `sample` uses lobes that `evaluate` excludes.
+  /// The fraction of samples that path guiding may replace: about half of the share of broad lobes.
   virtual float guided_fraction() const { return 0.5f; }
+  /// The fraction of samples that continue below the surface (BsdfSample::subsurface): those with
+  /// `lobe` >= 1 - subsurface_fraction(). Path guiding does not replace them.
+  virtual float subsurface_fraction() const { return 0; }
 
   /// Absorption coefficient of the clear medium behind the surface, per metre.
   virtual Rgb absorption() const { return Rgb(0.0f); }

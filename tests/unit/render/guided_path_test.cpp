@@ -151,10 +151,72 @@ TEST(GuidedPath, FindsLightThroughAShaft) {
             4 * std::sqrt((variance[0] + variance[1]) / (2 * kRuns * 24 * 16)));
 }
 
+/// The hollow sphere with walls in which light scatters: all of them, or where a mask says so.
+Scene scattering_walls(bool mixed) {
+  Scene scene = hidden_light();
+  mesh::Mesh walls = mesh::sphere_mesh(Vec3d(0), 1, 4);
+  for (auto& triangle : walls.triangles) std::swap(triangle[1], triangle[2]);
+  const auto inner = static_cast<uint32_t>(walls.positions.size());
+  const mesh::Mesh outer = mesh::sphere_mesh(Vec3d(0), 1.2, 3);
+  walls.positions.insert(walls.positions.end(), outer.positions.begin(), outer.positions.end());
+  for (const auto& t : outer.triangles)
+    walls.triangles.push_back({t[0] + inner, t[1] + inner, t[2] + inner});
+  scene.objects[0] = object(std::move(walls), 0.6);
+  const MaterialPtr cloudy =
+      make_material("surface", {{"color", Vec3d(0.7)},
+                                {"subsurface", 0.6},
+                                {"mean_free_path", Number{0.01, Dimension::length}}});
+  const MaterialPtr metal = make_material("surface", {{"metal", 1.0}, {"roughness", 0.4}});
+  scene.objects[0].material =
+      mixed ? make_material("mix", {{"a", ValueTraits<MaterialPtr>::write(cloudy)},
+                                    {"b", ValueTraits<MaterialPtr>::write(metal)},
+                                    {"mask", 0.3}})
+            : cloudy;
+  return scene;
+}
+
+/// Guiding replaces only the samples that stay above such a surface.
+TEST(GuidedPath, KeepsTheMeanOfWallsInWhichLightScattersWithLessNoise) {
+  for (const bool mixed : {false, true}) {
+    const Scene scene = scattering_walls(mixed);
+    constexpr int kRuns = 8;
+    double mean[2] = {}, square[2] = {}, noise[2] = {};
+    for (int run = 0; run < 2 * kRuns; ++run) {
+      const int led = run % 2;
+      Options o = options(16, 12, 64, 6);
+      o.integrator =
+          make_integrator("path", {{"max_bounces", 6}, {"guide", Value::Name{led ? "on" : "off"}}});
+      o.aovs = plan_aovs({"beauty", "variance"}, {});
+      o.seed = static_cast<uint64_t>(run / 2 + 1);
+      const image::Image taken = render(scene, o);
+      const double m = mean_of(taken, "G").value;
+      mean[led] += m / kRuns;
+      square[led] += m * m / kRuns;
+      noise[led] += mean_of(taken, "variance.G").value / kRuns;
+    }
+    double error = 0;
+    for (const int led : {0, 1}) error += (square[led] - mean[led] * mean[led]) / (kRuns - 1);
+    error = std::sqrt(error);
+    EXPECT_GT(mean[0], 0);
+    EXPECT_LT(std::fabs(mean[1] - mean[0]), 3 * error) << mixed;
+    EXPECT_LT(error, 0.02 * mean[0]) << mixed;
+    EXPECT_LT(noise[1], 0.95 * noise[0]) << mixed;
+  }
+}
+
 TEST(GuidedPath, HasTheSameBytesForAnyNumberOfThreads) {
   const image::Image one = picture("on", 5, 16, 1);
   EXPECT_EQ(one, picture("on", 5, 16, 2));
   EXPECT_EQ(one, picture("on", 5, 16, 7));
+  Options o = options(16, 12, 8, 6);
+  o.integrator = make_integrator("path", {{"max_bounces", 6}, {"guide", Value::Name{"on"}}});
+  const auto with_threads_of = [&](int threads) {
+    o.threads = threads;
+    return render(scattering_walls(true), o);
+  };
+  const image::Image mixed = with_threads_of(1);
+  EXPECT_EQ(mixed, with_threads_of(2));
+  EXPECT_EQ(mixed, with_threads_of(7));
 }
 
 }  // namespace

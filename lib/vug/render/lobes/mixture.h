@@ -87,9 +87,8 @@ class LobeMixture final : public Bsdf {
           std::visit([](const auto& l) { return l.albedo(); }, lobe_at(i).lobe) * lobe_at(i).weight;
     return sum;
   }
-  float guided_fraction() const override {
-    return subsurface_weight_ > 0 ? 0 : 0.5f * broad_ / total_;
-  }
+  float guided_fraction() const override { return 0.5f * broad_ / total_; }
+  float subsurface_fraction() const override { return subsurface_sampling_weight_ / total_; }
   Rgb absorption() const override { return absorption_; }
   SubsurfaceMedium subsurface() const override { return subsurface_; }
   bool thin() const override { return thin_; }

@@ -38,8 +38,22 @@ class MixBsdf final : public Bsdf {
             a.specular * (1 - share_) + b.specular * share_, a.pdf * (1 - share_) + b.pdf * share_};
   }
   BsdfSample sample(float lobe, const Vec2f& u) const override {
-    const bool second = lobe < share_;
-    const float rest = second ? lobe / share_ : (lobe - share_) / (1 - share_);
+    // In the order of `lobe`: above the surface the second and the first, then the same below it.
+    const float below_a = a_->subsurface_fraction(), below_b = b_->subsurface_fraction();
+    const float above_a = (1 - share_) * (1 - below_a), above_b = share_ * (1 - below_b);
+    const float above = above_a + above_b;
+    bool second;
+    float rest;
+    if (lobe < above) {
+      second = lobe < above_b;
+      rest = second ? lobe / share_ : (lobe - above_b) / (1 - share_);
+      rest = std::min(rest, 1 - (second ? below_b : below_a));
+    } else {
+      const float all_b = share_ * below_b;
+      second = lobe - above < all_b;
+      rest = second ? 1 - below_b + (lobe - above) / share_
+                    : 1 - below_a + (lobe - above - all_b) / (1 - share_);
+    }
     const Bsdf* one = second ? b_ : a_;
     BsdfSample s = one->sample(std::min(rest, 0x1.fffffep-1f), u);
     if (!(s.pdf > 0)) return {};
@@ -56,7 +70,10 @@ class MixBsdf final : public Bsdf {
             s.body};
   }
   float guided_fraction() const override {
-    return std::min(a_->guided_fraction(), b_->guided_fraction());
+    return a_->guided_fraction() * (1 - share_) + b_->guided_fraction() * share_;
+  }
+  float subsurface_fraction() const override {
+    return a_->subsurface_fraction() * (1 - share_) + b_->subsurface_fraction() * share_;
   }
   Rgb absorption() const override {
     return is_black(a_->absorption()) ? b_->absorption() : a_->absorption();

@@ -180,9 +180,10 @@ class PathTracer {
     const Rgb scale = add(light, depth_);
     if (path_recorder_) path_recorder_->add_direct(result_.radiance);
     if (recorder_) recorder_->flush_surface(depth_, scale);
-    // The cache says nothing about specular and transmissive surfaces.
+    // The cache says nothing about specular and transmissive surfaces, and too little about light
+    // that leaves a body elsewhere: there it would double the variance times time.
     bounce.roulette_done = settings_.roulette == Roulette::adjoint && !guiding_.radiance.empty() &&
-                           own.guided_fraction() > 0;
+                           own.guided_fraction() > 0 && !(own.subsurface_fraction() > 0);
     if (bounce.roulette_done && !survives_adjoint(hit, bounce.last.x)) return false;
     const GuidedBsdf::Sample s = bsdf.sample(bounce.choice.y, bounce.scatter);
     if (!(s.scattered.pdf > 0)) return false;
