@@ -59,6 +59,9 @@ class Bsdf {
   /// `lobe` >= 1 - subsurface_fraction(). Path guiding does not replace them.
   virtual float subsurface_fraction() const { return 0; }
 
+  /// True if light from a small part of all directions matters most: an interface of low roughness.
+  virtual bool glossy() const { return false; }
+
   /// Absorption coefficient of the clear medium behind the surface, per metre.
   virtual Rgb absorption() const { return Rgb(0.0f); }
   virtual SubsurfaceMedium subsurface() const { return {}; }

@@ -60,5 +60,54 @@ TEST(LightSampler, HasTheSameMean) {
   }
 }
 
+/// A glossy floor under lamps of which each view direction reflects one at most.
+Scene glossy_floor_under_lamps() {
+  Scene scene;
+  scene.objects.push_back(object(floor_mesh(3), 0.3));
+  scene.objects[0].material =
+      make_material("surface", {{"color", Vec3d(0.3)}, {"coat", 1.0}, {"coat_roughness", 0.25}});
+  for (int i = 0; i < 6; ++i)
+    scene.lights.push_back(
+        make_light("sphere", {{"center", Vec3d(0.6 * i - 1.5, 0.5, -1.2 + 0.3 * (i % 2))},
+                              {"radius", 0.05},
+                              {"radiance", Vec3d(20.0 + 5 * i)},
+                              {"visible", false}}));
+  scene.camera = view({0, 0.8, 2}, {0, 0, -0.5}, 0.9);
+  return scene;
+}
+
+/// On glossy surfaces the lights that get a shadow ray are those that the surface reflects.
+TEST(LightSampler, PrefersTheLampsThatAGlossyFloorReflects) {
+  const Scene scene = glossy_floor_under_lamps();
+  const auto taken = [&](const char* sampler, int light_samples, int spp, uint64_t seed) {
+    Options o = options(24, 16, spp, 0);
+    o.aovs = plan_aovs({"beauty", "variance"}, {});
+    o.seed = seed;
+    o.integrator = make_integrator("path", {{"max_bounces", 0},
+                                            {"guide", Value::Name{"off"}},
+                                            {"light_samples", light_samples},
+                                            {"light_sampler", Value::Name{sampler}}});
+    return render(scene, o);
+  };
+  constexpr int kRuns = 8;
+  double mean[2] = {}, square[2] = {}, noise[2] = {};
+  for (int run = 0; run < kRuns; ++run)
+    for (const int all : {0, 1}) {
+      const auto seed = static_cast<uint64_t>(run + 1);
+      // All six lamps have a shadow ray, or the one that was chosen.
+      const image::Image picture = taken(all ? "uniform" : "tree", all ? 6 : 1, 64, seed);
+      const double m = mean_of(picture, "G").value;
+      mean[all] += m / kRuns, square[all] += m * m / kRuns;
+      noise[all] += mean_of(picture, "variance.G").value / kRuns;
+    }
+  double error = 0;
+  for (const int all : {0, 1}) error += (square[all] - mean[all] * mean[all]) / (kRuns - 1);
+  error = std::sqrt(error);
+  EXPECT_LT(std::fabs(mean[0] - mean[1]), 3 * error);
+  EXPECT_LT(error, 0.01 * mean[1]);
+  RecordProperty("variance_ratio", std::to_string(noise[0] / noise[1]));
+  EXPECT_LT(noise[0], 4 * noise[1]) << "a sixth of the shadow rays; 9 by the lamps alone";
+}
+
 }  // namespace
 }  // namespace vug::render

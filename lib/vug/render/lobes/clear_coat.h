@@ -41,6 +41,7 @@ class ClearCoatLobe {
   Rgb albedo() const { return Rgb(1 - face_.transmitted) + below_ * face_.transmitted; }
   /// Transmitted fraction of the viewer's light; see Base::open.
   float transmitted() const { return face_.transmitted; }
+  bool glossy() const { return ggx_.glossy(); }
 
  private:
   InterfaceLayer face_;

@@ -18,6 +18,7 @@ class DielectricLobe {
   Scattering evaluate(const Vec3f& in) const;
   Vec3f sample(float lobe, const Vec2f& u) const;
   Rgb albedo() const { return Rgb(1.0f); }
+  bool glossy() const { return ggx_.glossy(); }
 
  private:
   Ggx ggx_;

@@ -6,6 +6,7 @@
 //   Vec3f sample(float lobe, const Vec2f& u) const;   z = 0: no sample, and no other lobe may
 //                                                     sample that direction
 //   Rgb albedo() const;                               approximate reflected fraction
+//   bool glossy() const;                              lobes with microfacets only: see Bsdf::glossy
 // Radiance that crosses an interface is divided by the square of the index, which makes it
 // invariant under refraction.
 #pragma once
@@ -14,6 +15,15 @@
 #include <vug/render/lobes/microfacet.h>
 
 namespace vug::render {
+
+/// See Bsdf::glossy.
+template <class Lobe>
+bool is_glossy(const Lobe& lobe) {
+  if constexpr (requires { lobe.glossy(); })
+    return lobe.glossy();
+  else
+    return false;
+}
 
 /// A Bsdf with a single lobe.
 template <class Lobe>
@@ -30,6 +40,7 @@ class LobeBsdf final : public Bsdf {
     return {in, s.total() * (1 / s.pdf), s.diffuse * (1 / s.pdf), s.pdf};
   }
   Rgb albedo() const override { return lobe_.albedo(); }
+  bool glossy() const override { return is_glossy(lobe_); }
 
  private:
   Lobe lobe_;

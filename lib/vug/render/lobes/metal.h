@@ -15,6 +15,7 @@ class MetalLobe {
   Scattering evaluate(const Vec3f& in) const;
   Vec3f sample(float lobe, const Vec2f& u) const;
   Rgb albedo() const;
+  bool glossy() const { return ggx_.glossy(); }
 
  private:
   Rgb at(float cosine) const;

@@ -22,6 +22,9 @@ inline float fresnel(float cosine, float ior) {
 /// Smallest roughness that single precision allows; smoother surfaces are clamped to it.
 inline constexpr float kMinRoughness = 0.03f;
 
+/// Interfaces of a lower roughness are glossy: see Bsdf::glossy.
+inline constexpr float kGlossyRoughness = 0.3f;
+
 struct Ggx {
   float a2;  ///< Square of the slope width.
   float a;
@@ -31,6 +34,8 @@ struct Ggx {
     const float r = std::clamp(roughness, kMinRoughness, 1.0f);
     a = r * r, a2 = a * a;
   }
+  /// Whether reflections of small lights are highlights rather than a gradient.
+  bool glossy() const { return a < kGlossyRoughness * kGlossyRoughness; }
   /// Distribution of normals D.
   float density(const Vec3f& h) const {
     const float d = (h.x * h.x + h.y * h.y) / a2 + h.z * h.z;

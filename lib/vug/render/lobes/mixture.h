@@ -32,6 +32,7 @@ class LobeMixture final : public Bsdf {
     if (!std::holds_alternative<MetalLobe>(lobe) && !std::holds_alternative<DielectricLobe>(lobe) &&
         !std::holds_alternative<ThinDielectricLobe>(lobe))
       broad_ += sampling_weight;
+    glossy_ |= std::visit([](const auto& l) { return is_glossy(l); }, lobe);
   }
   /// Adds an interface over a scattering body.
   void add_subsurface(float weight, const ClearCoatLobe& face, const SubsurfaceMedium& medium,
@@ -89,6 +90,7 @@ class LobeMixture final : public Bsdf {
   }
   float guided_fraction() const override { return 0.5f * broad_ / total_; }
   float subsurface_fraction() const override { return subsurface_sampling_weight_ / total_; }
+  bool glossy() const override { return glossy_; }
   Rgb absorption() const override { return absorption_; }
   SubsurfaceMedium subsurface() const override { return subsurface_; }
   bool thin() const override { return thin_; }
@@ -115,7 +117,7 @@ class LobeMixture final : public Bsdf {
   size_t count_ = 0;
   float total_ = 0, broad_ = 0;
   float subsurface_weight_ = 0, subsurface_sampling_weight_ = 0;  ///< Light that enters the body.
-  bool thin_ = false, behind_ = false;
+  bool thin_ = false, behind_ = false, glossy_ = false;
   SubsurfaceMedium subsurface_;
   Rgb subsurface_color_{0, 0, 0}, absorption_{0, 0, 0};
   alignas(WeightedLobe) std::byte raw_[kMax * sizeof(WeightedLobe)];  // constructed by add()

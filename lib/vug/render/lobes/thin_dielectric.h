@@ -26,6 +26,7 @@ class ThinDielectricLobe {
   Scattering evaluate(const Vec3f& in) const;
   Vec3f sample(float lobe, const Vec2f& u) const;
   Rgb albedo() const { return Rgb(mean_) + color_ * (1 - mean_); }
+  bool glossy() const { return ggx_.glossy(); }
 
  private:
   Rgb color_;

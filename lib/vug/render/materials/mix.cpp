@@ -75,6 +75,7 @@ class MixBsdf final : public Bsdf {
   float subsurface_fraction() const override {
     return a_->subsurface_fraction() * (1 - share_) + b_->subsurface_fraction() * share_;
   }
+  bool glossy() const override { return a_->glossy() || b_->glossy(); }
   Rgb absorption() const override {
     return is_black(a_->absorption()) ? b_->absorption() : a_->absorption();
   }

@@ -7,9 +7,10 @@
 namespace vug::render {
 namespace {
 
-/// Candidates for each shadow ray if a tree chooses the lights: weighting them costs a fraction of
-/// a ray and considers the BSDF, the light's shape and its direction, which the tree cannot. A few
-/// lights are chosen well enough by their own importance.
+/// Candidates for each shadow ray if a tree chooses the lights or the surface is glossy: weighting
+/// them costs a fraction of a ray and considers the BSDF, the light's shape and its direction,
+/// which the importance of lights does not. On matte surfaces a few lights are chosen well enough
+/// by their importance.
 constexpr float kCandidates = 3;
 /// Fraction of the shadow rays distributed uniformly over the candidates, since the visibility
 /// cache may be wrong.
@@ -70,13 +71,13 @@ Rgb arriving(const PreparedScene& world, const LightCandidate& c, const Hit& hit
 Rgb direct_light(const PreparedScene& world, const ScatteringSurface& surface, PathVertex& vertex,
                  const LightRandom& random, LightPathRecorder* recorder) {
   const float rays = vertex.selection.samples;
-  if (world.lights().branches() < world.lights().size())
+  const LightSet& lights = world.lights();
+  if (lights.branches() < lights.size() || (surface.bsdf.glossy() && lights.size() > 1))
     vertex.selection.samples = std::min(rays * kCandidates, static_cast<float>(LightChoices::kMax));
   std::array<LightCandidate, LightChoices::kMax> candidates;
   size_t size = 0;
   float all = 0;
-  for (const LightChoice& chosen :
-       world.lights().choose(vertex.point, random.choice.x, vertex.selection)) {
+  for (const LightChoice& chosen : lights.choose(vertex.point, random.choice.x, vertex.selection)) {
     candidates[size] = candidate(world, chosen, surface, vertex, random.u);
     if (candidates[size].weight > 0) all += candidates[size++].weight;
   }

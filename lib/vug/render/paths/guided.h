@@ -31,6 +31,9 @@ class GuidedBsdf {
     return s;
   }
 
+  /// See Bsdf::glossy.
+  bool glossy() const { return bsdf_.glossy(); }
+
   struct Sample {
     BsdfSample scattered;      ///< Local direction; weight with respect to the mixture's density.
     Vec3f direction{0, 0, 0};  ///< World space.
