@@ -206,6 +206,11 @@ class PictureFiles(VugTest):
     def test_a_deep_picture_is_not_a_flat_image(self):
         self.assertIn("not a flat image", self.expect(2, "diff", "deep.deep.exr", "deep.deep.exr").err)
 
+    def test_info_prints_the_lens_data_of_photographs(self):
+        photo = SOURCE / "tests/data/pictures/photo_with_lens_data.jpg"
+        data = json.loads(self.expect(0, "info", photo, "--json").out)["metadata"]
+        self.assertEqual((data["Exif:FocalLength"], data["Exif:FocalLengthIn35mmFilm"]), ("16", "24"))
+
     def test_info_describes_a_deep_picture(self):
         flat = json.loads(self.expect(0, "info", "deep.exr", "--json").out)
         told = json.loads(self.expect(0, "info", "deep.deep.exr", "--json").out)

@@ -119,7 +119,9 @@ FileInfo info_of(const std::vector<OIIO::ImageSpec>& parts) {
     std::copy(primaries.begin(), primaries.end(), info.chromaticities.emplace().begin());
   for (const OIIO::ImageSpec& part : parts)
     for (const auto& attribute : part.extra_attribs) {
-      if (attribute.type() != OIIO::TypeDesc::STRING) continue;
+      // Of numbers only those of a photograph's camera matter, such as the focal length.
+      const bool photograph = attribute.name().string().rfind("Exif:", 0) == 0;
+      if (attribute.type() != OIIO::TypeDesc::STRING && !photograph) continue;
       std::pair<std::string, std::string> entry(attribute.name().string(), attribute.get_string());
       if (std::find(info.metadata.begin(), info.metadata.end(), entry) == info.metadata.end())
         info.metadata.push_back(std::move(entry));
