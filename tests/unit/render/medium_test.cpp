@@ -22,6 +22,15 @@ TEST(Haze, SlabAttenuatesTheSky) {
   EXPECT_NEAR(mean_of(picture, "A").value, 1 - std::exp(-0.8), 1e-5);
 }
 
+TEST(Haze, AtTheVisibilityTwoPercentOfTheContrastRemain) {
+  Scene scene;
+  scene.camera = view({0, 0, 30}, {0, 0, 0}, 1e-3);
+  scene.lights = {make_light("sky")};
+  scene.medium = make_medium(
+      "haze", {{"visibility", 8.0}, {"albedo", Vec3d(0.0)}, {"size", Vec3d(50, 50, 8)}});
+  EXPECT_NEAR(mean_of(render(scene, options(8, 8, 4, 8)), "G").value, 0.02, 1e-5);
+}
+
 TEST(Haze, WhiteHazeVanishesInAWhiteSky) {
   Scene scene;
   scene.camera = view({0, 0, 5}, {0, 0, 0}, 0.3);

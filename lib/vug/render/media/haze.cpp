@@ -7,8 +7,13 @@
 namespace vug::render {
 namespace {
 
+/// ln 50: the contrast of a black target against the haze is 2 % at the visibility (Koschmieder
+/// 1924, cite koschmieder1924; the threshold of the visual range).
+constexpr double kVisibility = 3.912;
+
 struct Haze {
   double extinction = 0.02;
+  std::optional<double> visibility;
   Vec3d albedo{0.9, 0.9, 0.9};
   double g = 0.6;
   Vec3d center{0, 0, 0};
@@ -21,6 +26,10 @@ struct Haze {
                {.doc = "Extinction coefficient (1/m); 0.005 to 0.05 in a cave.",
                 .dimension = Dimension::per_length,
                 .min = 0})
+        .param(
+            "visibility", &Haze::visibility,
+            positive_length("Distance at which dark objects fade to 2 % of contrast, in place of "
+                            "the extinction: it is 3.912 divided by this (Koschmieder)."))
         .param("albedo", &Haze::albedo,
                {.doc = "Fraction of the collisions that scatter.", .min = 0, .max = 1})
         .param("g", &Haze::g,
@@ -36,7 +45,7 @@ struct Haze {
 class HazeMedium final : public Medium {
  public:
   explicit HazeMedium(const Haze& p)
-      : extinction_(static_cast<float>(p.extinction)),
+      : extinction_(static_cast<float>(p.visibility ? kVisibility / *p.visibility : p.extinction)),
         albedo_(p.albedo),
         g_(static_cast<float>(p.g)),
         bounded_(p.size.has_value()) {
