@@ -65,6 +65,7 @@ loading::LoadOptions SceneOptions::load_options() const {
   options.seed = seed;
   options.frame = frame.value_or(1);
   options.draft = quality == "draft";
+  options.unscouted = unscouted;
   for (const std::string& define : defines) {
     const size_t equals = define.find('=');
     if (equals == std::string::npos || equals == 0)

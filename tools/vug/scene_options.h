@@ -27,6 +27,7 @@ struct SceneOptions {
   std::optional<double> frame;
   bool strict = false;  ///< Warnings about the scene are errors.
   std::string quality = "final";
+  bool unscouted = false;  ///< See loading::LoadOptions; not an option of the command.
 
   /// `work`: the options of the same verb, or null. Its limits also apply while the scene is
   /// loaded.

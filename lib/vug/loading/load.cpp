@@ -4,6 +4,7 @@
 #include <vug/loading/grammar_binding.h>
 #include <vug/loading/load.h>
 #include <vug/loading/reader.h>
+#include <vug/loading/scouted_cameras.h>
 #include <vug/loading/validate.h>
 #include <vug/loading/variant_overrides.h>
 #include <vug/scene/check.h>
@@ -262,6 +263,27 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   return loaded;
 }
 
+/// The document of a text, with the shots of its scouted cameras.
+scene::Document parse_scene(const std::string& text, const std::string& file,
+                            const LoadOptions& options, Diagnostics& diagnostics) {
+  scene::ParseOptions parse_options;
+  parse_options.include_folders = options.include_folders;
+  parse_options.appended = options.appended;
+  scene::Document document = scene::parse(text, file, diagnostics, parse_options);
+  if (options.unscouted) {
+    forget_scouted_cameras(document);
+    return document;
+  }
+  const std::vector<std::string> shots = scouted_includes(document, file, diagnostics);
+  if (diagnostics.has_errors()) forget_scouted_cameras(document);  // they have been reported
+  if (shots.empty() || diagnostics.has_errors()) return document;
+  parse_options.appended.insert(parse_options.appended.end(), shots.begin(), shots.end());
+  diagnostics = {};
+  document = scene::parse(text, file, diagnostics, parse_options);
+  use_scouted_cameras(document);
+  return document;
+}
+
 }  // namespace
 
 std::string Loaded::report(const Diagnostics& others) const {
@@ -279,11 +301,7 @@ std::string joined_text(std::string text, const std::vector<std::string>& append
 
 Loaded load_text(std::string text, const std::string& file, const LoadOptions& options) {
   Loaded loaded;
-  scene::ParseOptions parse_options;
-  parse_options.include_folders = options.include_folders;
-  parse_options.appended = options.appended;
-  const scene::Document document =
-      scene::parse(std::move(text), file, loaded.diagnostics, parse_options);
+  const scene::Document document = parse_scene(text, file, options, loaded.diagnostics);
   return evaluate(document, std::move(loaded), file, options);
 }
 

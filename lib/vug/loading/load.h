@@ -38,6 +38,9 @@ struct LoadOptions {
   /// Cache of static declarations for the same text, overrides, variant and seed. Cached values are
   /// reused as the identical objects, and new static values are added. May be null.
   StaticCache* static_cache = nullptr;
+  /// Makes cameras { scout N } default cameras, without the lamps of their shots: for the search of
+  /// new shots.
+  bool unscouted = false;
 };
 
 /// A parameter of a scene, for programs that display or change it.

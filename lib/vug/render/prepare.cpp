@@ -132,7 +132,8 @@ PreparedRender prepare_valid(const Scene& scene, const Options& options, const P
                        : make_integrator("path", {{"max_bounces", options.max_bounces}});
   out.spread = pixel_angle(*scene.camera, options);
   progress.begin("BVH and lights");
-  out.timings.bvh = timed([&] { out.world = std::make_shared<const PreparedScene>(scene); });
+  out.timings.bvh = timed(
+      [&] { out.world = part.world ? part.world : std::make_shared<const PreparedScene>(scene); });
   progress.end();
   out.is_static = !scene.camera->moves() && !out.world->moves() &&
                   !(options.motion_step && options.aovs.has(kMotion));

@@ -48,6 +48,9 @@ struct PreparedRender {
 struct PrepareOptions {
   LearnedLightPtr learned;       ///< From another part of the picture; null: it is learned now.
   std::optional<Region> region;  ///< The pixels to be rendered; none: see render_region.
+  /// The scene as another picture has prepared it, with the same objects, medium and lights; null:
+  /// it is prepared now.
+  std::shared_ptr<const PreparedScene> world = nullptr;
 };
 
 /// Builds the BVH, finds automatic portals, trains the integrator and detects bright edges. The

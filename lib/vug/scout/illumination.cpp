@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/base/maths.h>
+#include <vug/base/parallel.h>
+#include <vug/image/brightness.h>
+#include <vug/scout/illumination.h>
+#include <vug/scout/trace_view.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::scout {
+namespace {
+
+constexpr float kPixelBlack = 0.002f;
+
+Vec2f two(RandomStream& random) {
+  const auto u = static_cast<float>(random.uniform());
+  return {std::min(u, 0.9999999f), std::min(static_cast<float>(random.uniform()), 0.9999999f)};
+}
+
+/// Irradiance of the finite lights and the suns on a surface.
+float direct_irradiance(const render::PreparedScene& world,
+                        const std::vector<render::LightPtr>& lights, const Seen& at,
+                        RandomStream& random) {
+  float sum = 0;
+  for (const render::LightPtr& light : lights) {
+    if (light->is_portal() || (light->is_infinite() && !light->sampled_with_portals())) continue;
+    const render::LightSample sample =
+        light->sample({at.origin, at.normal, at.object}, two(random));
+    const float cosine = render::dot(sample.direction, at.normal);
+    if (!(sample.pdf > 0) || !(cosine > 0)) continue;
+    const render::Rgb radiance =
+        light->is_infinite() ? light->eval_environment(sample.direction) : sample.radiance;
+    const float arrives = render::luminance(radiance) * cosine / sample.pdf;
+    if (arrives > 0 && !world.occluded({at.origin, sample.direction}, sample.distance))
+      sum += arrives;
+  }
+  return sum;
+}
+
+float sky_radiance(const std::vector<render::LightPtr>& lights, const Vec3f& direction) {
+  float sum = 0;
+  for (const render::LightPtr& light : lights)
+    if (light->is_infinite() && !light->is_portal() && !light->sampled_with_portals())
+      sum += render::luminance(light->eval_environment(direction));
+  return sum;
+}
+
+Vec3f cosine_direction(const Vec3f& normal, const Vec2f& u) {
+  const double radius = std::sqrt(static_cast<double>(u.x));
+  const double angle = 2 * kPi * static_cast<double>(u.y);
+  const Vec3f local(static_cast<float>(radius * maths::cos(angle)),
+                    static_cast<float>(radius * maths::sin(angle)), std::sqrt(1 - u.x));
+  return render::Frame(normal).to_world(local);
+}
+
+/// Radiance of the surface towards the eye.
+float radiance_of(const render::PreparedScene& world, const std::vector<render::LightPtr>& lights,
+                  const Seen& seen, int rays, RandomStream& random) {
+  if (seen.object == kSky) return 0;
+  float light = direct_irradiance(world, lights, seen, random) / render::kPif;
+  for (int i = 0; i < rays; ++i) {
+    const Vec3f way = cosine_direction(seen.normal, two(random));
+    const Seen next = look_along(world, Vec3d(seen.origin), Vec3d(way));
+    const float reflected =
+        next.object == kSky ? sky_radiance(lights, way)
+                            : next.emission + next.albedo / render::kPif *
+                                                  direct_irradiance(world, lights, next, random);
+    light += reflected / static_cast<float>(rays);
+  }
+  return seen.emission + seen.albedo * light;
+}
+
+}  // namespace
+
+std::vector<float> illuminate(const render::PreparedScene& world,
+                              const std::vector<render::LightPtr>& lights, const View& view,
+                              RandomKey key, const IlluminationOptions& options) {
+  std::vector<float> out(view.pixels.size(), 0);
+  parallel_for(
+      out.size(),
+      [&](size_t i) {
+        RandomStream random(key.at(i));
+        out[i] = radiance_of(world, lights, view.pixels[i], options.rays, random);
+      },
+      64);
+  return out;
+}
+
+double LightTerms::total() const {
+  if (bright < 0.02) return 0;
+  return std::clamp((0.9 - black) / 0.4, 0.0, 1.0);
+}
+
+LightTerms light_terms(const View& view, const std::vector<float>& luminance) {
+  image::Image picture(view.width, view.height, {"R", "G", "B"});
+  for (size_t i = 0; i < luminance.size(); ++i)
+    for (size_t c = 0; c < 3; ++c) picture.pixels[3 * i + c] = luminance[i];
+  LightTerms terms;
+  const std::optional<double> stops = image::metered_exposure(picture);
+  if (!stops) return terms;
+  terms.stops = *stops;
+  const auto factor = static_cast<float>(std::exp2(*stops));
+  std::vector<float> sorted = luminance;
+  for (float& value : sorted) value *= factor;
+  std::sort(sorted.begin(), sorted.end());
+  const auto dark = std::lower_bound(sorted.begin(), sorted.end(), kPixelBlack) - sorted.begin();
+  terms.black = static_cast<double>(dark) / static_cast<double>(sorted.size());
+  terms.bright = static_cast<double>(sorted[(sorted.size() - 1) * 99 / 100]);
+  return terms;
+}
+
+}  // namespace vug::scout

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// An estimate of the light in a view: direct light, and light that was reflected once.
+#pragma once
+
+#include <vug/base/rng.h>
+#include <vug/render/prepared_scene.h>
+#include <vug/scout/view.h>
+
+namespace vug::scout {
+
+struct IlluminationOptions {
+  int rays = 1;  ///< Reflected rays of each pixel.
+};
+
+/// Luminance of each pixel, W/(m^2 sr): emission, and Lambertian reflection of the light of
+/// `lights` at the first surface and, by `rays` random directions, at the second. Skies and
+/// emissive surfaces shine through the reflected rays. Light that was reflected more often is left
+/// out, so that the true picture is brighter. Unbiased but for this; the same for any number of
+/// threads.
+std::vector<float> illuminate(const render::PreparedScene& world,
+                              const std::vector<render::LightPtr>& lights, const View& view,
+                              RandomKey key, const IlluminationOptions& options = {});
+
+/// The lit picture as a judge of exposures.
+struct LightTerms {
+  double stops = 0;   ///< The metered exposure; 0 without light.
+  double black = 1;   ///< Share of the pixels below 0.002 at that exposure.
+  double bright = 0;  ///< The 99th percentile at that exposure.
+
+  /// 1 if up to half of the picture is black, 0 if it is dark as a whole.
+  double total() const;
+};
+LightTerms light_terms(const View& view, const std::vector<float>& luminance);
+
+}  // namespace vug::scout
