@@ -30,7 +30,8 @@ class ScoutedCamera : public testing::Test {
   }
   std::string messages(const std::string& text) {
     std::string out;
-    for (const Diagnostic& each : scene(text).diagnostics.all())
+    const Loaded loaded = scene(text);
+    for (const Diagnostic& each : loaded.diagnostics.all())
       out += each.message + ": " + each.hint + "\n";
     return out;
   }
