@@ -287,6 +287,16 @@ float LightSet::pmf(LightId light, const LightSampleContext& point,
   return 0;
 }
 
+bool LightSet::needs_portals() const {
+  bool sun = false, sampled = false;
+  for (const LightId id : skies_) {
+    const Light& sky = *lights_[id];
+    sun |= sky.sampled_with_portals();
+    sampled |= !sky.sampled_with_portals() && !is_plain(sky);
+  }
+  return has_sky() && !has_portals_ && !(sun && sampled);
+}
+
 Rgb LightSet::sky_radiance(const Vec3f& direction, uint32_t object) const {
   Rgb sum(0.0f);
   for (const LightId id : skies_)

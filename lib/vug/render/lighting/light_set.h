@@ -92,8 +92,9 @@ class LightSet {
   }
 
   bool has_sky() const { return !skies_.empty(); }
-  /// Some light directs samples to the visible parts of the sky.
-  bool has_portals() const { return has_portals_; }
+  /// False if the scene has portals already, or if a sun shines in addition to a sky that samples
+  /// directions: near an opening, portals would take most of the shadow rays from the sun.
+  bool needs_portals() const;
   const std::vector<LightId>& skies() const { return skies_; }
   /// Sum over all skies that light the object.
   Rgb sky_radiance(const Vec3f& direction, uint32_t object) const;

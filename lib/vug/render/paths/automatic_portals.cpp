@@ -88,8 +88,7 @@ void refine_hits(const TrainingContext& context, const std::vector<PathPoint>& f
 
 std::vector<RectangleParams> find_automatic_portals(const TrainingContext& context,
                                                     Progress& progress) {
-  const LightSet& lights = context.world.lights();
-  if (!lights.has_sky() || lights.has_portals()) return {};
+  if (!context.world.lights().needs_portals()) return {};
   progress.begin("finding openings to the sky", 4);
   const std::vector<PathPoint> from = path_points(context, progress);
   progress.advance();
