@@ -34,6 +34,9 @@ struct Surface {
   float footprint =
       0;           ///< Approximate diameter in metres of the area that the viewer's ray covers.
   float blur = 0;  ///< Minimum roughness of specular lobes: see path(regularize: ...).
+  /// Variance per axis of the slopes of bumps that are smaller than the footprint, set by
+  /// Material::bump. It widens specular lobes: see filtered_roughness.
+  float slope_variance = 0;
 
   const mesh::Mesh* mesh = nullptr;  ///< Null: no mesh, as in tests.
   uint32_t triangle = 0;             ///< Index in the mesh, and the barycentric weights of the
@@ -74,7 +77,8 @@ class Material {
   virtual bool cut_out() const { return false; }
   virtual float opacity(const Surface& surface) const { return (void)surface, 1.0f; }
 
-  /// Applies the bump map to the shading normal, before `at`; false if it stays unchanged.
+  /// Applies the bump map to the shading normal, as far as the footprint resolves it, and sets the
+  /// variance of the other slopes, before `at`; false if the normal stays unchanged.
   virtual bool bump(Surface& surface) const { return (void)surface, false; }
   /// The lobe of light that was scattered below the surface (BsdfSample::subsurface) and leaves it
   /// here, seen from outside. Null without subsurface scattering.

@@ -22,6 +22,16 @@ inline float fresnel(float cosine, float ior) {
 /// Smallest roughness that single precision allows; smoother surfaces are clamped to it.
 inline constexpr float kMinRoughness = 0.03f;
 
+/// The roughness of an interface whose normals also vary by slopes of that variance per axis: the
+/// squared widths of both slope distributions add up (Olano and Baker 2010, cite olano2010lean),
+/// up to the limit of Kaplanyan et al. 2016 (cite kaplanyan2016filtering).
+inline float filtered_roughness(float roughness, float slope_variance) {
+  constexpr float kMost = 0.18f;
+  if (!(slope_variance > 0)) return roughness;
+  const float width = roughness * roughness;
+  return std::sqrt(std::sqrt(width * width + std::min(2 * slope_variance, kMost)));
+}
+
 /// Interfaces of a lower roughness are glossy: see Bsdf::glossy.
 inline constexpr float kGlossyRoughness = 0.3f;
 

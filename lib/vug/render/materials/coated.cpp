@@ -41,9 +41,10 @@ class CoatedMaterial final : public Material {
         face_(&InterfaceTable::of(static_cast<float>(p.ior))) {}
 
   const Bsdf& at(const Surface& surface, const Vec3f& out, BsdfMemory& memory) const override {
-    return memory.make<ClearCoatBsdf>(
-        ClearCoatLobe(from_rec709_(albedo_ * surface.color), ClearCoatLobe::Base::wet,
-                      std::max(roughness_, surface.blur), *face_, out));
+    return memory.make<ClearCoatBsdf>(ClearCoatLobe(
+        from_rec709_(albedo_ * surface.color), ClearCoatLobe::Base::wet,
+        std::max(filtered_roughness(roughness_, surface.slope_variance), surface.blur), *face_,
+        out));
   }
   size_t memory_bytes() const override { return BsdfMemory::bytes<ClearCoatBsdf>(); }
   float wetness(const Surface&) const override { return 1; }

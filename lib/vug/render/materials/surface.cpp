@@ -113,6 +113,9 @@ void SurfaceParams::describe(Schema<SurfaceParams>& s) {
       .param("bump_height", &P::bump_height, any_length("Height of the bump where it is 1."));
 }
 
+/// Differences longer than this multiple of the smallest detail do not resolve it.
+constexpr float kCoarse = 1.5f;
+
 /// Albedo of single collisions for which a deep body reflects `color`: the inverse of van de
 /// Hulst's fit 1980 (cite vandehulst1980), exact for white and black.
 float single_scattering_albedo(float color) {
@@ -221,7 +224,11 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
   const paint::EvalPoint& point = place.eval_point();
   LobeMixture& bsdf = memory.make<LobeMixture>();
   const Rgb color = p_.color.at(point, surface.color);
-  const float roughness = std::max(face_roughness(point), surface.blur);
+  const auto seen = [&](float own) {
+    return std::max(filtered_roughness(std::max(own, kMinRoughness), surface.slope_variance),
+                    surface.blur);
+  };
+  const float roughness = seen(p_.roughness.at(point));
   const float metal = p_.metal.at(point), clear = p_.transmission.at(point) * (1 - metal);
   const float body = 1 - metal - clear, wet = body * p_.coat.at(point), dry = body - wet;
   const float cloudy = p_.subsurface.at(point), furry = p_.fuzz.at(point);
@@ -235,9 +242,8 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
     bsdf.add(rock * furry,
              FuzzLobe(p_.fuzz_color.at(point), p_.fuzz_roughness.at(point), color, out));
   if (wet > 0) {
-    const float coat_roughness =
-        std::max(p_.coat_roughness.at(point), std::max(kMinRoughness, surface.blur));
-    bsdf.add(wet, ClearCoatLobe(color, ClearCoatLobe::Base::wet, coat_roughness, *coat_, out));
+    bsdf.add(wet, ClearCoatLobe(color, ClearCoatLobe::Base::wet, seen(p_.coat_roughness.at(point)),
+                                *coat_, out));
   }
   if (metal > 0) bsdf.add(metal, MetalLobe(color, roughness, out));
   if (p_.thin) {
@@ -272,24 +278,37 @@ const Bsdf& SurfaceMaterial::at(const Surface& surface, const Vec3f& out,
   return bsdf;
 }
 
-/// Central differences of the height along the surface.
+/// Central differences of the height along the surface. Where the footprint is larger than the
+/// detail, four shorter differences estimate the slopes that these do not resolve.
 bool SurfaceMaterial::bump(Surface& surface) const {
   if (!p_.bump.varying) return false;
   // An instance scales the bumps with the mesh.
   const bool scaled = surface.instance && !surface.world_space_material;
   const float height =
       static_cast<float>(p_.bump_height) * (scaled ? surface.instance->mean_scale() : 1);
-  const float step = std::max(0.5f * surface.footprint, 0.25f * std::fabs(height));
+  const float detail = 0.25f * std::fabs(height);
+  const float step = std::max(0.5f * surface.footprint, detail);
   SurfacePoint place(surface);
   const Vec3f n = surface.shading_normal * (surface.inside ? -1.0f : 1.0f);
   const Frame frame(n);
-  const auto slope = [&](const Vec3f& along) {
-    place.move_to(surface.position + along * step);
-    const float ahead = p_.bump.at(place.eval_point());
-    place.move_to(surface.position - along * step);
-    return (ahead - p_.bump.at(place.eval_point())) * height / (2 * step);
+  const auto at = [&](const Vec3f& offset) {
+    place.move_to(surface.position + offset);
+    return p_.bump.at(place.eval_point());
   };
-  const Vec3f bent = normalized(n - frame.x * slope(frame.x) - frame.y * slope(frame.y));
+  const bool finer = step > kCoarse * detail && detail > 0;
+  float squares = 0;  // of the slopes over `detail`
+  const auto slope = [&](const Vec3f& along) {
+    const float ahead = at(along * step), behind = at(along * -step);
+    if (finer)
+      for (const auto& [value, sign] : {std::pair(ahead, 1.0f), std::pair(behind, -1.0f)}) {
+        const float fine = (at(along * (sign * (step + detail))) - value) * height / detail;
+        squares += fine * fine;
+      }
+    return (ahead - behind) * height / (2 * step);
+  };
+  const float x = slope(frame.x), y = slope(frame.y);
+  if (finer) surface.slope_variance = std::max(0.0f, 0.25f * squares - 0.5f * (x * x + y * y));
+  const Vec3f bent = normalized(n - frame.x * x - frame.y * y);
   surface.shading_normal = bent * (surface.inside ? -1.0f : 1.0f);
   return true;
 }
