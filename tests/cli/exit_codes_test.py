@@ -68,7 +68,7 @@ class Done(VugTest):
     def test_a_nearly_black_picture_suggests_an_exposure(self):
         self.write("dim.vug", BALL + "\nlight sky = sky(radiance: (1e-4, 1e-4, 1e-4))\nrender main { size 8x6  spp 1  exposure 0 }\n")
         dim = self.expect(0, "render", "dim.vug", "-o", "dim.exr").err
-        self.assertIn("warning: the picture is very dark\n", dim)
+        self.assertIn("warning: the picture will be black\n", dim)
         stops = dim.split("hint: --exposure ")[1].split()[0]
         self.assertEqual(self.expect(0, "render", "dim.vug", "-o", "dim.exr", "--exposure", stops, "-q").err, "")
 

@@ -44,6 +44,24 @@ class Scout(VugTest):
         self.scout("--shot-seed", 5, "-o", "other")
         self.assertNotEqual(digest(self.folder / "other/shot1.vug"), known[1])
 
+    def test_a_dark_cave_is_lit_and_the_lamps_are_printed(self):
+        self.write("hall.vug", HALL + CAMERA)
+        run = self.expect(0, "render", "hall.vug", "-o", "a.exr", "--size", "16x9", "--spp", "1", "-q")
+        self.assertIn("note: the scene has no light", run.err)
+        kept = run.err[run.err.index('include "kit/lamps.vug" as lamps\n'):]
+        self.write("kept.vug", HALL + CAMERA + kept)
+        again = self.expect(0, "render", "kept.vug", "-o", "b.exr", "--size", "16x9", "--spp", "1", "-q")
+        self.assertNotIn("note:", again.err)
+        self.expect(0, "diff", "a.exr", "b.exr")
+
+    def test_the_test_before_a_render_names_the_exposure(self):
+        self.write("hall.vug", HALL + CAMERA + LAMP + "render main { exposure -13 }\n")
+        render = ("render", "hall.vug", "-o", "a.exr", "--size", "16x9", "--spp", "1", "-q")
+        err = self.expect(0, *render).err
+        self.assertIn("hall.vug:9:8: warning: the picture will be black\n", err)
+        self.assertIn("hint: --exposure ", err)
+        self.assertNotIn("will be black", self.expect(0, *render, "--untested").err)
+
     def test_refusals(self):
         self.write("hall.vug", "volume rock = level_set(sphere(1m), voxel: 20cm)\n")
         self.assertIn("the scene has no floor to stand on", self.scout(code=2).err)

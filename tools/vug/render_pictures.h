@@ -26,7 +26,7 @@ struct RenderOptions {
   std::string part, checkpoint, preview, guiding;
   std::string ocio;
   std::vector<std::string> renders;
-  bool anyway = false;
+  bool anyway = false, untested = false;
   SettingOptions settings;
   picture::PictureOptions picture;
   picture::RenderOptions render;

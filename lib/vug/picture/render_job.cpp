@@ -111,6 +111,7 @@ RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
     image::DeepImage* deep = job.options.deep ? &rendered.deep.emplace() : nullptr;
     const render::PreparedRender prepared = prepare_region(
         job, header, render::render_region(job.options), options.guiding, builder.progress());
+    if (options.inspect) options.inspect(prepared);
     rendered.image = render::render(prepared, builder.progress(), callbacks, deep);
     return rendered;
   }
@@ -128,6 +129,7 @@ RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
   try {
     const render::PreparedRender prepared =
         prepare_region(job, header, state.region, options.guiding, builder.progress());
+    if (options.inspect) options.inspect(prepared);
     if (!options.part.empty() && options.guiding.empty() && prepared.learned->guiding)
       builder.warn(where, "this part learned the light of the whole picture for itself",
                    "parts that name the same --guiding FILE share it, and it is learned once");

@@ -9,6 +9,10 @@
 #include <functional>
 #include <optional>
 
+namespace vug::render {
+struct PreparedRender;
+}
+
 namespace vug::picture {
 
 struct RenderOptions {
@@ -24,6 +28,8 @@ struct RenderOptions {
   std::filesystem::path guiding;
   /// Called before the rendering with its approximate time in seconds and memory in bytes.
   std::function<void(double seconds, double bytes)> estimate = nullptr;
+  /// Called before the rendering with all that it reads.
+  std::function<void(const render::PreparedRender&)> inspect = nullptr;
 };
 
 /// A rendered picture; without an image if a partial render was written.

@@ -22,7 +22,7 @@ std::vector<RenderResult> render_views(building::Builder& builder, const Picture
     PicturePlan view = plan;
     view.options.eye = eye;
     RenderOptions one = options;
-    if (eye > 0) one.estimate = nullptr;
+    if (eye > 0) one.estimate = nullptr, one.inspect = nullptr;
     views.push_back(render_picture(builder, view, one));
   }
   return views;

@@ -47,6 +47,7 @@ Location prepare_location(building::Builder& builder, const picture::PicturePlan
   auto part = std::make_shared<shot::Shot>(*plan.shown);
   for (shot::ObjectPlan& object : part->objects) object.detail.reset();
   plain.shown = part;
+  plain.render.settings.camera = nullptr;  // the poses are cameras, and no warning concerns it
   Location out;
   out.scene = picture::build_scene(builder, plain);
   const auto shines = [](const render::Object& object) {

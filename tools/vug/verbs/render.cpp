@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arguments.h"
+#include "dark_scene.h"
 #include "progress_bar.h"
 #include "render_pictures.h"
 
@@ -10,6 +11,7 @@
 #include <vug/picture/exposure.h>
 #include <vug/picture/frame_sequence.h>
 #include <vug/picture/stereo_views.h>
+#include <vug/scout/preflight.h>
 
 #include <cmath>
 #include <cstdio>
@@ -89,6 +91,14 @@ void render_one(const RenderOptions& options, building::Builder& builder,
     render.estimate = [&](double seconds, double bytes) {
       print_estimate(stage_times().total_seconds() - start, seconds, bytes);
     };
+  bool warned = false;  // about the exposure
+  if (!options.untested)
+    render.inspect = [&](const render::PreparedRender& prepared) {
+      for (const scout::PreflightFinding& each : scout::preflight(prepared, plan.render.settings)) {
+        builder.warn(plan.render.where, each.message, each.hint);
+        warned |= each.exposure;
+      }
+    };
   std::vector<picture::RenderResult> rendered = picture::render_views(builder, plan, render);
   for (picture::RenderResult& each : rendered)
     if (each.image) lock.apply(plan.render.name, *each.image, each.output.settings);
@@ -96,7 +106,7 @@ void render_one(const RenderOptions& options, building::Builder& builder,
   if (views.empty()) {
     fmt::print("{}\n", options.part);
   } else {
-    picture::warn_about_exposure(builder, rendered.front());
+    if (!warned) picture::warn_about_exposure(builder, rendered.front());
     for (const auto& path : picture::write_picture(options.output, views, builder.progress()))
       fmt::print("{}\n", path.string());
   }
@@ -186,8 +196,10 @@ int run_render(RenderOptions options) {
     options = with_frame_number(options, static_cast<int>(*frame));
   SceneAtFrame scene(options.scene.load(source, options.scene.frame.value_or(1)), options.work,
                      progress);
-  const std::vector<PlannedPicture> pictures = plan_pictures(options, scene.loaded.shot);
+  std::vector<PlannedPicture> pictures = plan_pictures(options, scene.loaded.shot);
   check_pictures(pictures, scene, progress);
+  if (light_dark_scene(pictures.front(), scene))
+    pictures = plan_pictures(options, scene.loaded.shot);
   picture::ExposureLock lock;
   render_all(pictures, scene.builder, 0, lock);
   finish(options, scene.builder);
@@ -223,6 +235,10 @@ Verb render_verb() {
         app.add_flag("--anyway", options->anyway,
                      "Render even if the camera or a light is in rock, a prop floats, or a void is "
                      "filled");
+        app.add_flag(
+            "--untested", options->untested,
+            "Do not test before the render whether the picture will be black, burnt out or "
+            "empty");
         app.add_option("--ocio", options->ocio,
                        "OpenColorIO configuration for the PNG; default $OCIO");
         options->settings.add_to(app);
