@@ -11,7 +11,8 @@
 namespace vug::image {
 
 struct DenoiseOptions {
-  int window = 8;         ///< Radius of the search window, pixels.
+  int window = 10;        ///< Radius of the round search window, pixels.
+  double deviation = 6;   ///< Standard deviation of the weight by distance, pixels.
   int patch = 2;          ///< Radius of the compared patches, pixels.
   double strength = 0.6;  ///< Differences below this number of standard errors count as noise.
 };
@@ -23,11 +24,12 @@ const std::vector<std::string>& denoising_layers();
 /// variance and, jointly, by albedo, normal and depth (Rousselle, Manzi and Zwicker 2013, "Robust
 /// denoising using feature and color information", cite rousselle2013denoising). Differences
 /// from the paper: one scale instead of three candidates, filtering of light without the albedo if
-/// there is an albedo layer, and a polynomial instead of the exponential. The image needs R, G,
-/// B and variance.R .G .B; albedo, N and Z are used if present. The filter is biased: it smooths
-/// features that no layer distinguishes, such as the edges of soft shadows. Throws Error(bad_input)
-/// if a required channel is missing. The result has the channels denoised.R, denoised.G,
-/// denoised.B and the same bytes for any number of threads.
+/// there is an albedo layer, a polynomial instead of the exponential, outliers limited beforehand
+/// (denoise_outliers.h), a weight that falls with distance, and a limit on the ratio of variances.
+/// The image needs R, G, B and variance.R .G .B; albedo, N and Z are used if present. The filter is
+/// biased: it smooths features that no layer distinguishes, such as the edges of soft shadows.
+/// Throws Error(bad_input) if a required channel is missing. The result has the channels
+/// denoised.R, denoised.G, denoised.B and the same bytes for any number of threads.
 Image denoise(const Image& picture, const DenoiseOptions& options = {},
               Progress& progress = Progress::none());
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Artefacts that the denoiser must avoid; the tests of the renderer measure its noise reduction.
 #include <gtest/gtest.h>
+#include <vug/base/rng.h>
 #include <vug/image/denoise.h>
 
 #include <cmath>
@@ -58,6 +59,60 @@ TEST(Denoise, ANoisyOutlierDoesNotSpread) {
 
 TEST(Denoise, ACertainBrightPixelIsKept) {
   EXPECT_GT(denoise(dotted(32, 24, false)).at(16, 12, 0), 5);
+}
+
+/// Rock with a tenth of noise, and dots that one sample of sixteen made `ratio` times as bright: a
+/// cluster of `dots` of them.
+Image with_cluster(int dots, float ratio, bool guided) {
+  static constexpr int kPlaces[][2] = {{0, 0}, {1, 0}, {0, 1}, {2, 1}, {1, 2}};
+  std::vector<std::string> channels = {"R", "G", "B", "variance.R", "variance.G", "variance.B"};
+  if (guided)
+    for (const char* name : {"N.X", "N.Y", "N.Z", "Z"}) channels.push_back(name);
+  Image out(48, 40, channels);
+  RandomStream random(RandomKey(17));
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x) {
+      const auto value = static_cast<float>(1 + 0.1 * random.normal());
+      for (size_t c = 0; c < 3; ++c) out.at(x, y, c) = value, out.at(x, y, 3 + c) = 0.01f;
+      if (guided) out.at(x, y, 8) = 1, out.at(x, y, 9) = 3;
+    }
+  for (int i = 0; i < dots; ++i)
+    for (size_t c = 0; c < 3; ++c) {
+      const int x = 24 + kPlaces[i][0], y = 20 + kPlaces[i][1];
+      out.at(x, y, c) = ratio, out.at(x, y, 3 + c) = ratio * ratio;
+    }
+  return out;
+}
+
+// Dots of fireflies must not become squares of the size of the filter's window.
+TEST(Denoise, ClustersOfDotsDoNotSpread) {
+  for (const bool guided : {false, true})
+    for (const int dots : {1, 2, 3, 5})
+      for (const float ratio : {30.0f, 300.0f, 3000.0f}) {
+        const Image smooth = denoise(with_cluster(dots, ratio, guided));
+        for (int y = 0; y < smooth.height; ++y)
+          for (int x = 0; x < smooth.width; ++x) {
+            const bool near = x >= 22 && x <= 28 && y >= 18 && y <= 24;
+            if (near) continue;
+            ASSERT_NEAR(smooth.at(x, y, 1), 1, 0.05)
+                << dots << " dots of " << ratio << " at " << x << ", " << y;
+          }
+      }
+}
+
+// Sparse bright pixels that are the light of a place rather than outliers keep their energy.
+TEST(Denoise, ManyBrightPixelsAreLight) {
+  Image picture(48, 40, {"R", "G", "B", "variance.R", "variance.G", "variance.B"});
+  RandomStream random(RandomKey(5));
+  double before = 0, after = 0;
+  for (size_t p = 0; p < picture.pixel_count(); ++p)
+    for (size_t c = 0; c < 3; ++c) {
+      const float value = random.uniform() < 0.25 ? 4.0f : 0.5f;
+      picture.pixels[6 * p + c] = value, picture.pixels[6 * p + 3 + c] = value * value;
+      before += static_cast<double>(value);
+    }
+  for (const float v : denoise(picture).pixels) after += static_cast<double>(v);
+  EXPECT_NEAR(after / before, 1, 0.05);
 }
 
 }  // namespace
