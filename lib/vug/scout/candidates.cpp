@@ -26,12 +26,13 @@ std::vector<Stand> spread(const std::vector<Stand>& floor, RandomKey key, size_t
   std::vector<Stand> chosen;
   for (double apart = 16; apart > 0.4; apart *= 0.75) {
     chosen.clear();
-    for (const auto& [hash, i] : order) {
+    for (const auto& hashed : order) {
+      const Stand& stand = floor[hashed.second];
       const auto is_near = [&](const Stand& other) {
-        return (other.floor - floor[i].floor).length() < apart;
+        return (other.floor - stand.floor).length() < apart;
       };
       if (chosen.size() < wanted && std::none_of(chosen.begin(), chosen.end(), is_near))
-        chosen.push_back(floor[i]);
+        chosen.push_back(stand);
     }
     if (chosen.size() >= wanted) break;
   }

@@ -30,6 +30,10 @@ std::string gate_text(Gate gate) {
   return kTexts[static_cast<size_t>(gate)];
 }
 
+bool is_strict(Gate gate) {
+  return gate == Gate::clearance || gate == Gate::nearest || gate == Gate::sky;
+}
+
 double largest_plane(const View& view) {
   // Each region grows around its first pixel, so that a curved wall does not become one plane.
   const std::vector<Region> regions =

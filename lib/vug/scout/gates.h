@@ -16,6 +16,10 @@ inline constexpr size_t kGates = static_cast<size_t>(Gate::count);
 /// The condition in words, for messages: "less than 25 % of the picture is nearer than 2 m".
 std::string gate_text(Gate gate);
 
+/// Whether every shot must pass the gate. A view that fails one of the others may be chosen if too
+/// few views pass all of them.
+bool is_strict(Gate gate);
+
 /// Limits of the gates. Lengths are in metres, shares are fractions of the picture.
 struct GateLimits {
   double clearance = 0.3;  ///< The least distance from the eye to any surface.

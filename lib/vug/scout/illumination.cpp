@@ -11,7 +11,7 @@
 namespace vug::scout {
 namespace {
 
-constexpr float kPixelBlack = 0.002f;
+constexpr float kPixelBlack = 0.004f;
 
 Vec2f two(RandomStream& random) {
   const auto u = static_cast<float>(random.uniform());
@@ -89,7 +89,7 @@ std::vector<float> illuminate(const render::PreparedScene& world,
 
 double LightTerms::total() const {
   if (bright < 0.02) return 0;
-  return std::clamp((0.9 - black) / 0.4, 0.0, 1.0);
+  return std::clamp((0.85 - black) / 0.35, 0.0, 1.0);
 }
 
 LightTerms light_terms(const View& view, const std::vector<float>& luminance) {

@@ -24,10 +24,10 @@ std::vector<float> illuminate(const render::PreparedScene& world,
 /// The lit picture as a judge of exposures.
 struct LightTerms {
   double stops = 0;   ///< The metered exposure; 0 without light.
-  double black = 1;   ///< Share of the pixels below 0.002 at that exposure.
+  double black = 1;   ///< Share of the pixels below 0.004 at that exposure.
   double bright = 0;  ///< The 99th percentile at that exposure.
 
-  /// 1 if up to half of the picture is black, 0 if it is dark as a whole.
+  /// 1 if up to half of the picture is black, 0 if 85 % are.
   double total() const;
 };
 LightTerms light_terms(const View& view, const std::vector<float>& luminance);

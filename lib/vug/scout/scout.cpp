@@ -97,7 +97,8 @@ class Search {
     limits.sky_shines = location_.sky_shines;
     trial.failed = failed_gates(view, free, limits);
     trial.rated.shares = object_shares(view);
-    if (trial.failed.size() > 1) return trial;
+    if (trial.failed.size() > 1 || std::any_of(trial.failed.begin(), trial.failed.end(), is_strict))
+      return trial;
     trial.terms = score(view, landmarks_);
     trial.rated.score = trial.terms.total() * (trial.failed.empty() ? 1 : kPenalty);
     if (location_.lit && options_.judge_light && trial.rated.score > 0) {

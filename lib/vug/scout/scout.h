@@ -35,7 +35,7 @@ struct ScoutResult {
   size_t candidates = 0;           ///< The number of views that were scored.
   size_t passed = 0;               ///< The number of them that passed all gates.
   /// The gate that refused most of them, if fewer than `shots` passed; then views that fail one
-  /// gate may be chosen.
+  /// gate that is not strict may be chosen.
   std::optional<Gate> strictest;
 };
 

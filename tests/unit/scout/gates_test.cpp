@@ -85,6 +85,13 @@ TEST(Gates, TheShareOfTheSky) {
   EXPECT_TRUE(failed_gates(view_of(fine), 1, dark).empty());
 }
 
+TEST(Gates, NoShotIsInAWallOrShowsAHole) {
+  for (const Gate strict : {Gate::clearance, Gate::nearest, Gate::sky})
+    EXPECT_TRUE(is_strict(strict)) << gate_text(strict);
+  for (const Gate other : {Gate::obstruction, Gate::flat, Gate::shallow, Gate::floor})
+    EXPECT_FALSE(is_strict(other)) << gate_text(other);
+}
+
 TEST(Gates, ThePlaneIsConnectedAndOfOneNormal) {
   const View halves = view_of([](double u, double) {
     return surface(5, u < 0.3 || u > 0.6 ? Vec3f(1, 0, 0) : Vec3f(0, 0, 1));
