@@ -13,7 +13,7 @@ namespace {
 Expr list_at(const SourceLocation& where) {
   Expr list;
   list.kind = ExprKind::list;
-  list.extent = list.where = where;
+  list.where = where;
   return list;
 }
 
@@ -63,8 +63,9 @@ ExprPtr ExprParser::by_rock(const Token& by) {
   if (names.operands.empty())
     cursor_.fail(by, "'by rock' without a rock", "by rock { limestone -> lambert() }");
   call.where = cursor_.since(by);
-  call.operands.push_back({"of", names.where, finish(std::move(names), by)});
-  call.operands.push_back({"materials", materials.where, finish(std::move(materials), by)});
+  for (Expr* list : {&names, &materials}) list->extent = call.where;
+  call.operands.push_back({"of", call.where, finish(std::move(names), by)});
+  call.operands.push_back({"materials", call.where, finish(std::move(materials), by)});
   if (otherwise.value) call.operands.push_back(std::move(otherwise));
   return finish(std::move(call), by);
 }

@@ -60,7 +60,7 @@ TEST(RockMaterials, ARockWithoutAMaterialIsAnError) {
 TEST(RockMaterials, AMaterialThatDoesNotExistIsAnError) {
   const std::string missing = report_with("limestone -> limestome_grey", false);
   EXPECT_NE(missing.find("limestome_grey"), std::string::npos) << missing;
-  EXPECT_NE(missing.find("rocks.vug:2:14"), std::string::npos) << missing;
+  EXPECT_NE(missing.find("rocks.vug:2:37"), std::string::npos) << missing;
 }
 
 TEST(RockMaterials, MasksKnowTheirAttributes) {

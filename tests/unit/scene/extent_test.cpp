@@ -32,6 +32,12 @@ std::string without_keys(const std::string& line) {
   return std::regex_replace(line, std::regex("#[0-9a-f]+"), "");
 }
 
+/// The lists and the names of `by rock { NAME -> MATERIAL }`, which have no text of their own.
+bool belongs_to_table(const Expr& expr, const std::string& text) {
+  return (expr.kind == ExprKind::list && text.rfind("by rock", 0) == 0) ||
+         (expr.kind == ExprKind::text && text.rfind('"', 0) != 0);
+}
+
 TEST(Extent, TheTextOfATokenIsThatToken) {
   ASSERT_GT(all_scenes().size(), 200u);
   for (const fs::path& path : all_scenes()) {
@@ -69,6 +75,7 @@ TEST(Extent, TheTextOfAnExpressionParsesToTheSameTree) {
       for (const auto& source : document.sources)
         if (source->file == expr.extent.file) {
           const std::string text(text_at(source->text, expr.extent));
+          if (belongs_to_table(expr, text)) continue;
           EXPECT_EQ(without_keys(shape_of("(" + text + ")")), without_keys(dump(expr)))
               << range_text(expr.extent);
         }
