@@ -26,7 +26,7 @@ std::string gate_text(Gate gate) {
       "no plane covers 45 % of the picture",
       "the median distance is 4 times that to the nearest surface around the eye",
       "the floor covers 8 to 45 % of the picture",
-      "the sky covers at most 25 % of the picture, and no hole shows a sky without light"};
+      "the sky covers at most 25 % of the picture, and a hole without light 2 %"};
   return kTexts[static_cast<size_t>(gate)];
 }
 
@@ -67,7 +67,7 @@ std::vector<Gate> failed_gates(const View& view, double clearance, const GateLim
   require(largest_plane(view) < limits.plane, Gate::flat);
   require(median_distance(view) > limits.depth_ratio * clearance, Gate::shallow);
   require(floor >= limits.least_floor && floor <= limits.most_floor, Gate::floor);
-  constexpr double kHole = 0.001;
+  constexpr double kHole = 0.02;
   require(sky == 0 ||
               (limits.sky_shines ? sky >= limits.least_sky && sky <= limits.most_sky : sky < kHole),
           Gate::sky);

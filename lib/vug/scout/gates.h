@@ -30,7 +30,7 @@ struct GateLimits {
   double depth_ratio = 4;  ///< The least ratio of the median distance to the clearance.
   double least_floor = 0.08, most_floor = 0.45;
   double least_sky = 0.01, most_sky = 0.25;  ///< Share of the sky, if any is seen.
-  bool sky_shines = true;  ///< False: the sky is a black hole, of which at most 0.1 % may be seen.
+  bool sky_shines = true;  ///< False: the sky is a black hole, of which less than 2 % may be seen.
 };
 
 /// The gates that a view with this clearance does not pass; empty: it may be a shot.

@@ -83,6 +83,7 @@ TEST(Gates, TheShareOfTheSky) {
   dark.sky_shines = false;
   EXPECT_EQ(failed_gates(opened(0.1), 1, dark), std::vector{Gate::sky}) << "a black hole";
   EXPECT_TRUE(failed_gates(view_of(fine), 1, dark).empty());
+  EXPECT_TRUE(failed_gates(opened(0.015), 1, dark).empty()) << "the dark end of a passage";
 }
 
 TEST(Gates, NoShotIsInAWallOrShowsAHole) {
