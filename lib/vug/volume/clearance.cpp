@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lattice is dense, so that a step of the fill is an addition. Regions are filled from the
 // given points only.
+#include <vug/base/error.h>
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/volume/clearance.h>
