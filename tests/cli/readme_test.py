@@ -76,6 +76,8 @@ class Readme(VugTest):
                 if before.startswith("-") or not re.fullmatch(r"[\w/]+\.\w+", word):
                     continue
                 self.assertTrue((SOURCE / word).exists() or word in made, f"vug {verb} {word}")
+            if verb == "new":
+                made.add(f"{args[0]}.vug")
             if verb == "export":  # --for blender
                 made.add(f"out/{pathlib.Path(args[0]).stem}.glb")
         self.assertIn("recipe", [verb for verb, *_ in COMMANDS], "a command that reads the output of another")
