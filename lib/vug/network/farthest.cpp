@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/shortest_paths.h>
 #include <vug/network/farthest.h>
 
 #include <algorithm>
-#include <queue>
-#include <utility>
+#include <cmath>
 
 namespace vug::network {
 
@@ -16,23 +16,22 @@ int first_station(const Network& network) {
 
 int farthest_station(const Network& network, int from) {
   const std::vector<std::vector<int>> legs = legs_at_stations(network);
-  std::vector<double> ways(network.stations.size(), -1);
-  using Reached = std::pair<double, int>;
-  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
-  open.push({0, from});
-  while (!open.empty()) {
-    const auto [way, at] = open.top();
-    open.pop();
-    if (ways[static_cast<size_t>(at)] >= 0) continue;
-    ways[static_cast<size_t>(at)] = way;
-    for (const int index : legs[static_cast<size_t>(at)]) {
+  const auto for_each_arc = [&](int station, const auto& relax) {
+    for (const int index : legs[static_cast<size_t>(station)]) {
       const Leg& leg = network.legs[static_cast<size_t>(index)];
-      const int other = leg.from == at ? leg.to : leg.from;
-      if (ways[static_cast<size_t>(other)] < 0)
-        open.push({way + leg_vector(network, leg).length(), other});
+      relax(leg.from == station ? leg.to : leg.from, index, leg_vector(network, leg).length());
     }
-  }
-  return static_cast<int>(std::max_element(ways.begin(), ways.end()) - ways.begin());
+  };
+  int farthest = from;
+  double longest = 0;
+  const SearchTree ways = shortest_paths(network.stations.size(), from, for_each_arc,
+                                         [](int) { return Visit::expand; });
+  for (size_t i = 0; i < ways.cost.size(); ++i)
+    if (std::isfinite(ways.cost[i]) && ways.cost[i] > longest) {
+      longest = ways.cost[i];
+      farthest = static_cast<int>(i);
+    }
+  return farthest;
 }
 
 }  // namespace vug::network
