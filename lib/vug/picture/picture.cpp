@@ -206,15 +206,7 @@ render::Scene build_scene(building::Builder& builder, const PicturePlan& plan,
   scene.objects = std::move(flat.objects);
   scene.lights = std::move(flat.lights);
   Box3d bounds;
-  for (const render::Object& object : scene.objects) {
-    const render::Affine to = object.instance ? object.instance->at(0) : render::Affine();
-    Box3f box;
-    if (object.mesh)
-      for (const Vec3f& p : object.mesh->positions) box.extendBy(to.point(p));
-    else if (const Box3d own = object.surface->bounds(); !own.isEmpty())
-      box = to.box({Vec3f(own.min), Vec3f(own.max)});
-    if (!box.isEmpty()) bounds.extendBy(Box3d(Vec3d(box.min), Vec3d(box.max)));
-  }
+  for (const render::Object& object : scene.objects) bounds.extendBy(object_bounds(object));
   if (air) scene.medium = air->medium;
   if (air && air->volume)
     scene.medium = air->medium->with_density(

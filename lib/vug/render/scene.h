@@ -43,6 +43,10 @@ struct Object {
   std::vector<std::string> elements = {};
 };
 
+/// The box around an object in world space, of an instance where it is at time 0; empty if the
+/// object is.
+Box3d object_bounds(const Object& object);
+
 struct Scene {
   CameraPtr camera;
   std::vector<Object> objects;

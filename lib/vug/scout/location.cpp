@@ -24,16 +24,6 @@ void add_axes(const shot::Shot& shot, std::vector<Vec3d>& points) {
     }
 }
 
-Box3d box_of(const render::Object& object) {
-  const render::Affine to = object.instance ? object.instance->at(0) : render::Affine();
-  Box3f box;
-  if (object.mesh)
-    for (const Vec3f& p : object.mesh->positions) box.extendBy(to.point(p));
-  else if (const Box3d own = object.surface->bounds(); !own.isEmpty())
-    box = to.box({Vec3f(own.min), Vec3f(own.max)});
-  return box.isEmpty() ? Box3d() : Box3d(Vec3d(box.min), Vec3d(box.max));
-}
-
 bool is_figure(const Box3d& box) {
   const Vec3d size = box.size();
   return size.y > 1.4 && size.y < 2.2 && size.x < 1.2 && size.z < 1.2;
@@ -99,7 +89,7 @@ Landmarks find_landmarks(const Location& location, const std::vector<View>& view
   for (const auto& [object, share] : shares) {
     const double weight = 1 - 5 * share;
     if (weight > 0) out.weights[object] = weight;
-    if (object != kSky && is_figure(box_of(location.scene.objects[object])))
+    if (object != kSky && is_figure(render::object_bounds(location.scene.objects[object])))
       out.known_size[object] = true;
   }
   return out;
@@ -110,7 +100,7 @@ std::vector<Subject> find_subjects(const Location& location, const Landmarks& la
   std::vector<Subject> out;
   for (const auto& [object, weight] : landmarks.weights) {
     if (object == kSky) continue;
-    const Box3d box = box_of(location.scene.objects[object]);
+    const Box3d box = render::object_bounds(location.scene.objects[object]);
     if (box.isEmpty() || box.size().length() > kLargest) continue;
     out.push_back({box.center(), box.size().length()});
   }
