@@ -13,4 +13,16 @@ std::vector<std::filesystem::path> data_folders() {
   return folders;
 }
 
+std::map<std::string, std::filesystem::path> scene_files(
+    const std::vector<std::filesystem::path>& folders, const std::string& subfolder) {
+  std::map<std::string, std::filesystem::path> files;
+  for (const std::filesystem::path& folder : folders) {
+    if (!std::filesystem::is_directory(folder / subfolder)) continue;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / subfolder))
+      if (entry.path().extension() == ".vug")
+        files.emplace(entry.path().stem().string(), entry.path());
+  }
+  return files;
+}
+
 }  // namespace vug::loading

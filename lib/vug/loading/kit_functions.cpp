@@ -3,8 +3,9 @@
 #include <vug/loading/kit_functions.h>
 #include <vug/scene/parser.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <set>
 
 namespace vug::loading {
 
@@ -26,14 +27,8 @@ bool declares(const fs::path& file, const std::string& function) {
 }  // namespace
 
 std::string kit_file_of(const std::string& function) {
-  for (const fs::path& folder : data_folders()) {
-    std::error_code failed;
-    std::set<fs::path> files;  // Sorted, so that every machine finds the same file.
-    for (const auto& entry : fs::directory_iterator(folder / "kit", failed))
-      if (entry.path().extension() == ".vug") files.insert(entry.path());
-    for (const fs::path& file : files)
-      if (declares(file, function)) return "kit/" + file.filename().string();
-  }
+  for (const auto& [name, file] : scene_files(data_folders(), "kit"))
+    if (declares(file, function)) return fmt::format("kit/{}.vug", name);
   return {};
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/diagnostics.h>
+#include <vug/loading/data_folders.h>
 #include <vug/scene/parser.h>
 #include <vug/session/archetypes.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <sstream>
 
 namespace vug::session {
@@ -72,15 +72,8 @@ Archetype read_archetype(const std::filesystem::path& file,
 }  // namespace
 
 std::vector<Archetype> archetypes(const std::vector<std::filesystem::path>& data_folders) {
-  std::map<std::string, std::filesystem::path> files;
-  for (const std::filesystem::path& folder : data_folders) {
-    if (!std::filesystem::is_directory(folder / "caves")) continue;
-    for (const auto& entry : std::filesystem::directory_iterator(folder / "caves"))
-      if (entry.path().extension() == ".vug")
-        files.emplace(entry.path().stem().string(), entry.path());
-  }
   std::vector<Archetype> out;
-  for (const auto& [name, file] : files) {
+  for (const auto& [name, file] : loading::scene_files(data_folders, "caves")) {
     Archetype one = read_archetype(file, data_folders);
     if (!one.cameras.empty()) out.push_back(std::move(one));
   }
