@@ -92,21 +92,29 @@ double LightTerms::total() const {
   return std::clamp((0.85 - black) / 0.35, 0.0, 1.0);
 }
 
-LightTerms light_terms(const View& view, const std::vector<float>& luminance) {
-  image::Image picture(view.width, view.height, {"R", "G", "B"});
+image::Image grey_picture(const std::vector<float>& luminance) {
+  image::Image out(static_cast<int>(luminance.size()), 1, {"R", "G", "B"});
   for (size_t i = 0; i < luminance.size(); ++i)
-    for (size_t c = 0; c < 3; ++c) picture.pixels[3 * i + c] = luminance[i];
+    for (size_t c = 0; c < 3; ++c) out.pixels[3 * i + c] = luminance[i];
+  return out;
+}
+
+float percentile_99(std::vector<float> values) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 99 / 100);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+LightTerms light_terms(const std::vector<float>& luminance) {
   LightTerms terms;
-  const std::optional<double> stops = image::metered_exposure(picture);
+  const std::optional<double> stops = image::metered_exposure(grey_picture(luminance));
   if (!stops) return terms;
   terms.stops = *stops;
   const auto factor = static_cast<float>(std::exp2(*stops));
-  std::vector<float> sorted = luminance;
-  for (float& value : sorted) value *= factor;
-  std::sort(sorted.begin(), sorted.end());
-  const auto dark = std::lower_bound(sorted.begin(), sorted.end(), kPixelBlack) - sorted.begin();
-  terms.black = static_cast<double>(dark) / static_cast<double>(sorted.size());
-  terms.bright = static_cast<double>(sorted[(sorted.size() - 1) * 99 / 100]);
+  const auto dark = std::count_if(luminance.begin(), luminance.end(),
+                                  [&](float value) { return value * factor < kPixelBlack; });
+  terms.black = static_cast<double>(dark) / static_cast<double>(luminance.size());
+  terms.bright = static_cast<double>(percentile_99(luminance) * factor);
   return terms;
 }
 

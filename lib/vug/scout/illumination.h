@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vug/base/rng.h>
+#include <vug/image/image.h>
 #include <vug/render/prepared_scene.h>
 #include <vug/scout/view.h>
 
@@ -21,6 +22,12 @@ std::vector<float> illuminate(const render::PreparedScene& world,
                               const std::vector<render::LightPtr>& lights, const View& view,
                               RandomKey key, const IlluminationOptions& options = {});
 
+/// Luminances as a picture of one row, for the functions of image/brightness.h.
+image::Image grey_picture(const std::vector<float>& luminance);
+
+/// The 99th percentile of at least one value.
+float percentile_99(std::vector<float> values);
+
 /// The lit picture as a judge of exposures.
 struct LightTerms {
   double stops = 0;   ///< The metered exposure; 0 without light.
@@ -30,6 +37,6 @@ struct LightTerms {
   /// 1 if up to half of the picture is black, 0 if 85 % are.
   double total() const;
 };
-LightTerms light_terms(const View& view, const std::vector<float>& luminance);
+LightTerms light_terms(const std::vector<float>& luminance);
 
 }  // namespace vug::scout

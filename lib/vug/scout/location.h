@@ -24,8 +24,8 @@ struct Location {
 Location prepare_location(building::Builder& builder, const picture::PicturePlan& plan,
                           bool relight = false);
 
-/// The places to stand: those below the starts, or below any point in the air. Where enough places
-/// have a roof, only these. Error(bad_input) if there is no floor.
+/// The places to stand: those below the starts, or below any point in the air. If enough places
+/// have a roof, places in the open are left out. Throws Error(bad_input) if the scene has no floor.
 std::vector<Stand> places_to_stand(const Location& location);
 
 /// The objects that are rare enough to be landmarks, judged by views from the floor: an object that

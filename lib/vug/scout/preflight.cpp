@@ -17,23 +17,13 @@ constexpr int kWidth = 48, kHeight = 27;
 constexpr double kNothing = 50;  // metres
 constexpr double kBlack = 0.02, kBurnt = 8, kBurntShare = 0.02;
 
-/// The luminances of the surfaces, as an image of one row.
-image::Image surfaces(const View& view, const std::vector<float>& luminance) {
+/// The luminances of the pixels that show a surface; 0 if there is none.
+std::vector<float> of_surfaces(const View& view, const std::vector<float>& luminance) {
   std::vector<float> seen;
   for (size_t i = 0; i < luminance.size(); ++i)
     if (view.pixels[i].object != kSky) seen.push_back(luminance[i]);
   if (seen.empty()) seen.push_back(0);
-  image::Image out(static_cast<int>(seen.size()), 1, {"R", "G", "B"});
-  for (size_t i = 0; i < seen.size(); ++i)
-    for (size_t c = 0; c < 3; ++c) out.pixels[3 * i + c] = seen[i];
-  return out;
-}
-
-double percentile_99(const image::Image& picture) {
-  std::vector<float> values;
-  for (size_t i = 0; i < picture.pixels.size(); i += 3) values.push_back(picture.pixels[i]);
-  std::sort(values.begin(), values.end());
-  return static_cast<double>(values[(values.size() - 1) * 99 / 100]);
+  return seen;
 }
 
 }  // namespace
@@ -58,10 +48,11 @@ std::vector<PreflightFinding> preflight(const render::PreparedRender& prepared,
   }
   if (prepared.scene->medium && prepared.scene->medium->is_emissive()) return found;
   const std::vector<float> luminance =
-      illuminate(world, prepared.scene->lights, view, RandomKey(0), {.rays = 4});
-  const image::Image picture = surfaces(view, luminance);
+      of_surfaces(view, illuminate(world, prepared.scene->lights, view, RandomKey(0), {.rays = 4}));
+  const image::Image picture = grey_picture(luminance);
+  const auto bright = static_cast<double>(percentile_99(luminance));
   const auto metered = image::metered_exposure(picture, settings.working_space);
-  if (!metered || !(percentile_99(picture) > 0)) {  // single rays may pass a seam of a mesh
+  if (!metered || !(bright > 0)) {  // single rays may pass a seam of a mesh
     found.push_back({true, "hardly any light reaches the picture",
                      "add a lamp in view of these surfaces; 'vug scout --relight' proposes some"});
     return found;
@@ -70,7 +61,7 @@ std::vector<PreflightFinding> preflight(const render::PreparedRender& prepared,
   const std::string remedy =
       fmt::format("--exposure {:.1f} or 'exposure auto' would show it; the exposure is {:.1f}",
                   *metered, stops);
-  if (percentile_99(picture) * factor < kBlack)
+  if (bright * factor < kBlack)
     found.push_back({true, "the picture will be black", remedy});
   else if (image::fraction_above(picture, kBurnt / factor, settings.working_space) > kBurntShare)
     found.push_back({true, "parts of the picture will be burnt out", remedy});

@@ -67,7 +67,7 @@ class Search {
       lights.insert(lights.end(), location_.scene.lights.begin(), location_.scene.lights.end());
       const View view = trace_view(*location_.world, *camera, kLitWidth, kLitHeight);
       const auto luminance = illuminate(*location_.world, lights, view, key_.at("light"));
-      shot.score *= light_terms(view, luminance).total();
+      shot.score *= light_terms(luminance).total();
       progress_.check();
       progress_.advance();
     }
@@ -105,7 +105,7 @@ class Search {
       const View small = trace_view(*location_.world, *camera, kLitWidth, kLitHeight);
       const auto light =
           illuminate(*location_.world, location_.scene.lights, small, key_.at("light"));
-      trial.rated.score *= light_terms(small, light).total();
+      trial.rated.score *= light_terms(light).total();
     }
     return trial;
   }

@@ -44,7 +44,7 @@ class Walk {
     for (size_t i = 0; i < found_.size() && found_.size() < options_.most; ++i)
       for (int dx = -1; dx <= 1; ++dx)
         for (int dz = -1; dz <= 1; ++dz)
-          if (dx != 0 || dz != 0) step(found_[i].floor, dx, dz);
+          if (dx != 0 || dz != 0) step(Stand(found_[i]), dx, dz);
     return std::move(found_);
   }
 
@@ -61,10 +61,11 @@ class Walk {
   }
 
   /// Goes to a neighbour upright or crouching.
-  void step(const Vec3d& from, int dx, int dz) {
-    const double size = options_.step, headroom = headroom_above(world_, from);
+  void step(const Stand& stand, int dx, int dz) {
+    const double size = options_.step;
+    const Vec3d& from = stand.floor;
     for (const double chest : {kChest, kCrouched}) {
-      if (chest > headroom - kOver) continue;
+      if (chest > stand.headroom - kOver) continue;
       const Vec3d eye = from + Vec3d(0, chest, 0);
       const Vec3d to((std::round(from.x / size) + dx) * size, eye.y,
                      (std::round(from.z / size) + dz) * size);
