@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Automatic portals are found where the sky is visible, and change only the noise.
-#include "scenes.h"
+#include "runs.h"
 
 #include <gtest/gtest.h>
 #include <vug/render/paths/automatic_portals.h>
@@ -91,24 +91,19 @@ Scene room_under_daylight() {
 TEST(AutomaticPortals, KeepTheMeanOfDaylightWithLessNoise) {
   constexpr int kRuns = 12;
   const Scene scene = room_under_daylight();
-  double mean[2] = {}, square[2] = {}, noise[2] = {};
+  Runs runs[2];
   for (int found = 0; found < 2; ++found)
     for (int run = 0; run < kRuns; ++run) {
       Options o = options(12, 9, 64, 4);
       o.aovs = plan_aovs({"beauty", "variance"}, {});
       o.openings = found;
       o.seed = static_cast<uint64_t>(run);
-      const image::Image taken = render(scene, o);
-      const double m = mean_of(taken, "G").value;
-      mean[found] += m / kRuns, square[found] += m * m / kRuns;
-      noise[found] += mean_of(taken, "variance.G").value / kRuns;
+      runs[found].add(render(scene, o));
     }
-  double error = 0;
-  for (const int found : {0, 1}) error += (square[found] - mean[found] * mean[found]) / (kRuns - 1);
-  error = std::sqrt(error);
-  EXPECT_LT(std::fabs(mean[1] - mean[0]), 3 * error);
-  EXPECT_LT(error, 0.05 * mean[0]);
-  EXPECT_LT(noise[1], 0.5 * noise[0]);
+  const double error = error_of_difference(runs[0], runs[1]);
+  EXPECT_LT(std::fabs(runs[1].mean() - runs[0].mean()), 3 * error);
+  EXPECT_LT(error, 0.05 * runs[0].mean());
+  EXPECT_LT(runs[1].variance(), 0.5 * runs[0].variance());
 }
 
 TEST(AutomaticPortals, LeaveTheShadowRaysToASunBesideDaylight) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The choice of lights changes the noise, but not the expected picture.
-#include "scenes.h"
+#include "runs.h"
 
 #include <gtest/gtest.h>
 
@@ -90,23 +90,19 @@ TEST(LightSampler, PrefersTheLampsThatAGlossyFloorReflects) {
     return render(scene, o);
   };
   constexpr int kRuns = 8;
-  double mean[2] = {}, square[2] = {}, noise[2] = {};
+  Runs runs[2];
   for (int run = 0; run < kRuns; ++run)
     for (const int all : {0, 1}) {
       const auto seed = static_cast<uint64_t>(run + 1);
       // All six lamps have a shadow ray, or the one that was chosen.
-      const image::Image picture = taken(all ? "uniform" : "tree", all ? 6 : 1, 64, seed);
-      const double m = mean_of(picture, "G").value;
-      mean[all] += m / kRuns, square[all] += m * m / kRuns;
-      noise[all] += mean_of(picture, "variance.G").value / kRuns;
+      runs[all].add(taken(all ? "uniform" : "tree", all ? 6 : 1, 64, seed));
     }
-  double error = 0;
-  for (const int all : {0, 1}) error += (square[all] - mean[all] * mean[all]) / (kRuns - 1);
-  error = std::sqrt(error);
-  EXPECT_LT(std::fabs(mean[0] - mean[1]), 3 * error);
-  EXPECT_LT(error, 0.01 * mean[1]);
-  RecordProperty("variance_ratio", std::to_string(noise[0] / noise[1]));
-  EXPECT_LT(noise[0], 4 * noise[1]) << "a sixth of the shadow rays; 9 by the lamps alone";
+  const double error = error_of_difference(runs[0], runs[1]);
+  EXPECT_LT(std::fabs(runs[0].mean() - runs[1].mean()), 3 * error);
+  EXPECT_LT(error, 0.01 * runs[1].mean());
+  RecordProperty("variance_ratio", std::to_string(runs[0].variance() / runs[1].variance()));
+  EXPECT_LT(runs[0].variance(), 4 * runs[1].variance())
+      << "a sixth of the shadow rays; 9 by the lamps alone";
 }
 
 }  // namespace
