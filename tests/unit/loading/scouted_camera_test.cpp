@@ -2,6 +2,7 @@
 // Cameras that are shots of `vug scout`.
 #include <gtest/gtest.h>
 #include <vug/base/atomic_file.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/loading/load.h>
 #include <vug/loading/scouted_cameras.h>
 
@@ -16,14 +17,11 @@ const std::string kBall = "volume rock = level_set(sphere(1m), voxel: 20cm)\n";
 class ScoutedCamera : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / "scouted_camera";
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "my_shots");
     write_text(folder_ / "my_shots/shot3.vug",
                "camera shot3 { eye (7, 0, 0)  target (0, 0, 0) }\n"
                "light shot3_key = sphere(center: (2, 3, 0), radius: 5cm, lumen: 700)\n");
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   Loaded scene(const std::string& text, const LoadOptions& options = {}) {
     return load_text(kBall + text, (folder_ / "my.vug").string(), options);
@@ -36,7 +34,8 @@ class ScoutedCamera : public testing::Test {
     return out;
   }
 
-  fs::path folder_;
+  const ScratchFolder scratch_{"vug_scouted_camera"};
+  const fs::path folder_ = scratch_.path();
 };
 
 TEST_F(ScoutedCamera, IsTheCameraOfTheShotWithItsLamps) {

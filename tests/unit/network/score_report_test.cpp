@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <vug/base/error.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/network/dat.h>
 #include <vug/network/read_network.h>
 #include <vug/network/score_plot.h>
@@ -95,8 +96,8 @@ TEST(ScorePlot, HasARowForEachCriterionInsideTheDrawing) {
 }
 
 TEST(ReadNetwork, ReadsSurveysAndTextFiles) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "read_network";
-  std::filesystem::create_directories(folder);
+  const ScratchFolder scratch("vug_read_network");
+  const std::filesystem::path& folder = scratch.path();
   Diagnostics warnings;
   write_dat(comb(), folder / "comb_nodes.dat");
   EXPECT_EQ(read_network(folder / "comb_links.dat", warnings).legs.size(), 16u);
@@ -105,7 +106,6 @@ TEST(ReadNetwork, ReadsSurveysAndTextFiles) {
   EXPECT_FALSE(is_network_file("rock.obj"));
   EXPECT_EQ(read_network(folder / "CAVE.SVX", warnings).legs.size(), 2u);
   EXPECT_THROW(read_network(folder / "rock.obj", warnings), Error);
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

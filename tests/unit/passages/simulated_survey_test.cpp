@@ -6,6 +6,7 @@
 
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
+#include <vug/base/scratch_folder.h>
 #include <vug/field/boolean.h>
 #include <vug/karst/generate.h>
 #include <vug/karst/presets.h>
@@ -162,14 +163,13 @@ struct RoundTrip {
 };
 
 RoundTrip round_trip(const network::Network& cave) {
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / "simulated_survey.3d";
+  const ScratchFolder scratch("vug_simulated_survey");
+  const std::filesystem::path file = scratch.file("simulated_survey.3d");
   const field::Field before = passages(cave);
   survey::write_survey(simulate_survey(before, cave).survey, file);
   Diagnostics warnings;
   const network::Network read =
       network::from_survey(survey::read_survey(file, {}, warnings), {.place = {.recenter = false}});
-  std::filesystem::remove(file);
   const field::Field again = passages(read);
   RoundTrip out;
   for (const network::Station& station : read.stations)
