@@ -106,6 +106,17 @@ TEST(Survex3d, StylesDatesAndFlagsSurvive) {
   EXPECT_EQ(write_3d(again), bytes);
 }
 
+TEST(Survex3d, StationsPrecedeCrossSections) {
+  Survey survey;
+  survey.stations = {station("alone", Vec3d(0.0)), station("b", Vec3d(1.0))};
+  survey.tubes = {{{0, 1, 1, 1, 1}, {1, 1, 1, 1, 1}}};
+  const std::string bytes = write_3d(survey);
+  // An item consists of its code, the change of the label and its data; 0x80 marks a station.
+  const size_t name = bytes.find("alone");
+  ASSERT_NE(name, bytes.npos);
+  EXPECT_EQ(bytes[name - 2] & 0x80, 0x80) << "aven cannot draw sections of stations that follow";
+}
+
 TEST(Survex3d, MisclosuresFollowTheirTraverses) {
   Survey survey = small_survey();
   survey.stations.push_back(station("a.3", Vec3d(5)));

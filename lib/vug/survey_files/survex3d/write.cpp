@@ -76,9 +76,10 @@ class Writer {
     write_traverses();
     for (size_t i = 0; i < survey_.legs.size(); ++i)
       if (!written_[i]) write_leg(i, survey_.legs[i].from, survey_.legs[i].to);
+    // Stations come before cross-sections, because Survex's aven drops those of later stations.
+    for (size_t i = 0; i < survey_.stations.size(); ++i) write_station(static_cast<int>(i));
     for (const Tube& tube : survey_.tubes)
       for (const CrossSection& section : tube) write_section(section, &section == &tube.back());
-    for (size_t i = 0; i < survey_.stations.size(); ++i) write_station(static_cast<int>(i));
     if (style_ != Style::normal) out_ += '\0';
     out_ += '\0';
     return std::move(out_);
