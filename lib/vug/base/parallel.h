@@ -3,6 +3,8 @@
 // and that number.
 #pragma once
 
+#include <vug/base/cancellable_scope.h>
+
 #ifdef __SANITIZE_THREAD__
 #include <vug/base/tsan_parallel.h>
 #else
@@ -20,18 +22,20 @@
 namespace vug {
 
 /// Calls body(i) for 0 <= i < count in tasks of about `grain` indices. The body must write only
-/// data that belongs to its own index.
+/// data that belongs to its own index. Error(cancelled) in a CancellableScope.
 template <class Body>
 void parallel_for(size_t count, const Body& body, size_t grain = 1) {
-#ifdef __SANITIZE_THREAD__
-  detail::tsan_parallel_for(count, grain, [&](size_t begin, size_t end) {
+  const auto task = [&, progress = CancellableScope::innermost()](size_t begin, size_t end) {
+    const CancellableScope scope(progress);
+    check_cancelled();
     for (size_t i = begin; i != end; ++i) body(i);
-  });
+  };
+#ifdef __SANITIZE_THREAD__
+  detail::tsan_parallel_for(count, grain, task);
 #else
-  tbb::parallel_for(tbb::blocked_range<size_t>(0, count, grain),
-                    [&](const tbb::blocked_range<size_t>& range) {
-                      for (size_t i = range.begin(); i != range.end(); ++i) body(i);
-                    });
+  tbb::parallel_for(
+      tbb::blocked_range<size_t>(0, count, grain),
+      [&](const tbb::blocked_range<size_t>& range) { task(range.begin(), range.end()); });
 #endif
 }
 

@@ -45,6 +45,10 @@ void Progress::check() const {
   if (cancelled()) throw Error(ErrorCode::cancelled, "stopped on request");
 }
 
+void check_cancelled() {
+  if (const Progress* progress = CancellableScope::innermost()) progress->check();
+}
+
 Progress::Product::Product(Progress& progress, std::string name) : progress_(progress) {
   if (progress_.watcher_) outer_ = std::exchange(progress_.product_, std::move(name));
 }

@@ -2,6 +2,8 @@
 // Progress reports and cancellation of long work.
 #pragma once
 
+#include <vug/base/cancellable_scope.h>
+
 #include <atomic>
 #include <functional>
 #include <mutex>
@@ -60,10 +62,12 @@ class Progress {
   std::atomic<bool> cancelled_{false};
 };
 
-/// Runs work that does not report its own progress as one stage, and returns its result.
+/// Runs work that does not report its own progress as one stage, and returns its result. The work
+/// can be cancelled: see CancellableScope.
 template <class Work>
 std::invoke_result_t<Work> run_stage(Progress& progress, std::string name, const Work& work) {
   progress.begin(std::move(name));
+  const CancellableScope scope(progress);
   if constexpr (std::is_void_v<std::invoke_result_t<Work>>) {
     work();
     progress.end();

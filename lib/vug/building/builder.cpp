@@ -116,6 +116,7 @@ void Builder::reuse_from(Builder&& other) {
 volume::LevelSet Builder::make_level_set(const shot::VolumePlan& plan) {
   const mesh::MeshPtr mesh = plan.source_mesh ? mesh_for_volume(plan.source_mesh) : nullptr;
   const Stopwatch watch(seconds_);
+  const CancellableScope scope(progress_);
   const Progress::Product product(progress_, plan.name);
   if (!mesh) {
     field::compute_deferred(plan.field, progress_, memory_budget());

@@ -28,6 +28,7 @@ void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const field::Sample
 
 SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface, uint64_t memory,
                       Progress& progress) {
+  const CancellableScope scope(progress);
   meshing::PolygonizeOptions polygonize;
   polygonize.adaptivity = plan.adaptivity;
   polygonize.polish = plan.polish;

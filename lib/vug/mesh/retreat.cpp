@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/cancellable_scope.h>
 #include <vug/mesh/folds.h>
 #include <vug/mesh/retreat.h>
 #include <vug/mesh/self_intersections.h>
@@ -34,6 +35,7 @@ class Retreat {
   std::vector<float> run(Triangles invalid) {
     const BoxTree tree(boxes());
     while (!invalid.empty()) {
+      check_cancelled();
       const Triangles changed = shorten(invalid);
       if (changed.empty()) break;
       invalid = invalid_among(changed, self_intersections_of(changed, mesh_, tree));

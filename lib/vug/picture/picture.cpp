@@ -201,6 +201,7 @@ render::Scene build_scene(building::Builder& builder, const PicturePlan& plan,
     throw Error(ErrorCode::bad_input, "the scene has nothing to show", {},
                 "add for instance: volume rock = level_set(..., voxel: 5cm)");
   Progress& progress = builder.progress();
+  const CancellableScope scope(progress);
   progress.begin("assembling the scene");
   if (!settings.lights) building::add_default_light(flat, air ? air->medium.get() : nullptr);
   scene.objects = std::move(flat.objects);

@@ -131,10 +131,11 @@ PreparedRender prepare_valid(const Scene& scene, const Options& options, const P
                        ? options.integrator
                        : make_integrator("path", {{"max_bounces", options.max_bounces}});
   out.spread = pixel_angle(*scene.camera, options);
-  progress.begin("BVH and lights");
-  out.timings.bvh = timed(
-      [&] { out.world = part.world ? part.world : std::make_shared<const PreparedScene>(scene); });
-  progress.end();
+  out.timings.bvh = timed([&] {
+    out.world = run_stage(progress, "BVH and lights", [&] {
+      return part.world ? part.world : std::make_shared<const PreparedScene>(scene);
+    });
+  });
   out.is_static = !scene.camera->moves() && !out.world->moves() &&
                   !(options.motion_step && options.aovs.has(kMotion));
   out.light_paths = plan_light_paths(options.aovs, out.world->lights().groups());
