@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_pictures.h"
+#include "arguments.h"
 
 #include <fmt/format.h>
 #include <vug/base/atomic_file.h>
@@ -44,6 +45,41 @@ void require_picture_files(const RenderOptions& options, const loading::Loaded& 
 }
 
 }  // namespace
+
+void add_picture_options(CLI::App& app, RenderOptions& options) {
+  options.scene.add_to(app, &options.work);
+  picture::PictureOptions& picture = options.picture;
+  app.add_option("--sample-seed", picture.seed,
+                 "Seed of the samples; --seed changes the scene itself")
+      ->check(seed_number());
+  app.add_option("--camera", picture.camera, "Name of the camera");
+  app.add_option("--render", options.renders,
+                 "Names of the render blocks, or `all`; required if the scene has several, whose "
+                 "files are then named OUTPUT_RENDER.exr")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  app.add_option("--eye", options.eye, "Render only one view of a stereo camera: left or right")
+      ->check(one_of({"left", "right"}));
+  app.add_flag("--anyway", options.anyway,
+               "Render even if the camera or a light is in rock, a prop floats, or a void is "
+               "filled");
+  app.add_flag("--untested", options.untested,
+               "Do not test before the render whether the picture will be black, burnt out or "
+               "empty");
+  app.add_option("--ocio", options.ocio, "OpenColorIO configuration for the PNG; default $OCIO");
+  options.settings.add_to(app);
+}
+
+picture::PictureOptions picture_options(const RenderOptions& options) {
+  picture::PictureOptions picture = options.picture;
+  picture.settings = options.settings.values();
+  picture.config = options.ocio;
+  if (options.ocio.empty()) picture.config = image::environment_config();
+  if (!picture.seed) picture.seed = options.scene.seed;
+  if (!options.eye.empty()) picture.eye = options.eye == "left" ? -1 : 1;
+  return picture;
+}
 
 bool learns_only(const RenderOptions& options) {
   return options.output.empty() && options.part.empty();

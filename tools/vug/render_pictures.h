@@ -32,6 +32,12 @@ struct RenderOptions {
   picture::RenderOptions render;
 };
 
+/// Adds the options that determine the picture, without those of files, parts and frames.
+void add_picture_options(CLI::App& app, RenderOptions& options);
+
+/// The choice of the picture from the texts of these options.
+picture::PictureOptions picture_options(const RenderOptions& options);
+
 /// One picture of a run. The options contain the names of its files.
 struct PlannedPicture {
   RenderOptions options;

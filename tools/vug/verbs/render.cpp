@@ -20,23 +20,12 @@
 namespace vug::cli {
 namespace {
 
-/// The choice of the picture from the texts of the options.
-picture::PictureOptions parse_picture(const RenderOptions& options) {
-  picture::PictureOptions picture = options.picture;
-  picture.settings = options.settings.values();
-  picture.config = options.ocio;
-  if (options.ocio.empty()) picture.config = image::environment_config();
-  if (!picture.seed) picture.seed = options.scene.seed;
-  if (!options.eye.empty()) picture.eye = options.eye == "left" ? -1 : 1;
-  return picture;
-}
-
 constexpr const char* kOutputs =
     "write -o and an .exr for a picture, --part and a file for a partial render, or --guiding and "
     "a file to learn only";
 
 void parse(RenderOptions& options) {
-  options.picture = parse_picture(options);
+  options.picture = picture_options(options);
   picture::RenderOptions& render = options.render;
   if (!options.tile.empty()) {
     const auto tile = parse_numbers(options.tile, "N/N", "tile", "write --tile 1/4 to --tile 4/4");
@@ -213,35 +202,11 @@ Verb render_verb() {
   return {
       "render", "Renders a picture: an EXR with AOVs, and a PNG next to it.", [](CLI::App& app) {
         auto options = std::make_shared<RenderOptions>();
-        options->scene.add_to(app, &options->work);
+        add_picture_options(app, *options);
         auto& render = options->render;
-        auto& picture = options->picture;
         app.add_option("-o,--output", options->output, "Output file, an .exr");
         app.add_option("--products", options->products,
                        "Folder for the products of `vug build`, which are written as well");
-        app.add_option("--sample-seed", picture.seed,
-                       "Seed of the samples; --seed changes the scene itself")
-            ->check(seed_number());
-        app.add_option("--camera", picture.camera, "Name of the camera");
-        app.add_option("--render", options->renders,
-                       "Names of the render blocks, or `all`; required if the scene has several, "
-                       "whose files are then named OUTPUT_RENDER.exr")
-            ->delimiter(',')
-            ->allow_extra_args(false)
-            ->type_name("NAME");
-        app.add_option("--eye", options->eye,
-                       "Render only one view of a stereo camera: left or right")
-            ->check(one_of({"left", "right"}));
-        app.add_flag("--anyway", options->anyway,
-                     "Render even if the camera or a light is in rock, a prop floats, or a void is "
-                     "filled");
-        app.add_flag(
-            "--untested", options->untested,
-            "Do not test before the render whether the picture will be black, burnt out or "
-            "empty");
-        app.add_option("--ocio", options->ocio,
-                       "OpenColorIO configuration for the PNG; default $OCIO");
-        options->settings.add_to(app);
         app.add_option("--preview", options->preview,
                        "PNG of the unfinished picture, which is updated during rendering");
         auto* checkpoint = app.add_option("--checkpoint", options->checkpoint,

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// https://www.gnu.org/software/parallel/man.html
+#include <vug/farm/engine_files.h>
+
+#include <fmt/format.h>
+
+namespace vug::farm {
+
+EngineFile parallel_file(const Job& job, const EngineOptions& options) {
+  std::string text = fmt::format(
+      "#!/bin/sh\n"
+      "# Several machines with a shared folder, or one: list them in $HOSTS, e.g. "
+      "HOSTS=node1,node2.\n"
+      "# JOBS: tasks at a time on each machine. Run it again after an interruption.\n"
+      "cd \"$(dirname \"$0\")\" || exit 3\n"
+      "run() {{\n"
+      "  parallel --jobs \"${{JOBS:-1}}\" --retries 3 --halt soon,fail=3 --workdir \"$PWD\" \\\n"
+      "    ${{HOSTS:+--sshlogin \"$HOSTS\"}} \"'{}' farm run . --threads {} --task {{}}\"\n"
+      "}}\n",
+      options.program, options.cores);
+  for (const auto& ranges : levels(job)) {
+    text += "{\n";
+    for (const auto& [first, last] : ranges) text += fmt::format("  seq {} {}\n", first, last);
+    text += "} | run || exit\n";
+  }
+  return {"parallel.sh", std::move(text), true, "JOBS=2 ./parallel.sh"};
+}
+
+}  // namespace vug::farm

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/building/memory_estimate.h>
+#include <vug/farm/estimate.h>
+#include <vug/field/deferred.h>
+#include <vug/render/render.h>
+#include <vug/shot/queries.h>
+
+#include <algorithm>
+#include <set>
+
+namespace vug::farm {
+namespace {
+
+// The rehearsal of the path tracer uses this share of the samples of a picture.
+constexpr double kLearning = 0.04;
+// Of a film pixel with the usual AOVs.
+constexpr double kPixelBytes = 200;
+constexpr double kVertexBytes = 2 * sizeof(Vec3f);
+
+}  // namespace
+
+PictureCost estimate_picture(const picture::PicturePlan& plan, int cores, const Rates& rates,
+                             Progress& progress) {
+  PictureCost out;
+  std::set<shot::VolumePtr> volumes;
+  for (const shot::MeshPtr& mesh : shot::shown_meshes(*plan.shown))
+    if (mesh->volume && !mesh->volume->source_mesh) volumes.insert(mesh->volume);
+  double meshing = 0;
+  for (const shot::VolumePtr& volume : volumes) {
+    const Progress::Product product(progress, volume->name);
+    field::compute_deferred(volume->field, progress);
+    const volume::VoxelizeEstimate grid = run_stage(progress, "estimating the cost", [&] {
+      return volume::estimate(volume->field, building::voxelize_options(*volume, 0));
+    });
+    out.voxels += grid.active_voxels;
+    // Two triangles and one vertex for each of the voxels that the surface crosses.
+    const double vertices = 1.5 * grid.active_voxels / (2 * volume->half_width);
+    out.triangles += 2 * vertices;
+    out.bytes += grid.bytes + kVertexBytes * vertices;
+    meshing =
+        std::max(meshing, building::meshing_bytes(grid.active_voxels, 2 * volume->half_width));
+  }
+  const shot::RenderSettings& settings = plan.render.settings;
+  const double pixels = 1.0 * settings.size.at(0) * settings.size.at(1);
+  out.samples = pixels * settings.spp;
+  // The mesh is polished before the ray tree is built.
+  out.bytes += std::max(meshing, render::kTriangleBytes * out.triangles + kPixelBytes * pixels);
+  out.build_seconds =
+      (out.voxels / rates.voxels + out.triangles / rates.triangles) / std::max(1, cores);
+  out.render_seconds = out.samples / rates.samples / std::max(1, cores);
+  out.learn_seconds = kLearning * out.render_seconds;
+  return out;
+}
+
+}  // namespace vug::farm

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cost of a picture before it is made.
+#pragma once
+
+#include <vug/base/progress.h>
+#include <vug/picture/picture_plan.h>
+
+#include <cstdint>
+
+namespace vug::farm {
+
+/// Estimates for one picture on all cores of one machine.
+struct PictureCost {
+  double voxels = 0;     ///< Active voxels of the level sets that the picture shows.
+  double triangles = 0;  ///< Triangles of their meshes; plants, files and cells are not counted.
+  double samples = 0;    ///< Samples of all pixels.
+  double build_seconds = 0;   ///< Making the products, in each task.
+  double learn_seconds = 0;   ///< Learning the light, once per picture.
+  double render_seconds = 0;  ///< All samples.
+  double bytes = 0;           ///< Peak memory of a task.
+};
+
+/// Work per core and second. The defaults are those of docs/performance.md for a cave with beds,
+/// joints and dripstone; simple solids are ten times as fast.
+struct Rates {
+  double voxels = 4e5;
+  double triangles = 1.5e5;
+  double samples = 2e5;
+};
+
+/// From a sampling of the fields (see volume::estimate), the settings of the picture, and the
+/// rates. Computes deferred fields such as drips.
+PictureCost estimate_picture(const picture::PicturePlan& plan, int cores, const Rates& rates = {},
+                             Progress& progress = Progress::none());
+
+}  // namespace vug::farm

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Jobs of `vug farm`: any order, division, repetition and interruption of tasks gives the picture of `vug render`."""
+import json
+import random
+import shutil
+import subprocess
+import time
+import unittest
+
+from vug import PROGRAM, VugTest, digest
+
+SCENE = """seed 5
+volume rock = level_set(box(size: (6, 4, 6)) - sphere(1.8m), voxel: 20cm)
+camera main { eye (-1.2, 0.3, 0.4)  target (1, 0, 0)  fov 70deg }
+light lamp = sphere(center: (keys(1: 0.5, 3: 0.9), 0.6, 0.3), radius: 10cm, radiance: (90, 60, 30))
+medium dust = haze(extinction: 5%/m)
+camera pair { interaxial 20cm  eye (-1.2, 0.3, 0.4)  target (1, 0, 0) }
+render main { size 64x40  spp 24 }
+"""
+
+
+class Farm(VugTest):
+    def prepare(self):
+        self.write("s.vug", SCENE)
+
+    def plan(self, *args, job="job"):
+        return self.expect(0, "farm", "plan", "s.vug", "-o", job, *args)
+
+    def tasks(self, job="job"):
+        return json.loads((self.folder / job / "job.json").read_text())["tasks"]
+
+    def render(self, *args):
+        self.expect(0, "render", "s.vug", *args)
+
+    def expect_picture(self, name="s", whole="whole", job="job"):
+        for end in ("exr", "png"):
+            self.assertEqual(digest(self.folder / job / f"{name}.{end}"),
+                             digest(self.folder / f"{whole}.{end}"), f"{name}.{end}")
+
+    def status(self, code, job="job"):
+        return json.loads(self.expect(code, "farm", "status", job, "--json").out)
+
+    def test_one_worker(self):
+        self.render("-o", "whole.exr")
+        self.plan("--parts", 5)
+        self.assertEqual(self.status(1)["tasks"]["waiting"], 5)
+        self.expect(0, "farm", "run", "job")
+        self.expect_picture()
+        self.assertEqual(self.status(0)["finished"], 1)
+        self.assertIn("already contains a job", self.expect(2, "farm", "plan", "s.vug", "-o", "job").err)
+
+    def test_options_reach_the_tasks(self):
+        options = ("--size", "40x30", "--spp", 6, "-D", "unused=1", "--exposure", "1.5", "--denoise", "--seed", 7)
+        self.write("s.vug", SCENE.replace("seed 5", "param unused = 2\nseed 5").replace("20cm", "unused * 20cm"))
+        self.render("-o", "whole.exr", *options)
+        self.plan("--parts", 3, *options)
+        self.expect(0, "farm", "run", "job")
+        self.expect_picture()
+
+    def test_any_order_and_repetition(self):
+        self.render("-o", "whole.exr")
+        self.plan("--parts", 4)
+        order = list(range(1, 5)) * 2
+        random.Random(3).shuffle(order)
+        self.assertIn("waits for", self.expect(3, "farm", "run", "job", "--task", 2).err)
+        self.expect(0, "farm", "run", "job", "--task", 0)
+        for task in order:
+            self.expect(0, "farm", "run", "job", "--task", task)
+        self.expect_picture()
+
+    def test_two_workers_on_the_same_tasks(self):
+        self.render("-o", "whole.exr")
+        self.plan("--parts", 3)
+        self.expect(0, "farm", "run", "job", "--task", 0)
+        for task in (1, 2, 3):
+            pair = [subprocess.Popen([PROGRAM, "farm", "run", "job", "--task", str(task)], cwd=self.folder,
+                                     stdout=subprocess.DEVNULL) for _ in range(2)]
+            self.assertEqual([each.wait() for each in pair], [0, 0])
+        self.expect_picture()
+
+    def test_frames_on_two_workers(self):
+        self.plan("--frames", "1..3", "--parts", 2)
+        workers = [subprocess.Popen([PROGRAM, "farm", "run", "job", "--threads", "1"], cwd=self.folder,
+                                    stdout=subprocess.DEVNULL) for _ in range(2)]
+        self.assertEqual([each.wait() for each in workers], [0, 0])
+        self.render("-o", "whole.####.exr", "--frames", "1..3")
+        for frame in (1, 2, 3):
+            self.expect_picture(f"s.{frame:04}", f"whole.{frame:04}")
+        runs = [line for file in (self.folder / "job/state").glob("*.runs") for line in file.read_text().splitlines()]
+        self.assertEqual(len(runs), 9)  # no task ran twice
+
+    def test_whole_frames(self):
+        self.plan("--frames", "1..2", "--parts", 1)
+        self.expect(0, "farm", "run", "job")
+        self.render("-o", "whole.####.exr", "--frames", "1..2")
+        self.expect_picture("s.0002", "whole.0002")
+
+    def test_an_interrupted_task_continues(self):
+        self.write("s.vug", SCENE.replace("spp 24", "spp 600"))
+        self.plan("--parts", 1)
+        running = subprocess.Popen([PROGRAM, "farm", "run", "job", "--task", "0"], cwd=self.folder,
+                                   stdout=subprocess.DEVNULL)
+        log = self.folder / "job/state/s.log"
+        while running.poll() is None and not (log.exists() and "BVH" in log.read_text()):
+            time.sleep(0.02)
+        time.sleep(0.3)
+        running.terminate()
+        if running.wait() != 0:  # else the machine was faster than the signal
+            self.assertEqual(running.returncode, 3)
+            self.assertIn("stopped", (self.folder / "job/state/s.runs").read_text())
+        self.expect(0, "farm", "run", "job", "--task", 0)
+        self.render("-o", "whole.exr")
+        self.expect_picture()
+
+    def test_damaged_parts_are_made_again(self):
+        self.render("-o", "whole.exr")
+        self.plan("--parts", 3)
+        for task in (0, 1, 2):
+            self.expect(0, "farm", "run", "job", "--task", task)
+        part = self.folder / "job" / self.tasks()[1]["makes"]
+        content = bytearray(part.read_bytes())
+        content[len(content) // 2] ^= 1
+        part.write_bytes(content)
+        done = self.expect(3, "farm", "run", "job", "--task", 3)
+        self.assertIn("damaged", done.err)
+        self.expect(0, "farm", "run", "job")
+        self.expect_picture()
+
+    def test_changed_scenes_are_refused(self):
+        self.plan("--parts", 2)
+        self.write("s.vug", SCENE + "# changed\n")
+        done = self.expect(2, "farm", "run", "job")
+        self.assertIn("has changed since the job was planned", done.err)
+
+    def test_a_task_that_cannot_work_fails_once(self):
+        self.plan("--parts", 2)
+        path = self.folder / "job/job.json"
+        job = json.loads(path.read_text())
+        job["tasks"][0]["arguments"].append("--camera=none")
+        path.write_text(json.dumps(job))
+        done = self.expect(2, "farm", "run", "job")
+        self.assertIn("warning: task s.learn cannot work: see ", done.err)
+        self.assertIn("error: the tasks that are left have failed", done.err)
+        self.assertEqual(self.status(1)["tasks"]["failed"], 1)
+        self.assertIn("task s.learn cannot work", self.expect(2, "farm", "run", "job", "--task", 0).err)
+
+    def test_refusals(self):
+        for args, text in ((("--noise", "5%", "--parts", 2), "cannot use 'noise'"),
+                           (("--exposure", "locked", "--frames", "1..3"), "needs the first frame"),
+                           (("--parts", 100), "more than the 24 samples"), (("--render", "none"), "none"),
+                           (("--camera", "pair"), "--eye left")):
+            self.assertIn(text, self.expect(2, "farm", "plan", "s.vug", "-o", "other", *args).err)
+            self.assertFalse((self.folder / "other").exists())
+        self.assertIn("job.json", self.expect(2, "farm", "run", "nothing").err)
+        self.plan("--parts", 2)
+        self.assertIn("0 to 2", self.expect(2, "farm", "run", "job", "--task", 7).err)
+
+    @unittest.skipUnless(shutil.which("ninja"), "ninja is not installed")
+    def test_ninja(self):
+        self.render("-o", "whole.exr")
+        self.plan("--parts", 3, "--cores", 1)
+        subprocess.run(["ninja", "-j", "2"], cwd=self.folder / "job", check=True, stdout=subprocess.DEVNULL)
+        self.expect_picture()
+
+    @unittest.skipUnless(shutil.which("parallel"), "GNU parallel is not installed")
+    def test_gnu_parallel(self):
+        self.render("-o", "whole.exr")
+        self.plan("--parts", 3, "--cores", 1)
+        subprocess.run(["./parallel.sh"], cwd=self.folder / "job", check=True, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL, env={"JOBS": "2", "PATH": "/usr/bin:/bin", "HOME": str(self.folder)})
+        self.expect_picture()
+
+
+if __name__ == "__main__":
+    unittest.main()
