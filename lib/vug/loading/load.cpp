@@ -269,6 +269,7 @@ scene::Document parse_scene(const std::string& text, const std::string& file,
   scene::ParseOptions parse_options;
   parse_options.include_folders = options.include_folders;
   parse_options.appended = options.appended;
+  parse_options.read = options.read;
   scene::Document document = scene::parse(text, file, diagnostics, parse_options);
   if (options.unscouted) {
     forget_scouted_cameras(document);

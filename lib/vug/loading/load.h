@@ -6,6 +6,7 @@
 #include <vug/loading/provenance.h>
 #include <vug/scene/document.h>
 #include <vug/scene/evaluator.h>
+#include <vug/scene/file_reader.h>
 #include <vug/shot/shot.h>
 
 #include <filesystem>
@@ -41,6 +42,8 @@ struct LoadOptions {
   /// Makes cameras { scout N } default cameras, without the lamps of their shots: for the search of
   /// new shots.
   bool unscouted = false;
+  /// Reads the included files, e.g. the texts that are open in an editor; empty: from the disk.
+  scene::FileReader read = {};
 };
 
 /// A parameter of a scene, for programs that display or change it.

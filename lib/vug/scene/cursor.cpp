@@ -175,8 +175,15 @@ bool Cursor::starts_statement(size_t at) const {
          (third.is(":") && tokens_[at].is_name("grammar") && kind(3) == TokenKind::name);
 }
 
-void Cursor::recover_statement(int column) {
+void Cursor::recover_statement(size_t start) {
   brackets_ = 0;
+  const int column = tokens_[start].column;
+  // Inside a bracket that is never closed, the next statement has been read as values.
+  for (size_t at = start + 1; at <= last_; ++at)
+    if (starts_statement(at) && tokens_[at].column <= column) {
+      at_ = at;
+      return;
+    }
   int braces = 0;
   // The faulty token itself may be the start of the next statement.
   for (; tokens_[at_].kind != TokenKind::end; ++at_) {

@@ -80,9 +80,9 @@ class Cursor {
   /// Fails with "expected X, found Y" and a hint for common mistakes.
   [[noreturn]] void unexpected(const std::string& expected);
 
-  /// After an error in a statement that begins in `column`: skips to the next one. Lines that begin
-  /// further right continue the faulty statement.
-  void recover_statement(int column);
+  /// After an error in the statement whose first token has this index: moves to the next one. Lines
+  /// that begin further right continue the faulty statement.
+  void recover_statement(size_t start);
   /// After an error inside { }: skips past the next line break outside brackets, or to "}".
   void recover_entry();
   /// True at the first token of a line that can only start a statement, e.g. after a lost "}".

@@ -5,10 +5,9 @@
 
 #include <vug/base/diagnostics.h>
 #include <vug/scene/document.h>
+#include <vug/scene/file_reader.h>
 
 #include <filesystem>
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +16,7 @@ namespace vug::scene {
 struct ParseOptions {
   /// Folders that `include` searches after the including file's folder.
   std::vector<std::filesystem::path> include_folders;
-  /// Reads a file; returns nothing if it does not exist. The default reads from disk.
-  std::function<std::optional<std::string>(const std::filesystem::path&)> read;
+  FileReader read;            ///< The default reads from disk.
   bool check_modules = true;  ///< Report unknown parameters of modules.
   /// Texts of further statements that belong to the text. Messages call them `appended`, `appended
   /// 2`, ..., and relative paths in them start at the folder of the text.

@@ -35,7 +35,7 @@ class StatementParser {
             !cursor_.at_statement())
           cursor_.unexpected("the end of the line");
       } catch (const SyntaxFault&) {
-        cursor_.recover_statement(first.column);
+        cursor_.recover_statement(start);
       }
       set_extents(before, cursor_.since(first));
       if (cursor_.faults() != faults) lose(before, start, first.is_name("include"));

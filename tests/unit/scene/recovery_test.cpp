@@ -32,6 +32,11 @@ TEST(Recovery, ALostBraceEndsAtTheNextStatement) {
             "1: the '{' of camera 'a' is never closed\n4: duplicate let 'b'\n");
 }
 
+TEST(Recovery, AnOpenBracketEndsAtTheNextStatement) {
+  EXPECT_EQ(faults("let a = sphere(\nlet b = 4\nlet b = 5\n"),
+            "2: expected ')' to close 'sphere(' of line 1, found 'b'\n3: duplicate let 'b'\n");
+}
+
 TEST(Recovery, ABinaryFileIsOneError) {
   EXPECT_EQ(faults(std::string(" BDV\0\0\x01 let\n\xff\xfe", 13)),
             "0: the file is not a text file\n");
