@@ -74,6 +74,8 @@ void add_picture_options(CLI::App& app, RenderOptions& options) {
 picture::PictureOptions picture_options(const RenderOptions& options) {
   picture::PictureOptions picture = options.picture;
   picture.settings = options.settings.values();
+  if (!options.scene.quality.empty())
+    picture.settings.emplace_back("quality", Value::Name{options.scene.quality});
   picture.config = options.ocio;
   if (options.ocio.empty()) picture.config = image::environment_config();
   if (!picture.seed) picture.seed = options.scene.seed;

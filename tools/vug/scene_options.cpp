@@ -7,6 +7,7 @@
 #include <vug/base/memory.h>
 #include <vug/base/pluralize.h>
 #include <vug/loading/data_folders.h>
+#include <vug/shot/quality.h>
 #include <vug/shot/queries.h>
 #include <vug/survey_files/format.h>
 
@@ -17,6 +18,13 @@ namespace {
 
 /// Name of the first stage.
 constexpr const char* kLoading = "loading the scene";
+
+std::vector<std::string> names_of(
+    const std::vector<std::pair<std::string, shot::Quality>>& qualities) {
+  std::vector<std::string> names;
+  for (const auto& each : qualities) names.push_back(each.first);
+  return names;
+}
 
 /// The loaded scene, after its diagnostics have been printed.
 loading::Loaded usable(loading::Loaded loaded, const SceneOptions& options) {
@@ -41,9 +49,9 @@ void SceneOptions::add_to(CLI::App& app, const WorkOptions* work) {
   app.add_flag("--strict", strict, "Warnings about the scene are errors");
   if (work)
     app.add_option("--quality", quality,
-                   "draft: meshes are not polished, so that they take less time and edges are "
-                   "blunt; default final")
-        ->check(one_of({"draft", "final"}));
+                   "draft, look or final. draft: meshes are not polished, so that they take less "
+                   "time and edges are blunt; pictures: see `vug list render`")
+        ->check(one_of(names_of(shot::quality_names())));
   app.add_option("--frame", frame, "Frame number of an animated scene; default 1")
       ->transform(number_in(Dimension::none, -1e6, 1e6));
 }

@@ -25,8 +25,8 @@ struct SceneOptions {
   std::string variant;
   std::optional<uint64_t> seed;
   std::optional<double> frame;
-  bool strict = false;  ///< Warnings about the scene are errors.
-  std::string quality = "final";
+  bool strict = false;     ///< Warnings about the scene are errors.
+  std::string quality;     ///< Name of a shot::Quality; empty: none.
   bool unscouted = false;  ///< See loading::LoadOptions; not an option of the command.
 
   /// `work`: the options of the same verb, or null. Its limits also apply while the scene is

@@ -73,7 +73,7 @@ void SettingOptions::add_to(CLI::App& app) {
                  "Crop window, LEFT,TOP,RIGHT,BOTTOM in pixels; right and bottom are exclusive");
   app.add_flag("--float", full_float_, "32-bit colour channels in the EXR");
   for (const ParamInfo& info : shot::render_schema().info().params)
-    if (info.name != "half") add(app, info);
+    if (info.name != "half" && info.name != "quality") add(app, info);
 }
 
 NamedValues SettingOptions::values() const {

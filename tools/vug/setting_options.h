@@ -12,7 +12,7 @@ namespace vug::cli {
 
 /// One option for each setting of the render schema that is a text, a name, a number or a truth
 /// value: `working_space` becomes --working-space. `size`, `crop` and `half` have a syntax of their
-/// own.
+/// own, and --quality belongs to SceneOptions.
 class SettingOptions {
  public:
   /// This object must outlive the parsing of the command line.

@@ -95,7 +95,7 @@ void check_selections(const shot::Shot& shot, const scene::Document& document, b
                       Diagnostics& diagnostics) {
   std::vector<shot::RenderPlan> renders = shot.renders;
   if (renders.empty() && !is_empty_scene(shot) && shot.media.size() > 1)
-    renders.push_back({"main", {}, shot.media[1].where});
+    renders.push_back({"main", {}, shot.media[1].where, false, {}});
   for (const shot::RenderPlan& plan : renders)
     for (const shot::SelectionFault& fault : shot::find_selection_faults(shot, plan.settings))
       if (whole || (!fault.name.empty() && !is_declared(fault.name, document)))

@@ -13,6 +13,11 @@
 
 namespace vug::picture {
 
+/// Names in the metadata of a picture with a noise limit: the noise that was reached and the mean
+/// number of samples per pixel; see render::NoiseReport.
+inline constexpr const char* kNoise = "vug:noise";
+inline constexpr const char* kSamples = "vug:samples";
+
 struct PictureOutput {
   shot::OutputSettings settings;
   std::filesystem::path config;  ///< OpenColorIO configuration; empty: none.

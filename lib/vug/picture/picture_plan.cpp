@@ -99,6 +99,7 @@ std::string PicturePlan::option_for(const std::string& setting) const {
 PicturePlan plan_picture(const shot::Shot& shot, const PictureOptions& options) {
   PicturePlan plan{render_block(shot, options.render), options, nullptr};
   plan.render.settings = shot::with_overrides(plan.render.settings, options.settings);
+  shot::apply_quality(plan.render.settings, plan.render.stated, options.settings);
   add_denoising_layers(plan.render.settings);
   plan.render.settings.camera = find_camera(shot, plan.render, options.camera);
   for (const shot::SelectionFault& fault :

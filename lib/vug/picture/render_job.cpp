@@ -80,6 +80,15 @@ render::PreparedRender prepare_region(const PictureJob& job,
   return prepared;
 }
 
+/// Adds the noise that was reached to the metadata of the picture. They contain no times, since the
+/// same picture has the same bytes.
+void add_noise(const render::NoiseReport& report, PictureOutput& output) {
+  std::erase_if(output.metadata,
+                [](const auto& each) { return each.first == kNoise || each.first == kSamples; });
+  output.metadata.emplace_back(kNoise, fmt::format("{:.5f}", report.noise));
+  output.metadata.emplace_back(kSamples, fmt::format("{:.2f}", report.samples));
+}
+
 }  // namespace
 
 RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
@@ -104,6 +113,10 @@ RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
     if (cut > 0)
       builder.warn(where, fmt::format("{} samples were clamped to {:.0f}", cut, render::kMaxLight),
                    "a light exceeds the range of pictures");
+  };
+  callbacks.noise = [&](const render::NoiseReport& report, double seconds) {
+    add_noise(report, rendered.output);
+    if (options.noise) options.noise(report, seconds);
   };
   render::PartialRenderHeader header;  // identifies the picture by hashes of all meshes
   if (saved || !options.guiding.empty()) header = file_header(job, builder.shot(), plan);

@@ -28,6 +28,8 @@ struct RenderOptions {
   std::filesystem::path guiding;
   /// Called before the rendering with its approximate time in seconds and memory in bytes.
   std::function<void(double seconds, double bytes)> estimate = nullptr;
+  /// With a noise limit: see render::RenderCallbacks::noise.
+  std::function<void(const render::NoiseReport& report, double seconds)> noise = nullptr;
   /// Called before the rendering with all that it reads.
   std::function<void(const render::PreparedRender&)> inspect = nullptr;
 };

@@ -7,6 +7,7 @@
 #include <vug/render/film/aovs.h>
 #include <vug/render/film/deep.h>
 #include <vug/render/film/motion_step.h>
+#include <vug/render/film/noise_report.h>
 #include <vug/render/integrator.h>
 #include <vug/render/sampler.h>
 #include <vug/render/scene.h>
@@ -56,6 +57,9 @@ struct RenderCallbacks {
   /// Seconds between saves; none: one hundred times the duration of the last save, clamped to two
   /// to five minutes.
   std::optional<double> save_every = std::nullopt;
+  /// With Options::noise, after 16, 32, 64, ... samples and at the end: the noise so far, and the
+  /// estimated remaining seconds, 0 at the end.
+  std::function<void(const NoiseReport& report, double seconds)> noise = nullptr;
   /// At the end, if any samples were invalid: the number of samples that were discarded as NaN or
   /// infinite, and of samples clamped to kMaxLight.
   std::function<void(uint64_t invalid, uint64_t clamped)> invalid_samples = nullptr;

@@ -9,6 +9,7 @@
 #include <vug/render/sampler.h>
 #include <vug/render/scene.h>
 #include <vug/shot/exposure.h>
+#include <vug/shot/quality.h>
 
 #include <optional>
 #include <string>
@@ -79,6 +80,8 @@ struct OutputSettings {
 struct RenderSettings : OutputSettings {
   std::vector<int> size = {960, 540};  ///< Width and height in pixels.
   int spp = 64;
+  /// See apply_quality.
+  Quality quality = Quality::unstated;
   bool deep = false;                ///< Write a deep EXR in addition.
   double deep_tolerance = 0.01;     ///< See render::DeepOptions.
   double noise = 0;                 ///< See render::Options.
@@ -97,7 +100,12 @@ struct RenderSettings : OutputSettings {
     table.doc("The settings of a picture: render NAME { size 1920x1080  spp 256 }.")
         .param("size", &RenderSettings::size,
                {.doc = "width and height in pixels, as 1920x1080", .min = 1, .max = 65535})
-        .param("spp", &RenderSettings::spp, {.doc = "samples per pixel", .min = 1, .max = 1 << 20});
+        .param("spp", &RenderSettings::spp, {.doc = "samples per pixel", .min = 1, .max = 1 << 20})
+        .template choice<Quality>(
+            "quality", &RenderSettings::quality, quality_names(),
+            "values of spp, noise and denoise: draft 16 samples, denoised; look: at most 128 "
+            "samples, noise 8%, denoised; final: at most 4096 samples, noise 2%; default: look, if "
+            "neither spp nor noise is given");
     OutputSettings::describe(table);
     table
         .param("deep", &RenderSettings::deep,

@@ -177,8 +177,9 @@ struct CameraPlan {
 struct RenderPlan {
   std::string name = "main";
   RenderSettings settings;
-  SourceLocation where;   ///< Location of the name in the text.
-  bool included = false;  ///< Declared in an included file.
+  SourceLocation where;             ///< Location of the name in the text.
+  bool included = false;            ///< Declared in an included file.
+  std::vector<std::string> stated;  ///< Names of the settings that the block contains.
 };
 
 /// The derivation of a grammar, kept for `vug tree` and for production counts.

@@ -53,7 +53,7 @@ TEST(PicturePlan, DenoisingAddsTheLayersThatItNeeds) {
   using Layers = std::vector<std::string>;
   const auto layers = [](const std::string& settings) {
     const loading::Loaded loaded =
-        loading::load_text("render main { " + settings + " }\n", "t.vug");
+        loading::load_text("render main { spp 8  " + settings + " }\n", "t.vug");
     EXPECT_EQ(loaded.report(), "");
     return plan_picture(loaded.shot, {}).render.settings.layers;
   };
@@ -104,7 +104,8 @@ TEST(PicturePlan, InvalidSettingsAreReported) {
 TEST(PicturePlan, TheHashDependsOnEverySettingThatAnOptionReplaces) {
   const auto hash = [](const NamedValues& settings) {
     PictureOptions options;
-    options.settings = settings;
+    options.settings = {{"spp", 3}};  // so that no quality sets others
+    options.settings.insert(options.settings.end(), settings.begin(), settings.end());
     const shot::Shot shot;
     std::string all;
     for (const auto& [name, text] : identifying_metadata(shot, plan_picture(shot, options)))

@@ -78,6 +78,44 @@ TEST(Adaptive, NoiseIsTheRequestedOne) {
   EXPECT_LT(most, 1 << 13);
 }
 
+TEST(Adaptive, TheReportsPredictTheWorkAndStateTheNoise) {
+  Options o = options(64, 48, 1 << 12, 3);
+  o.noise = 0.2;
+  std::vector<NoiseReport> reports;
+  std::vector<double> seconds;
+  RenderCallbacks callbacks;
+  callbacks.noise = [&](const NoiseReport& report, double left) {
+    reports.push_back(report), seconds.push_back(left);
+  };
+  const image::Image picture = render(hall(), o, Progress::none(), callbacks);
+  ASSERT_GE(reports.size(), 3u);
+  const NoiseReport& last = reports.back();
+  EXPECT_EQ(last.missing, 0);
+  EXPECT_EQ(seconds.back(), 0);
+  EXPECT_LT(last.noise, o.noise);  // each block has it, and some are better
+  EXPECT_GT(last.noise, 0.3 * o.noise);
+  EXPECT_NEAR(last.samples, mean_of(picture, "samples").value, 1e-3 * last.samples);
+  const auto pixels = static_cast<double>(picture.pixel_count());
+  for (size_t i = 0; i + 1 < reports.size(); ++i) {
+    EXPECT_LT(reports[i].samples, reports[i + 1].samples);
+    EXPECT_GT(reports[i].noise, reports[i + 1].noise);
+    EXPECT_GT(seconds[i], 0);
+    const double expected = reports[i].samples + reports[i].missing / pixels;
+    // The first samples of a dim hall lack most of its bright paths.
+    const double factor = i + 3 < reports.size() ? 6 : 2;
+    EXPECT_LT(expected, factor * last.samples) << i;
+    EXPECT_GT(expected, last.samples / factor) << i;
+  }
+}
+
+TEST(Adaptive, WithoutALimitNothingIsReported) {
+  Options o = options(16, 16, 32, 2);
+  RenderCallbacks callbacks;
+  callbacks.noise = [](const NoiseReport&, double) { ADD_FAILURE(); };
+  callbacks.pass = [](const RenderState&) {};
+  render(hall(), o, Progress::none(), callbacks);
+}
+
 TEST(Adaptive, ThreadsDoNotMatter) {
   Options o = options(70, 50, 128, 2);
   o.noise = 0.08;

@@ -58,13 +58,35 @@ std::string time_text(double seconds) {
   return fmt::format("about {:.1f} h", seconds / 3600);
 }
 
+constexpr double kWorthAnEstimate = 5;  // seconds
+
 /// Prints the estimate of the rendering and of the whole picture, on which `before` seconds have
-/// been spent.
-void print_estimate(double before, double seconds, double bytes) {
-  if (seconds < 5 && bytes < 0x1p30) return;  // too short to report
+/// been spent. `most`: a limit for the noise may end it earlier.
+void print_estimate(double before, double seconds, double bytes, bool most) {
+  if (seconds < kWorthAnEstimate && bytes < 0x1p30) return;
   clear_progress_bar();
-  fmt::print(stderr, "rendering takes {} and {}, after {:.0f} s of preparation: {} in all\n",
-             time_text(seconds), bytes_text(bytes), before, time_text(before + seconds));
+  fmt::print(stderr, "rendering takes {}{} and {}, after {:.0f} s of preparation: {}{} in all\n",
+             most ? "at most " : "", time_text(seconds), bytes_text(bytes), before,
+             most ? "at most " : "", time_text(before + seconds));
+}
+
+/// Prints the noise so far and the remaining time, or at the end the noise that was reached.
+void print_noise(const render::NoiseReport& report, double seconds,
+                 const shot::RenderSettings& set) {
+  const bool end = report.missing <= 0;
+  if (!end && seconds < kWorthAnEstimate) return;
+  const double limit = 100 * set.noise;
+  std::string text = fmt::format("noise {:.1f} % with {:.0f} samples per pixel", 100 * report.noise,
+                                 report.samples);
+  if (!end) {
+    text += fmt::format("; rendering to {:.3g} % takes {} more", limit, time_text(seconds));
+  } else if (report.noise > set.noise) {
+    double spp = set.spp;
+    while (spp < set.spp * report.noise * report.noise / (set.noise * set.noise)) spp *= 2;
+    text += fmt::format(", the most that spp allows; {:.3g} % needs about {:.0f}", limit, spp);
+  }
+  clear_progress_bar();
+  fmt::print(stderr, "{}\n", text);
 }
 
 /// Renders and writes one picture of the loaded scene.
@@ -78,7 +100,12 @@ void render_one(const RenderOptions& options, building::Builder& builder,
   picture::RenderOptions render = options.render;
   if (!options.work.quiet)
     render.estimate = [&](double seconds, double bytes) {
-      print_estimate(stage_times().total_seconds() - start, seconds, bytes);
+      print_estimate(stage_times().total_seconds() - start, seconds, bytes,
+                     plan.render.settings.noise > 0);
+    };
+  if (!options.work.quiet)
+    render.noise = [&](const render::NoiseReport& report, double seconds) {
+      print_noise(report, seconds, plan.render.settings);
     };
   bool warned = false;  // about the exposure
   if (!options.untested)

@@ -140,8 +140,10 @@ const DeclarationKind& render_declaration() {
           return Value();
         }
         const bool included = declaration.where.file != context.document.sources.at(0)->file;
-        context.shot.renders.push_back(
-            {declaration.name, std::move(*settings), declaration.where, included});
+        shot::RenderPlan plan{
+            declaration.name, std::move(*settings), declaration.where, included, {}};
+        for (const scene::Entry& entry : declaration.entries) plan.stated.push_back(entry.key);
+        context.shot.renders.push_back(std::move(plan));
         return Value(Value::Name{declaration.name});
       }};
   return kind;

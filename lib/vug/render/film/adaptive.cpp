@@ -50,34 +50,75 @@ double key_of(const RenderState& state) {
   return lit > 0 ? maths::exp(sum / lit) : 0;
 }
 
-}  // namespace
+/// The squared noise of the tiles.
+struct TileNoises {
+  std::vector<double> own;   ///< Sum over the pixels of each tile.
+  std::vector<double> near;  ///< Mean over the pixels of each tile and its eight neighbours.
+};
 
-void mark_converged(RenderState& state, double noise) {
-  const Region& region = state.region;
+TileNoises tile_noises(const RenderState& state) {
   const double floor = kFloorOfKey * key_of(state);
-  std::vector<double> noises(state.done.size()), pixels(state.done.size());
-  for (size_t i = 0; i < noises.size(); ++i) {
+  TileNoises out{std::vector<double>(state.done.size()), std::vector<double>(state.done.size())};
+  std::vector<double> pixels(state.done.size());
+  for (size_t i = 0; i < out.own.size(); ++i) {
     const Region tile = state.tile(i);
-    noises[i] = squared_noise(state.film, tile, floor);
+    out.own[i] = squared_noise(state.film, tile, floor);
     pixels[i] = static_cast<double>(tile.pixels());
   }
-  const int across = (region.width() + state.tile_size - 1) / state.tile_size;
-  const int down = static_cast<int>(noises.size()) / across;
+  const int across = (state.region.width() + state.tile_size - 1) / state.tile_size;
+  const int down = static_cast<int>(out.own.size()) / across;
   const auto number = [&](int x, int y) {
     return static_cast<size_t>(y) * static_cast<size_t>(across) + static_cast<size_t>(x);
   };
   for (int y = 0; y < down; ++y)
     for (int x = 0; x < across; ++x) {
-      const size_t tile = number(x, y);
-      if (state.converged[tile] || state.done[tile] - state.begin < kMinAdaptiveSamples) continue;
       double near = 0, count = 0;
       for (int v = std::max(0, y - 1); v <= std::min(down - 1, y + 1); ++v)
         for (int u = std::max(0, x - 1); u <= std::min(across - 1, x + 1); ++u) {
           const size_t neighbour = number(u, v);
-          near += noises[neighbour], count += pixels[neighbour];
+          near += out.own[neighbour], count += pixels[neighbour];
         }
-      if (near <= noise * noise * count) state.converged[tile] = 1;
+      out.near[number(x, y)] = near / count;
     }
+  return out;
+}
+
+/// The samples after which a tile of that squared noise is expected to converge. Tiles stop after
+/// powers of two.
+double expected_samples(double squared, double limit, double done, double most) {
+  const double needed = done * squared / (limit * limit);
+  double stop = kMinAdaptiveSamples;
+  while (stop < needed && stop < most) stop *= 2;
+  return std::min(stop, most);
+}
+
+}  // namespace
+
+void mark_converged(RenderState& state, double noise) {
+  const TileNoises noises = tile_noises(state);
+  for (size_t tile = 0; tile < noises.near.size(); ++tile)
+    if (state.done[tile] - state.begin >= kMinAdaptiveSamples && noises.near[tile] <= noise * noise)
+      state.converged[tile] = 1;
+}
+
+NoiseReport noise_report(const RenderState& state, double noise) {
+  const TileNoises noises = tile_noises(state);
+  const auto most = static_cast<double>(state.end - state.begin);
+  NoiseReport report;
+  double pixels = 0;
+  for (size_t tile = 0; tile < noises.own.size(); ++tile) {
+    const auto area = static_cast<double>(state.tile(tile).pixels());
+    const auto done = static_cast<double>(state.done[tile] - state.begin);
+    pixels += area;
+    report.noise += noises.own[tile];
+    report.samples += area * done;
+    if (!state.converged[tile])
+      report.missing +=
+          area * std::max(0.0, expected_samples(noises.near[tile], noise, done, most) - done);
+  }
+  report.noise = std::sqrt(report.noise / pixels);
+  report.samples /= pixels;
+  return report;
 }
 
 }  // namespace vug::render

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks the tiles of a picture that have enough samples, from the noise of their pixels.
+// The noise of the tiles of a picture: marks those that have enough samples, and predicts how many
+// samples the others still need.
 #pragma once
 
+#include <vug/render/film/noise_report.h>
 #include <vug/render/film/render_state.h>
 
 namespace vug::render {
@@ -15,5 +17,9 @@ namespace vug::render {
 /// result depends only on the film. For states of whole pictures.
 constexpr uint32_t kMinAdaptiveSamples = 16;
 void mark_converged(RenderState& state, double noise);
+
+/// The noise of the picture so far and the samples that the limit `noise` still needs. Depends only
+/// on the film, too.
+NoiseReport noise_report(const RenderState& state, double noise);
 
 }  // namespace vug::render

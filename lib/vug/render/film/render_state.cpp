@@ -12,6 +12,7 @@
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <shared_mutex>
 #include <utility>
 #include <vector>
@@ -68,6 +69,7 @@ class AccumulatingSink final : public TileSink {
   void reached(uint32_t count) override {
     if (!stops_.at(count)) return;
     if (noise_ > 0 && count < state_.end) mark_converged(state_, noise_);
+    if (noise_ > 0 && callbacks_.noise) report_noise(count);
     if (callbacks_.pass) callbacks_.pass(state_);
   }
   std::pair<uint64_t, uint64_t> invalid_samples() const override {
@@ -86,6 +88,19 @@ class AccumulatingSink final : public TileSink {
   }
 
  private:
+  /// The time of a sample is that of the samples since the first stop, which costs more.
+  void report_noise(uint32_t count) {
+    const NoiseReport report = noise_report(state_, noise_);
+    const double now = std::chrono::duration<double>(SaveClock::now().time_since_epoch()).count();
+    if (!first_) first_.emplace(report.samples, now);
+    const auto [samples, begun] = *first_;
+    if (count == state_.end) return callbacks_.noise(report, 0);
+    const bool early = count - state_.begin < kMinAdaptiveSamples;
+    if (early || report.missing <= 0 || report.samples <= samples) return;
+    const auto pixels = static_cast<double>(state_.region.pixels());
+    const double taken = (report.samples - samples) * pixels;
+    callbacks_.noise(report, (now - begun) * report.missing / taken);
+  }
   bool due() const {
     const std::chrono::duration<double> since = SaveClock::now().time_since_epoch() - saved_.load();
     return since.count() >= interval_;
@@ -97,7 +112,8 @@ class AccumulatingSink final : public TileSink {
   std::map<uint32_t, bool> stops_;
   std::shared_mutex saving_;
   std::atomic<SaveClock::duration> saved_ = SaveClock::now().time_since_epoch();
-  std::atomic<double> interval_;  ///< Save interval in seconds.
+  std::atomic<double> interval_;                    ///< Save interval in seconds.
+  std::optional<std::pair<double, double>> first_;  ///< Mean samples and time of the first stop.
 };
 
 }  // namespace
@@ -121,7 +137,9 @@ RenderState begin_render(const Options& options, const RenderSlice& slice) {
     throw Error(ErrorCode::bad_input,
                 "a part of a picture cannot use 'noise': the number of samples is decided for the "
                 "whole picture",
-                {}, "remove 'noise', or render the whole picture");
+                {},
+                "give a number of samples without 'noise', such as --spp 64, or render the whole "
+                "picture");
   const auto line = [&](int band) {
     return region.y0 + static_cast<int>(int64_t{lines} * band / slice.bands);
   };
