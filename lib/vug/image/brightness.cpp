@@ -3,6 +3,9 @@
 #include <vug/image/brightness.h>
 #include <vug/image/colour_channels.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace vug::image {
@@ -33,6 +36,26 @@ double percentile(std::vector<double>& values, double share) {
   return *at;
 }
 
+std::vector<double> above(const std::vector<double>& values, double limit) {
+  std::vector<double> out;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(out),
+               [&](double value) { return value > limit; });
+  return out;
+}
+
+/// The luminances of the pixels that show a surface, if the picture has enough of them; else all.
+std::vector<double> of_surfaces(const Image& picture, const std::vector<double>& luminance) {
+  constexpr size_t kLeast = 20;  // at least one pixel in 20
+  const int alpha = picture.find_channel("A");
+  if (alpha < 0) return luminance;
+  const size_t channels = picture.channels.size();
+  std::vector<double> out;
+  for (size_t p = 0; p < luminance.size(); ++p)
+    if (picture.pixels[p * channels + static_cast<size_t>(alpha)] >= 0.5f)
+      out.push_back(luminance[p]);
+  return out.size() * kLeast < luminance.size() ? luminance : out;
+}
+
 }  // namespace
 
 double fraction_above(const Image& linear, double luminance, WorkingSpace space) {
@@ -55,13 +78,24 @@ std::optional<double> grey_exposure(const Image& linear, WorkingSpace space) {
 }
 
 std::optional<double> metered_exposure(const Image& linear, WorkingSpace space) {
-  constexpr double kLit = 1.0 / 16, kMiddle = 0.16, kHighlight = 6;
   std::vector<double> all = luminance_of_pixels(linear, space);
   if (std::none_of(all.begin(), all.end(), [](double luminance) { return luminance > 0; }))
     return {};
-  const double dark = kLit * percentile(all, 0.9), most = kHighlight / percentile(all, 0.995);
-  std::erase_if(all, [&](double luminance) { return luminance <= dark; });
-  return maths::log2(std::min(kMiddle / percentile(all, 0.5), most));
+  std::vector<double> surfaces = of_surfaces(linear, all);
+  const double bright = percentile(surfaces, 0.9);
+  std::vector<double> lit = above(surfaces, bright / 16);
+  const double share = static_cast<double>(lit.size()) / static_cast<double>(surfaces.size());
+  if (lit.empty()) lit = above(all, 0);  // only the sky shines
+  const double middle = 0.16 / percentile(lit, 0.5);
+  double exposure = std::min(middle, 6 / percentile(all, 0.995));
+  std::vector<double> reached = above(surfaces, bright / 1024);
+  if (!reached.empty()) {
+    const double shade = 0.06 / percentile(reached, 0.5);
+    const double raised = middle * std::exp2(std::clamp(25 * (0.3 - share), 0.0, 5.0));
+    exposure = std::max(exposure, std::min({shade, raised, 3 / percentile(surfaces, 0.95),
+                                            8 / percentile(surfaces, 0.98)}));
+  }
+  return maths::log2(exposure);
 }
 
 }  // namespace vug::image

@@ -3,6 +3,7 @@
 #include <vug/image/brightness.h>
 #include <vug/image/denoise.h>
 #include <vug/image/ocio_view.h>
+#include <vug/image/views.h>
 #include <vug/render/prepare.h>
 #include <vug/scout/contact_sheet.h>
 
@@ -109,11 +110,14 @@ image::Image render_thumbnail(const Location& location, const picture::PicturePl
   part.world = std::make_shared<const render::PreparedScene>(*location.world, scene,
                                                              std::vector<render::LightPtr>());
   const render::PreparedRender prepared = render::prepare(scene, render, part, progress);
-  image::Image picture = image::denoise(render::render(prepared, progress));
+  const image::Image rendered = render::render(prepared, progress);
+  image::Image picture = image::denoise(rendered);
   picture.channels = {"R", "G", "B"};
   image::ViewOptions view = image::view_options(
       {settings.view, settings.display, plan.options.config}, settings.working_space);
-  view.exposure = image::metered_exposure(picture, settings.working_space).value_or(0);
+  view.exposure = image::metered_exposure(image::joined(picture, rendered.select({"A"})),
+                                          settings.working_space)
+                      .value_or(0);
   return image::display(picture, view);
 }
 

@@ -51,6 +51,51 @@ TEST(Metering, HighlightsLimitTheExposure) {
   EXPECT_NEAR(exposed(0.01, lamp), 0.16, 1e-6);
 }
 
+/// The same with alpha; `sky` pixels of that luminance have none.
+Image with_sky(const std::vector<std::pair<size_t, float>>& areas, size_t count, float luminance) {
+  std::vector<std::pair<size_t, float>> all = areas;
+  all.emplace_back(count, luminance);
+  const Image plain = picture_of(all);
+  Image out(plain.width, 1, {"R", "G", "B", "A"});
+  const size_t pixels = plain.pixel_count();
+  for (size_t p = 0; p < pixels; ++p) {
+    for (size_t c = 0; c < 3; ++c) out.pixels[4 * p + c] = plain.pixels[3 * p + c];
+    out.pixels[4 * p + 3] = p < pixels - count ? 1.0f : 0.0f;
+  }
+  return out;
+}
+
+TEST(Metering, ACaveBehindABrightMouthIsNotBlack) {
+  // The sky is eleven stops brighter than the rock: it becomes white rather than the rock black.
+  const Image mouth = with_sky({{850, 0.05f}}, 150, 100);
+  EXPECT_NEAR(exposed(0.05, mouth), 0.06, 1e-6);
+  // A sky that the picture can show together with the rock does not change the exposure.
+  EXPECT_NEAR(exposed(0.05, with_sky({{850, 0.05f}}, 150, 1)), 0.16, 1e-6);
+  EXPECT_NEAR(exposed(1, with_sky({{20, 1}}, 980, 1)), 0.16, 1e-6) << "hardly any surface";
+}
+
+TEST(Metering, ASunbeamDoesNotMakeTheRestBlack) {
+  for (const float ratio : {30.0f, 100.0f, 400.0f}) {
+    const Image beam = picture_of({{880, 1}, {120, ratio}});
+    EXPECT_LE(exposed(ratio, beam), 3.0001) << ratio;
+    EXPECT_GE(exposed(1, beam), std::min(0.0599, 2.9 / ratio)) << ratio;
+  }
+  // Half of the rock is lit: the other half may be black.
+  const Image lamp = picture_of({{500, 0.005f}, {500, 1}});
+  EXPECT_NEAR(exposed(1, lamp), 0.16, 1e-6);
+  // Surfaces without any light do not count.
+  const Image dark = picture_of({{880, 1e-5f}, {120, 1}});
+  EXPECT_NEAR(exposed(1, dark), 0.16, 1e-6);
+}
+
+TEST(Metering, IsContinuousInTheShareOfTheLitPart) {
+  const auto stops = [](size_t lit) {
+    return *metered_exposure(picture_of({{1000 - lit, 0.01f}, {lit, 1}}));
+  };
+  // Below, the 90th percentile jumps.
+  for (size_t lit = 102; lit <= 600; ++lit) EXPECT_NEAR(stops(lit), stops(lit - 1), 0.05) << lit;
+}
+
 TEST(Metering, BrokenPixelsCountAsBlackAndBlackPicturesHaveNone) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_NEAR(exposed(1, picture_of({{50, nan}, {50, 1}})), 0.16, 1e-6);
