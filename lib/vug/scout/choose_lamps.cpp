@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The choice of lamps for a shot, and of their powers.
 #include <vug/base/maths.h>
+#include <vug/scout/key_ratio.h>
 #include <vug/scout/lamps.h>
-#include <vug/scout/nnls.h>
 #include <vug/scout/trace_view.h>
 
 #include <algorithm>
@@ -57,7 +57,8 @@ struct Mix {
 };
 
 /// Adds the lamp that improves the fit most, as long as one does.
-Mix best_mix(const std::vector<std::vector<double>>& means, const std::vector<double>& target) {
+Mix best_mix(const std::vector<std::vector<double>>& means, const std::vector<double>& target,
+             const KeyRatio& held) {
   Mix best;
   for (const double each : target) best.fit.residual += each * each;
   const double start = best.fit.residual;
@@ -70,7 +71,7 @@ Mix best_mix(const std::vector<std::vector<double>>& means, const std::vector<do
       tried.lamps.push_back(i);
       std::vector<std::vector<double>> columns;
       for (const size_t k : tried.lamps) columns.push_back(means[k]);
-      tried.fit = fit_non_negative(columns, target);
+      tried.fit = fit_with_key(std::move(columns), target, held);
       if (tried.fit.residual < next.fit.residual) next = std::move(tried);
     }
     if (next.fit.residual > best.fit.residual - kLeastGain * start) break;
@@ -112,7 +113,7 @@ std::vector<Lamp> powered(const std::vector<Lamp>& places, const Mix& mix, doubl
 
 std::vector<Lamp> choose_lamps(const Location& location, const render::Camera& camera,
                                const std::vector<std::filesystem::path>& data_folders,
-                               const Landmarks& landmarks, RandomKey key) {
+                               const Landmarks& landmarks, RandomKey key, double key_ratio) {
   const View view = trace_view(*location.world, camera);
   const std::vector<Lamp> places = lamp_places(location, camera, view, landmarks, key.at("places"));
   if (places.empty()) return {};
@@ -130,10 +131,18 @@ std::vector<Lamp> choose_lamps(const Location& location, const render::Camera& c
   std::vector<double> target(4, 0);
   for (const Part part : parts)
     if (part != Part::none) target[static_cast<size_t>(part)] = kTargets[static_cast<size_t>(part)];
-  if (daylight > 0)
+  KeyRatio held{0, std::max(1.0, key_ratio), 0};
+  for (size_t k = 0; k < 4; ++k)
+    if (target[k] > target[held.part] && target[static_cast<size_t>(Part::subject)] == 0)
+      held.part = k;
+  if (daylight > 0) {
+    for (size_t k = 0; k < 4; ++k)
+      if (given[k] / kTargets[k] >= daylight) held.part = k;
+    held.sky = comparable(given)[held.part] / daylight;
     for (size_t k = 0; k < 4; ++k) target[k] = std::max(0.0, target[k] - given[k] / daylight);
+  }
   target = comparable(target);
-  const Mix mix = best_mix(means, target);
+  const Mix mix = best_mix(means, target, held);
   return powered(places, mix, daylight, median_distance(view));
 }
 

@@ -12,6 +12,11 @@ namespace vug::scout {
 namespace {
 
 constexpr float kPixelBlack = 0.004f;
+constexpr float kJump = 1.3f;               // ratio of the distances at an edge
+constexpr float kContrast = 4;              // ratio of the luminances at a silhouette
+constexpr float kVisible = 0.04f;           // exposed luminance of what is behind a silhouette
+constexpr double kEnoughSilhouettes = 0.5;  // of the width
+constexpr double kFlat = 0.7;               // factor of a picture without silhouettes
 
 Vec2f two(RandomStream& random) {
   const auto u = static_cast<float>(random.uniform());
@@ -71,6 +76,24 @@ float radiance_of(const render::PreparedScene& world, const std::vector<render::
   return seen.emission + seen.albedo * light;
 }
 
+/// The number of pairs of neighbours of which the nearer is a silhouette in front of the other.
+/// The sky counts as bright.
+size_t silhouette_edges(const View& view, const std::vector<float>& luminance, float factor) {
+  const auto is_edge = [&](size_t a, size_t b) {
+    if (view.pixels[a].distance > view.pixels[b].distance) std::swap(a, b);
+    if (view.pixels[b].object == kSky) return luminance[a] * factor < kVisible / kContrast;
+    return view.pixels[b].distance > kJump * view.pixels[a].distance &&
+           luminance[b] * factor > kVisible && luminance[b] > kContrast * luminance[a];
+  };
+  size_t edges = 0;
+  for (int y = 0; y < view.height; ++y)
+    for (int x = 0; x < view.width; ++x) {
+      if (x + 1 < view.width && is_edge(view.index(x, y), view.index(x + 1, y))) ++edges;
+      if (y + 1 < view.height && is_edge(view.index(x, y), view.index(x, y + 1))) ++edges;
+    }
+  return edges;
+}
+
 }  // namespace
 
 std::vector<float> illuminate(const render::PreparedScene& world,
@@ -89,7 +112,8 @@ std::vector<float> illuminate(const render::PreparedScene& world,
 
 double LightTerms::total() const {
   if (bright < 0.02) return 0;
-  return std::clamp((0.85 - black) / 0.35, 0.0, 1.0);
+  const double seen = std::min(1.0, silhouettes / kEnoughSilhouettes);
+  return std::clamp((0.85 - black) / 0.35, 0.0, 1.0) * (kFlat + (1 - kFlat) * seen);
 }
 
 image::Image grey_picture(const std::vector<float>& luminance) {
@@ -105,7 +129,7 @@ float percentile_99(std::vector<float> values) {
   return *at;
 }
 
-LightTerms light_terms(const std::vector<float>& luminance) {
+LightTerms light_terms(const std::vector<float>& luminance, const View& view) {
   LightTerms terms;
   const std::optional<double> stops = image::metered_exposure(grey_picture(luminance));
   if (!stops) return terms;
@@ -115,6 +139,7 @@ LightTerms light_terms(const std::vector<float>& luminance) {
                                   [&](float value) { return value * factor < kPixelBlack; });
   terms.black = static_cast<double>(dark) / static_cast<double>(luminance.size());
   terms.bright = static_cast<double>(percentile_99(luminance) * factor);
+  terms.silhouettes = static_cast<double>(silhouette_edges(view, luminance, factor)) / view.width;
   return terms;
 }
 

@@ -33,10 +33,15 @@ struct LightTerms {
   double stops = 0;   ///< The metered exposure; 0 without light.
   double black = 1;   ///< Share of the pixels below 0.004 at that exposure.
   double bright = 0;  ///< The 99th percentile at that exposure.
+  /// Length of the edges at which a dark surface is seen in front of one that is at least four
+  /// times as bright and visible at that exposure, relative to the width of the picture.
+  double silhouettes = 0;
 
-  /// 1 if up to half of the picture is black, 0 if 85 % are.
+  /// At most 1: the factor of the blacks, which is 1 if up to half of the picture is black and 0
+  /// if 85 % are, times 0.7 without silhouettes and 1 if they are at least half as long as the
+  /// picture is wide.
   double total() const;
 };
-LightTerms light_terms(const std::vector<float>& luminance);
+LightTerms light_terms(const std::vector<float>& luminance, const View& view);
 
 }  // namespace vug::scout

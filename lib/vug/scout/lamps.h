@@ -48,6 +48,9 @@ std::vector<render::LightPtr> lights_of(const std::vector<Lamp>& lamps,
 std::vector<Lamp> lamp_places(const Location& location, const render::Camera& camera,
                               const View& view, const Landmarks& landmarks, RandomKey key);
 
+/// Key to fill, as photographers light caves.
+inline constexpr double kKeyRatio = 8;
+
 /// The parts of a view that get different amounts of light.
 enum class Part { subject, walls, foreground, deepest, none };
 
@@ -62,8 +65,13 @@ std::vector<Part> parts_of(const View& view, const Landmarks& landmarks);
 /// root of its target. The powers are those of products: 1, 1.5, 2, 3, 5 and 8 times a power of
 /// ten. The exposure takes up a common factor; under a sky, lamps add what is missing relative to
 /// its light.
+///
+/// `key_ratio`: the lamp that lights the subject most, the key, gives it at least this many times
+/// the light of all other lamps (but for the rounding of the powers). Where the sky shines in, it
+/// is the key, and the part that it lights best takes the place of the subject.
 std::vector<Lamp> choose_lamps(const Location& location, const render::Camera& camera,
                                const std::vector<std::filesystem::path>& data_folders,
-                               const Landmarks& landmarks, RandomKey key);
+                               const Landmarks& landmarks, RandomKey key,
+                               double key_ratio = kKeyRatio);
 
 }  // namespace vug::scout

@@ -62,12 +62,12 @@ class Search {
       ScoutedShot& shot = shots[i];
       const auto camera = camera_of(shot.candidate.pose);
       shot.lamps = choose_lamps(location_, *camera, options_.data_folders, landmarks_,
-                                key_.at("lamps").at(i));
+                                key_.at("lamps").at(i), options_.key_ratio);
       std::vector<render::LightPtr> lights = lights_of(shot.lamps, options_.data_folders);
       lights.insert(lights.end(), location_.scene.lights.begin(), location_.scene.lights.end());
       const View view = trace_view(*location_.world, *camera, kLitWidth, kLitHeight);
       const auto luminance = illuminate(*location_.world, lights, view, key_.at("light"));
-      shot.score *= light_terms(luminance).total();
+      shot.score *= light_terms(luminance, view).total();
       progress_.check();
       progress_.advance();
     }
@@ -105,7 +105,7 @@ class Search {
       const View small = trace_view(*location_.world, *camera, kLitWidth, kLitHeight);
       const auto light =
           illuminate(*location_.world, location_.scene.lights, small, key_.at("light"));
-      trial.rated.score *= light_terms(light).total();
+      trial.rated.score *= light_terms(light, small).total();
     }
     return trial;
   }

@@ -19,6 +19,7 @@ struct ScoutOptions {
   uint64_t seed = 0;
   /// Score the light of the scene's own lamps, too: dark views are not chosen.
   bool judge_light = true;
+  double key_ratio = kKeyRatio;  ///< See choose_lamps.
   /// Where kit/lamps.vug is searched, for a location that is not lit.
   std::vector<std::filesystem::path> data_folders;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The estimate of light against closed forms.
 #include "rooms.h"
+#include "synthetic.h"
 
 #include <vug/base/parallel.h>
 #include <vug/render/kinds.h>
@@ -77,16 +78,40 @@ TEST(Illumination, TheSameForAnyNumberOfThreads) {
 }
 
 TEST(Illumination, DarkPicturesAreWorthless) {
-  const View view(kViewWidth, kViewHeight);
+  const View view = view_of([](double, double) { return surface(5); });
   const size_t n = view.pixels.size();
-  EXPECT_EQ(light_terms(std::vector<float>(n, 0)).total(), 0);
-  EXPECT_EQ(light_terms(std::vector<float>(n, 5)).total(), 1);
+  const auto terms = [&](const std::vector<float>& luminance) {
+    return light_terms(luminance, view);
+  };
+  const double flat = terms(std::vector<float>(n, 5)).total();
+  EXPECT_GT(flat, 0.5);
+  EXPECT_LT(flat, 1);
+  EXPECT_EQ(terms(std::vector<float>(n, 0)).total(), 0);
   std::vector<float> half(n, 0);
   std::fill_n(half.begin(), n / 2, 1.0f);
-  EXPECT_NEAR(light_terms(half).black, 0.5, 1e-3);
-  EXPECT_EQ(light_terms(half).total(), 1);
+  EXPECT_NEAR(terms(half).black, 0.5, 1e-3);
+  EXPECT_EQ(terms(half).total(), flat) << "half of a good picture may be black";
   std::fill_n(half.begin() + static_cast<std::ptrdiff_t>(n / 10), n / 2, 0.0f);
-  EXPECT_LT(light_terms(half).total(), 0.01);
+  EXPECT_LT(terms(half).total(), 0.01);
+}
+
+TEST(Illumination, ADarkPillarInFrontOfALitWallIsASilhouette) {
+  // A quarter of the width, full height: two edges, each as long as the picture is high.
+  const auto is_pillar = [](double u) { return u > 0.375 && u < 0.625; };
+  const View view = view_of([&](double u, double) { return surface(is_pillar(u) ? 4 : 12); });
+  const auto lit = [&](float pillar, float wall) {
+    std::vector<float> luminance;
+    for (int y = 0; y < view.height; ++y)
+      for (int x = 0; x < view.width; ++x)
+        luminance.push_back(is_pillar((x + 0.5) / view.width) ? pillar : wall);
+    return light_terms(luminance, view);
+  };
+  EXPECT_DOUBLE_EQ(lit(0.1f, 1).silhouettes, 2.0 * kViewHeight / kViewWidth);
+  EXPECT_EQ(lit(0.1f, 1).total(), 1);
+  EXPECT_EQ(lit(0.3f, 1).silhouettes, 0) << "hardly darker";
+  EXPECT_EQ(lit(1, 0.1f).silhouettes, 0) << "a lit pillar in front of darkness";
+  EXPECT_EQ(lit(1e-6f, 1e-5f).silhouettes, 2.0 * kViewHeight / kViewWidth)
+      << "the exposure decides what is visible";
 }
 
 }  // namespace

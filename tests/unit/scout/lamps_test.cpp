@@ -3,7 +3,7 @@
 #include "rooms.h"
 
 #include <vug/base/parallel.h>
-#include <vug/scout/nnls.h>
+#include <vug/scout/key_ratio.h>
 #include <vug/scout/scout.h>
 #include <vug/scout/shot_text.h>
 #include <vug/scout/trace_view.h>
@@ -49,6 +49,39 @@ TEST(Fit, MeetsTheConditionsOfTheConstrainedMinimum) {
   }
   EXPECT_EQ(fit.weights[1], 0);
   EXPECT_EQ(fit.weights[2], 0) << "a column of zeros";
+}
+
+/// Light of each lamp on the first part.
+std::vector<double> on_subject(const std::vector<std::vector<double>>& columns,
+                               const NonNegativeFit& fit) {
+  std::vector<double> light;
+  for (size_t j = 0; j < columns.size(); ++j) light.push_back(fit.weights[j] * columns[j][0]);
+  return light;
+}
+
+TEST(KeyRatio, LimitsTheLightOfTheOtherLampsOnTheSubject) {
+  const std::vector<std::vector<double>> columns = {{1, 0.1, 0.3}, {0.8, 0.7, 0.1}, {0.5, 0, 1}};
+  const std::vector<double> target = {1, 0.6, 0.9};
+  const auto plain = on_subject(columns, fit_non_negative(columns, target));
+  ASSERT_GT(4 * (plain[0] + plain[2]), plain[1]) << "without the ratio, it is not held";
+  for (const double ratio : {4.0, 8.0, 50.0}) {
+    const auto light = on_subject(columns, fit_with_key(columns, target, {0, ratio, 0}));
+    EXPECT_GE(1.01 * light[1], ratio * (light[0] + light[2])) << ratio;
+    EXPECT_LE(0.9 * light[1], ratio * (light[0] + light[2])) << "and no lower than needed";
+    EXPECT_GT(light[1], 0.3);
+  }
+}
+
+TEST(KeyRatio, ChangesNothingWhereItIsHeldAnyway) {
+  const std::vector<std::vector<double>> columns = {{1, 0.1}, {0.05, 0.7}};
+  const NonNegativeFit plain = fit_non_negative(columns, {1, 0.6});
+  EXPECT_EQ(fit_with_key(columns, {1, 0.6}, {0, 8, 0}).weights, plain.weights);
+}
+
+TEST(KeyRatio, UnderASkyAllLampsAreFill) {
+  const std::vector<std::vector<double>> columns = {{0.6, 0.4}, {0.9, 1}};
+  const auto light = on_subject(columns, fit_with_key(columns, {0.5, 2}, {0, 8, 1}));
+  EXPECT_NEAR(light[0] + light[1], 1.0 / 8, 0.01);
 }
 
 TEST(Lamps, TheTextOfALampIsOneOfTheKit) {
@@ -113,9 +146,39 @@ TEST(Lamps, ADarkHallGetsAMixThatIsNeitherBlackNorFlat) {
   const View view = trace_view(*room.location.world, camera);
   const auto luminance =
       illuminate(*room.location.world, lights_of(lamps, kData), view, RandomKey(2));
-  EXPECT_EQ(light_terms(luminance).total(), 1);
+  EXPECT_LE(light_terms(luminance, view).black, 0.5);
+  EXPECT_GE(light_terms(luminance, view).bright, 0.02);
   EXPECT_EQ(lamps_text(choose(2), "", "k"), lamps_text(lamps, "", "k"));
   EXPECT_EQ(lamps_text(choose(7), "", "k"), lamps_text(lamps, "", "k"));
+}
+
+/// The mean light of each lamp on the subject of a view.
+std::vector<double> light_on_subject(const Room& room, const std::vector<Lamp>& lamps,
+                                     const View& view) {
+  const std::vector<Part> parts = parts_of(view, {});
+  std::vector<double> light;
+  for (const render::LightPtr& each : lights_of(lamps, kData)) {
+    const auto luminance = illuminate(*room.location.world, {each}, view, RandomKey(5));
+    double sum = 0;
+    for (size_t i = 0; i < parts.size(); ++i)
+      if (parts[i] == Part::subject) sum += static_cast<double>(luminance[i]);
+    light.push_back(sum);
+  }
+  return light;
+}
+
+TEST(Lamps, TheKeyHoldsItsRatioToAllOthers) {
+  const Room room(dark_hall());
+  const render::Camera& camera = *room.loaded.shot.cameras[0].camera;
+  const View view = trace_view(*room.location.world, camera);
+  for (const double ratio : {1.5, 8.0, 60.0}) {
+    const auto lamps = choose_lamps(room.location, camera, kData, {}, RandomKey(1), ratio);
+    const std::vector<double> light = light_on_subject(room, lamps, view);
+    double all = 0, key = 0;
+    for (const double each : light) all += each, key = std::max(key, each);
+    // Powers are rounded to those of products, by up to 1.29 each.
+    EXPECT_GT(key * 1.7, ratio * (all - key)) << ratio;
+  }
 }
 
 TEST(Lamps, RelightingReplacesTheLampsButNotTheSky) {

@@ -27,6 +27,7 @@ struct ScoutCommand {
   int spp = scout::SheetOptions{}.spp;
   std::string render, output;
   bool relight = false;
+  double key_ratio = scout::ScoutOptions{}.key_ratio;
   std::optional<uint64_t> shot_seed;
 };
 
@@ -62,6 +63,7 @@ int run_scout(const ScoutCommand& options) {
   scout::ScoutOptions choice;
   choice.data_folders = loading::data_folders();
   choice.shots = wanted;
+  choice.key_ratio = options.key_ratio;
   choice.seed = options.shot_seed.value_or(scene.loaded.shot.seed);
   const scout::ScoutResult found = scout::find_shots(location, choice, progress);
   report_search(found, options);
@@ -107,6 +109,10 @@ Verb scout_verb() {
             ->type_name("NAME");
         app.add_flag("--relight", options->relight,
                      "Light the shots with lamps in place of the scene's own; the sky remains");
+        app.add_option("--key-ratio", options->key_ratio,
+                       "Light of the key on the subject relative to that of all other lamps; "
+                       "default 8")
+            ->transform(number_in(Dimension::none, 1, 1000));
         app.add_option("--spp", options->spp, "Samples per pixel of the sheet; default 8")
             ->check(integer_in(1, 4096));
         options->work.add_to(app);
