@@ -173,6 +173,12 @@ void CompletionList::add_values() {
   if (call && call->begins && call->argument.empty() && !context_.in_list && !context_.in_vector)
     add_arguments();
   add_choices(expectation);
+  if (context_.in_block && !call && context_.key == "kind") {  // a kind without its brackets
+    for (const CallableKind& kind : callable_kinds())
+      if (kind.type == context_.keyword)
+        add({kind.info->name, CompletionKind::choice, kind.type, kind.info->doc, "", kFirst});
+    return;
+  }
   add_names(expectation.type, kNames);
   if (is_arithmetic(expectation.type)) add_functions(kCalls);
   const bool known = loading::find_registry(expectation.type) || expectation.type == "split";
