@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vug::session {
 namespace {
@@ -125,12 +126,22 @@ FacadeFit fit_facade(const FacadePicture& picture, const FacadeFitOptions& optio
   if (options.trust > 0) how.pixel_weight = options.trust;
   how.sampler = options.sampler;
   if (options.doors_at_ground) how.limits = limits_of(picture, size.y);
-  out.reading = fit::fit_facade(evidence, rules, how, key.at("chains"), progress);
   const fit::Model model(rules, how.limits, picture.width, picture.height);
-  fit::TreeState state = model.make_state(out.reading.tree);
-  model.compute_areas(state);
-  out.tree =
-      fit::to_facade_tree(text, model, state, {size.x / picture.width, size.y / picture.height});
+  const auto in_metres = [&](const fit::Tree& tree) {
+    fit::TreeState state = model.make_state(tree);
+    model.compute_areas(state);
+    return fit::to_facade_tree(text, model, state,
+                               {size.x / picture.width, size.y / picture.height});
+  };
+  double least = std::numeric_limits<double>::infinity();
+  if (options.improved)
+    how.sampler.improved = [&](const fit::TreeState& best, double bits) {
+      if (!(bits < least)) return;  // A later run begins again.
+      least = bits;
+      options.improved(in_metres(best.tree), bits);
+    };
+  out.reading = fit::fit_facade(evidence, rules, how, key.at("chains"), progress);
+  out.tree = in_metres(out.reading.tree);
   out.reveal = reveal_of(picture, out.reading);
   set_reveal(out);
   if (options.classifier)

@@ -10,6 +10,7 @@
 #include <vug/fit/learning/pixel_classifier.h>
 #include <vug/session/facade_picture.h>
 
+#include <functional>
 #include <memory>
 
 namespace vug::session {
@@ -31,6 +32,9 @@ struct FacadeFitOptions {
   bool doors_at_ground = true;
   fit::SamplerOptions sampler;
   uint64_t seed = 0;
+  /// Receives each tree that costs fewer bits than all trees before it, on the thread that fits.
+  /// It must not throw.
+  std::function<void(const facade::Tree& best, double bits)> improved = {};
 };
 
 /// The classifier for photos of streets that is distributed with the data, trained by

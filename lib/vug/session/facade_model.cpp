@@ -2,12 +2,15 @@
 #include <vug/facade/grammar_output.h>
 #include <vug/loading/data_folders.h>
 #include <vug/loading/resolver.h>
+#include <vug/scene/check.h>
 #include <vug/scene/parser.h>
 #include <vug/session/facade_model.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <set>
 
 namespace vug::session {
 
@@ -54,6 +57,32 @@ modeller::StyleLoader facade_style_loader(const fs::path& folder) {
     return modeller::Style::make(std::move(document), facade,
                                  std::make_shared<loading::Resolver>());
   };
+}
+
+std::string relative_path_from(const fs::path& folder, const fs::path& file) {
+  return fs::absolute(file)
+      .lexically_normal()
+      .lexically_relative(fs::absolute(folder).lexically_normal())
+      .generic_string();
+}
+
+modeller::SessionHeader moved_header(modeller::SessionHeader header, const fs::path& from,
+                                     const fs::path& to) {
+  if (from == to) return header;
+  if (fs::exists(from / header.grammar))
+    header.grammar = relative_path_from(to, from / header.grammar);
+  if (header.photo) header.photo->file = relative_path_from(to, from / header.photo->file);
+  return header;
+}
+
+std::string valid_grammar_name(const std::string& text) {
+  static const std::set<std::string> taken = {"main", "even", "voxel", "stone", "panes"};
+  std::string out;
+  for (const char c : text) out += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  if (out.empty() || !std::isalpha(static_cast<unsigned char>(out[0])) || taken.count(out) ||
+      !scene::may_name(out))
+    out = "facade_" + out;
+  return out;
 }
 
 std::string pane_voxel(const std::string& voxel) {

@@ -18,6 +18,19 @@ modeller::StyleLoader facade_style_loader(const std::filesystem::path& folder);
 std::filesystem::path find_grammar_file(const std::filesystem::path& folder,
                                         const std::string& file);
 
+/// Path of a file relative to a folder, e.g. of the photo of a session.
+std::string relative_path_from(const std::filesystem::path& folder,
+                               const std::filesystem::path& file);
+
+/// The header for a session that moves to another folder: paths of the grammar, if it is a file of
+/// the old folder, and of the photo are relative to the new folder.
+modeller::SessionHeader moved_header(modeller::SessionHeader header,
+                                     const std::filesystem::path& from,
+                                     const std::filesystem::path& to);
+
+/// Turns a file name into a valid name for a grammar in a scene text.
+std::string valid_grammar_name(const std::string& text);
+
 struct CarvingOptions {
   double voxel = 0.04;     ///< Voxel edge in metres.
   double thickness = 0.6;  ///< Thickness of the wall in metres.

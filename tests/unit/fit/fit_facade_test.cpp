@@ -98,6 +98,24 @@ TEST(Polish, NeverIncreasesBitsAndRepairsTrees) {
   EXPECT_GE(same, 45);
 }
 
+TEST(FitFacade, ReportsImprovementsWithoutAffectingTheResult) {
+  FitOptions options = quick("kt");
+  const FitResult alone = fit_facade(pixels(0.2, false), rules(), options, RandomKey(1));
+  options.runs = 1;
+  std::vector<double> bits;
+  options.sampler.improved = [&](const TreeState& best, double energy) {
+    EXPECT_GT(best.tree.size(), 0);
+    EXPECT_TRUE(bits.empty() || energy < bits.back());
+    bits.push_back(energy);
+  };
+  const FitResult watched = fit_facade(pixels(0.2, false), rules(), options, RandomKey(1));
+  ASSERT_FALSE(bits.empty());
+  EXPECT_DOUBLE_EQ(bits.back(), watched.report.chain_bits);
+  options.runs = 2;
+  options.sampler.improved = [](const TreeState&, double) {};
+  EXPECT_EQ(fit_facade(pixels(0.2, false), rules(), options, RandomKey(1)).tree, alone.tree);
+}
+
 TEST(FitFacade, CancelledRunReturnsTheBestSoFar) {
   Progress progress;
   progress.cancel();

@@ -164,14 +164,9 @@ void edit(const FacadeModelOptions& options, modeller::Session& session) {
 
 /// Writes the session to the output file, with paths relative to its folder.
 void save(const FacadeModelOptions& options, modeller::Session session) {
-  const fs::path to = folder_of(options.output);
-  if (!options.session.empty() && to != folder_of(options.session)) {
-    const fs::path from = folder_of(options.session);
-    if (fs::exists(from / session.header.grammar))
-      session.header.grammar = relative_path_from(to, from / session.header.grammar);
-    if (session.header.photo)
-      session.header.photo->file = relative_path_from(to, from / session.header.photo->file);
-  }
+  if (!options.session.empty())
+    session.header = session::moved_header(std::move(session.header), folder_of(options.session),
+                                           folder_of(options.output));
   write_text(options.output, modeller::session_text(session));
 }
 

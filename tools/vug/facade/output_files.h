@@ -6,18 +6,15 @@
 
 #include <vug/image/image.h>
 #include <vug/scan/range_image.h>
+#include <vug/session/facade_model.h>
 
 #include <filesystem>
 #include <string>
 
 namespace vug::cli {
 
-/// Path of a file relative to a folder, e.g. of a picture that a drawing refers to.
-std::string relative_path_from(const std::filesystem::path& folder,
-                               const std::filesystem::path& file);
-
-/// Turns a file name into a valid name for a grammar in a scene text.
-std::string valid_grammar_name(const std::string& text);
+using session::relative_path_from;
+using session::valid_grammar_name;
 
 /// Builds and writes the volumes of a carved facade, with their recipe. Error(bad_input) if its
 /// scene has errors, which are printed first.

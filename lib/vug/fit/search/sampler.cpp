@@ -3,6 +3,7 @@
 #include <vug/fit/search/sampler.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace vug::fit {
 namespace {
@@ -40,11 +41,19 @@ SamplerResult sample(const MoveContext& context, const SamplerOptions& options, 
       starts.empty() ? std::vector<TreeState>{model.axiom_state()} : starts, key, tempering);
   const int64_t rounds = std::max<int64_t>(1, options.steps / options.per_round);
   const auto warm = static_cast<int64_t>(options.warm_up * static_cast<double>(rounds));
+  double reported = std::numeric_limits<double>::infinity();
+  const auto report = [&] {
+    if (!options.improved || !(chains.best_energy() < reported)) return;
+    reported = chains.best_energy();
+    options.improved(chains.best(), reported);
+  };
+  report();
   if (!progress.cancelled()) progress.begin("sampling", static_cast<uint64_t>(rounds));
   for (int64_t round = 0; round < warm && !progress.cancelled(); ++round) {
     const double left = 1 - static_cast<double>(round) / static_cast<double>(warm);
     chains.set_scale(maths::pow(options.annealing, left));
     chains.run(1, true, progress);
+    report();
   }
   chains.set_scale(1);
   chains.forget_swaps();
@@ -59,6 +68,7 @@ SamplerResult sample(const MoveContext& context, const SamplerOptions& options, 
     model.each_terminal(state, [&](RegionType, int, const Rect&) { ++elements; });
     out.elements.push_back(elements);
     seen[structure_of(model.rules(), state.tree)].push_back(out.trace.size() - 1);
+    report();
   });
   out.stopped = progress.cancelled();
   if (!out.stopped) progress.end();

@@ -7,6 +7,7 @@
 #include <vug/fit/move.h>
 #include <vug/inference/tempering.h>
 
+#include <functional>
 #include <map>
 
 namespace vug::fit {
@@ -20,6 +21,9 @@ struct SamplerOptions {
   int64_t steps = 1'000'000;  ///< Steps per chain.
   double warm_up = 0.7;       ///< Share of the steps used for warm-up, without recording.
   int64_t per_round = 100;    ///< Steps between two exchanges.
+  /// Receives the best state so far and its energy in bits after each round that improved it, on
+  /// the thread that samples. It must not throw.
+  std::function<void(const TreeState& best, double bits)> improved = {};
 };
 
 /// Number of rounds spent in trees of one structure, which differ in numbers only.
