@@ -54,3 +54,5 @@ vug_family(exchange programs      programs              Program                 
 vug_family(fit      likelihoods   likelihood_kinds      LikelihoodKind            likelihood   likelihood.h)
 vug_family(fit      moves         move_kinds            MoveKind                  move         move.h)
 vug_family(modeller edits         edit_kinds            EditKind                  edit         edit.h)
+vug_family(workbench commands     commands              Command                   command      command.h)
+vug_family(workbench queries      queries               Query                     query        query.h)
