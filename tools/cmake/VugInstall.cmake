@@ -21,6 +21,11 @@ if(TARGET vug)
   install(TARGETS vug RUNTIME)
 endif()
 
+if(TARGET vug-studio)
+  vug_install_rpath(vug-studio ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS vug-studio RUNTIME)
+endif()
+
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Vug)
 list(TRANSFORM modules REPLACE "^vug_" "" OUTPUT_VARIABLE VUG_COMPONENTS)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/VugConfig.cmake.in

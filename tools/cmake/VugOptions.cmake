@@ -3,6 +3,7 @@
 option(VUG_TESTS "Build the tests" ON)
 option(VUG_BENCH "Build the benchmarks" OFF)
 option(VUG_FUZZ "Build the libFuzzer targets (needs clang)" OFF)
+option(VUG_STUDIO "Build vug-studio, the desktop program, if Qt 6 is installed" ON)
 option(VUG_WERROR "Treat warnings as errors; all presets set it" OFF)
 option(VUG_TIDY "Run clang-tidy 14 on every source while building" OFF)
 set(VUG_SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined")

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_palette.h"
+
+#include <vug/workbench/command.h>
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QVBoxLayout>
+
+namespace vug::studio {
+
+CommandPalette::CommandPalette(Studio& studio, QWidget* parent) : QDialog(parent), studio_(studio) {
+  setObjectName("palette dialog");
+  setWindowTitle(tr("Commands"));
+  setAccessibleName(windowTitle());
+  resize(560, 380);
+  auto* column = new QVBoxLayout(this);
+  line_ = new QLineEdit;
+  line_->setObjectName("palette line");
+  line_->setAccessibleName(tr("Command"));
+  line_->setPlaceholderText(tr("Command, e.g. act . RegularGrid columns=4"));
+  list_ = new QListWidget;
+  list_->setObjectName("palette list");
+  list_->setAccessibleName(tr("Matching commands"));
+  column->addWidget(line_);
+  column->addWidget(list_);
+  line_->installEventFilter(this);
+  connect(line_, &QLineEdit::textChanged, this, &CommandPalette::filter);
+  connect(line_, &QLineEdit::returnPressed, this, &CommandPalette::run);
+  connect(list_, &QListWidget::itemActivated, this, &CommandPalette::run);
+  filter();
+}
+
+void CommandPalette::filter() {
+  list_->clear();
+  const QString wanted = line_->text().section(' ', 0, 0).toLower();
+  for (const workbench::Command* each : workbench::all_commands()) {
+    const QString name = text_of(each->name), doc = text_of(each->doc);
+    if (!name.contains(wanted) && !doc.toLower().contains(wanted)) continue;
+    const std::string why = each->unavailable ? each->unavailable(studio_.bench()) : "";
+    auto* item = new QListWidgetItem(
+        QString("%1 %2    %3")
+            .arg(name, text_of(each->arguments), why.empty() ? doc : text_of(why)));
+    item->setData(Qt::UserRole, name);
+    item->setData(Qt::UserRole + 1, each->required > 0);
+    if (!why.empty()) item->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
+    item->setToolTip(text_of(each->keys));
+    list_->addItem(item);
+  }
+  list_->setCurrentRow(0);
+}
+
+/// Runs the line; the name of a command without its arguments is completed first.
+void CommandPalette::run() {
+  const QString text = line_->text().trimmed();
+  const QListWidgetItem* chosen = list_->currentItem();
+  if (chosen && !text.contains(' ') && text != chosen->data(Qt::UserRole).toString()) {
+    line_->setText(chosen->data(Qt::UserRole).toString() +
+                   (chosen->data(Qt::UserRole + 1).toBool() ? " " : ""));
+    line_->setFocus();
+    if (chosen->data(Qt::UserRole + 1).toBool()) return;
+  }
+  if (studio_.run(line_->text().toStdString())) accept();
+}
+
+/// The arrow keys move through the list while the line has the focus.
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const int step = key == Qt::Key_Down ? 1 : key == Qt::Key_Up ? -1 : 0;
+    if (step != 0) {
+      list_->setCurrentRow(std::clamp(list_->currentRow() + step, 0, list_->count() - 1));
+      return true;
+    }
+  }
+  return QDialog::eventFilter(watched, event);
+}
+
+}  // namespace vug::studio

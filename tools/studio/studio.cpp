@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio.h"
+
+#include <vug/workbench/command.h>
+#include <vug/workbench/words.h>
+
+namespace vug::studio {
+
+Studio::Studio(QObject* parent)
+    : QObject(parent),
+      bench_([this] {
+        if (!pending_.exchange(true))
+          QMetaObject::invokeMethod(this, &Studio::poll, Qt::QueuedConnection);
+      }),
+      recorder_(bench_, workbench::journal_folder()) {}
+
+void Studio::poll() {
+  pending_ = false;
+  try {
+    if (bench_.poll()) Q_EMIT changed();
+    if (bench_.fit_update().error) Q_EMIT message(text_of(*bench_.fit_update().error), true);
+  } catch (const Error& error) {
+    Q_EMIT message(text_of(error.what()), true);
+    Q_EMIT changed();
+  }
+}
+
+void Studio::execute(const std::string& line) {
+  const std::vector<std::string> words = workbench::split_words(line);
+  recorder_.run(line);
+  hovered_action_ = -1;
+  Q_EMIT message("", false);
+  if (!words.empty() && workbench::find_command(words.front()).opens) Q_EMIT opened();
+  Q_EMIT changed();
+}
+
+bool Studio::run(const std::string& line) {
+  try {
+    execute(line);
+    return true;
+  } catch (const Error& error) {
+    QString text = text_of(error.what());
+    if (!error.hint().empty()) text += " (" + text_of(error.hint()) + ")";
+    Q_EMIT message(text, true);
+    Q_EMIT changed();
+    return false;
+  }
+}
+
+bool Studio::run(const modeller::Edit& edit) { return run(to_string(edit)); }
+
+void Studio::preview(const modeller::Edit& edit) {
+  bench_.preview(edit);
+  Q_EMIT changed();
+}
+
+void Studio::end_preview() {
+  bench_.end_preview();
+  Q_EMIT changed();
+}
+
+void Studio::select(int node) {
+  if (node != bench_.selected()) run("select " + bench_.state().path(node));
+}
+
+void Studio::hover_action(int index) {
+  if (index == hovered_action_) return;
+  hovered_action_ = index;
+  Q_EMIT changed();
+}
+
+}  // namespace vug::studio
