@@ -29,15 +29,15 @@ class Client:
                 return
             self.messages.put(json.loads(out.read(length)))
 
-    def write(self, content):
-        data = content.encode()
-        self.process.stdin.write(b"Content-Length: %d\r\n\r\n" % len(data) + data)
+    def write(self, *contents):
+        messages = [content.encode() for content in contents]
+        self.process.stdin.write(b"".join(b"Content-Length: %d\r\n\r\n" % len(data) + data for data in messages))
         self.process.stdin.flush()
 
     def send(self, method, params=None, **more):
         self.write(json.dumps({"jsonrpc": "2.0", "method": method, "params": params or {}, **more}))
 
-    def receive(self, timeout=60):
+    def receive(self, timeout=120):
         """The next message, or None at the end."""
         return self.messages.get(timeout=timeout)
 
@@ -85,4 +85,4 @@ class Client:
         """The exit code after shutdown and exit."""
         self.request("shutdown")
         self.send("exit")
-        return self.process.wait(timeout=60)
+        return self.process.wait(timeout=120)

@@ -51,9 +51,9 @@ class Errors(unittest.TestCase):
         self.client.open(URI, SCENE * 400)
         request = {"jsonrpc": "2.0", "id": 0, "method": "textDocument/completion",
                    "params": self.client.at(URI, 0, 11)}
-        for id in range(100, 140):
-            self.client.write(json.dumps({**request, "id": id}))
-        self.client.send("$/cancelRequest", {"id": 139})
+        messages = [{**request, "id": id} for id in range(100, 140)]
+        messages.append({"jsonrpc": "2.0", "method": "$/cancelRequest", "params": {"id": 139}})
+        self.client.write(*map(json.dumps, messages))  # at once, so that the last one waits when it is cancelled
         self.assertEqual(self.client.answer(139)["error"]["code"], -32800)
 
     def test_exit_codes(self):

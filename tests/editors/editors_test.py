@@ -54,7 +54,7 @@ class Server(unittest.TestCase):
             runtime = f"{EDITORS / 'vim'},{EDITORS / 'neovim'}"
             out = subprocess.run(
                 [program, "--headless", "-u", "NONE", "-i", "NONE", "-n", "--cmd", f"set rtp^={runtime}",
-                 "-c", f"luafile {HERE / 'neovim.lua'}"], cwd=folder, capture_output=True, text=True, timeout=120,
+                 "-c", f"luafile {HERE / 'neovim.lua'}"], cwd=folder, capture_output=True, text=True, timeout=300,
                 env={**os.environ, "VUG_RESULTS": str(folder / "results.json"), "HOME": name}, check=False)
             result = json.loads((folder / "results.json").read_text()) if out.returncode == 0 else {}
             self.assertNotIn("failure", result)

@@ -8,7 +8,7 @@ local ok, failure = pcall(function()
   vim.cmd('edit main.vug')
   local buffer = vim.api.nvim_get_current_buf()
   result.filetype = vim.bo.filetype
-  local ready = vim.wait(20000, function()
+  local ready = vim.wait(60000, function()
     for _, client in pairs(vim.lsp.buf_get_clients(buffer)) do
       if client.initialized then return true end
     end
@@ -20,7 +20,7 @@ local ok, failure = pcall(function()
       textDocument = vim.lsp.util.make_text_document_params(buffer),
       position = { line = line, character = character },
     }, more or {})
-    local answers = assert(vim.lsp.buf_request_sync(buffer, method, params, 20000))
+    local answers = assert(vim.lsp.buf_request_sync(buffer, method, params, 60000))
     local _, answer = next(answers)
     assert(answer and not answer.error, vim.inspect(answer))
     return answer.result
@@ -28,11 +28,11 @@ local ok, failure = pcall(function()
   result.hover = ask('textDocument/hover', 1, 23).contents.value
   result.definition = ask('textDocument/definition', 1, 23).uri
   result.completion = #ask('textDocument/completion', 1, 21).items
-  assert(vim.wait(20000, function() return #vim.diagnostic.get(buffer) > 0 end, 20), 'no diagnostics')
+  assert(vim.wait(60000, function() return #vim.diagnostic.get(buffer) > 0 end, 20), 'no diagnostics')
   result.diagnostics = vim.tbl_map(function(each) return each.message end, vim.diagnostic.get(buffer))
   vim.lsp.util.apply_workspace_edit(ask('textDocument/rename', 1, 23, { newName = 'globe' }), 'utf-16')
   vim.cmd('silent wall')
-  vim.lsp.buf.formatting_sync({}, 20000)
+  vim.lsp.buf.formatting_sync({}, 60000)
   vim.cmd('silent write')
 end)
 if not ok then result.failure = tostring(failure) end
