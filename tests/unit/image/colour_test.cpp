@@ -3,6 +3,7 @@
 #include <vug/base/error.h>
 #include <vug/base/scratch_folder.h>
 #include <vug/base/srgb.h>
+#include <vug/image/brightness.h>
 #include <vug/image/io.h>
 #include <vug/image/ocio_view.h>
 #include <vug/image/texture.h>

@@ -84,6 +84,35 @@ Image with_cluster(int dots, float ratio, bool guided) {
   return out;
 }
 
+// Light on bumps follows their normals. A weighted mean flattens it, a regression does not.
+TEST(Denoise, LightThatFollowsTheNormalKeepsItsContrast) {
+  Image picture(64, 48,
+                {"R", "G", "B", "variance.R", "variance.G", "variance.B", "N.X", "N.Y", "N.Z"});
+  RandomStream random(RandomKey(3));
+  std::vector<float> truth;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const auto slope = static_cast<float>(0.25 * std::sin(0.8 * x) * std::cos(0.7 * y));
+      truth.push_back(1 + slope);
+      for (size_t c = 0; c < 3; ++c) {
+        picture.at(x, y, c) = truth.back() + static_cast<float>(0.2 * random.normal());
+        picture.at(x, y, 3 + c) = 0.04f;
+      }
+      picture.at(x, y, 6) = slope, picture.at(x, y, 8) = std::sqrt(1 - slope * slope);
+    }
+  const Image smooth = denoise(picture);
+  double error = 0, squares = 0, product = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const auto true_one = static_cast<double>(truth[static_cast<size_t>(y * 64 + x)]);
+      const auto found = static_cast<double>(smooth.at(x, y, 1));
+      error += (found - true_one) * (found - true_one);
+      squares += (true_one - 1) * (true_one - 1), product += (true_one - 1) * (found - 1);
+    }
+  EXPECT_LT(std::sqrt(error / (64 * 48)), 0.05) << "a quarter of the noise";
+  EXPECT_GT(product / squares, 0.9) << "of the contrast";
+}
+
 // Dots of fireflies must not become squares of the size of the filter's window.
 TEST(Denoise, ClustersOfDotsDoNotSpread) {
   for (const bool guided : {false, true})
