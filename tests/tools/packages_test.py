@@ -17,7 +17,7 @@ class PackagesTest(unittest.TestCase):
                 continue
             if line.startswith("["):
                 section = line
-                self.assertIn(section, ("[build]", "[test]", "[docs]"))
+                self.assertIn(section, ("[build]", "[test]", "[docs]", "[studio]"))
                 continue
             self.assertIsNotNone(section, f"{line} precedes the first section")
             self.assertRegex(line, r"^[a-z0-9][a-z0-9.+-]+( *# .+)?$")

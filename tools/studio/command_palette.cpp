@@ -23,6 +23,9 @@ CommandPalette::CommandPalette(Studio& studio, QWidget* parent) : QDialog(parent
   list_ = new QListWidget;
   list_->setObjectName("palette list");
   list_->setAccessibleName(tr("Matching commands"));
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setTextElideMode(Qt::ElideRight);
+  list_->setSpacing(2);
   column->addWidget(line_);
   column->addWidget(list_);
   line_->installEventFilter(this);
@@ -35,20 +38,30 @@ CommandPalette::CommandPalette(Studio& studio, QWidget* parent) : QDialog(parent
 void CommandPalette::filter() {
   list_->clear();
   const QString wanted = line_->text().section(' ', 0, 0).toLower();
-  for (const workbench::Command* each : workbench::all_commands()) {
-    const QString name = text_of(each->name), doc = text_of(each->doc);
-    if (!name.contains(wanted) && !doc.toLower().contains(wanted)) continue;
-    const std::string why = each->unavailable ? each->unavailable(studio_.bench()) : "";
-    auto* item = new QListWidgetItem(
-        QString("%1 %2    %3")
-            .arg(name, text_of(each->arguments), why.empty() ? doc : text_of(why)));
-    item->setData(Qt::UserRole, name);
-    item->setData(Qt::UserRole + 1, each->required > 0);
-    if (!why.empty()) item->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
-    item->setToolTip(text_of(each->keys));
-    list_->addItem(item);
-  }
+  // Names that begin with the word, then other names, then descriptions.
+  for (int rank = 0; rank < 3; ++rank)
+    for (const workbench::Command* each : workbench::all_commands())
+      if (rank_of(*each, wanted) == rank) add(*each);
   list_->setCurrentRow(0);
+}
+
+int CommandPalette::rank_of(const workbench::Command& command, const QString& wanted) {
+  const QString name = text_of(command.name);
+  if (name.startsWith(wanted)) return 0;
+  if (name.contains(wanted)) return 1;
+  return text_of(command.doc).toLower().contains(wanted) ? 2 : 3;
+}
+
+void CommandPalette::add(const workbench::Command& command) {
+  const std::string why = command.unavailable ? command.unavailable(studio_.bench()) : "";
+  auto* item = new QListWidgetItem(QString("%1 %2    %3")
+                                       .arg(text_of(command.name), text_of(command.arguments),
+                                            text_of(why.empty() ? command.doc : why)));
+  item->setData(Qt::UserRole, text_of(command.name));
+  item->setData(Qt::UserRole + 1, command.required > 0);
+  if (!why.empty()) item->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
+  item->setToolTip(text_of(command.doc + (command.keys.empty() ? "" : " " + command.keys)));
+  list_->addItem(item);
 }
 
 /// Runs the line; the name of a command without its arguments is completed first.

@@ -4,6 +4,8 @@
 
 #include "studio.h"
 
+#include <vug/workbench/command.h>
+
 #include <QDialog>
 
 class QLineEdit;
@@ -21,6 +23,9 @@ class CommandPalette : public QDialog {
 
  private:
   void filter();
+  void add(const workbench::Command& command);
+  /// 0 to 2 for a command that matches, the best first; 3 for another one.
+  static int rank_of(const workbench::Command& command, const QString& wanted);
   void run();
 
   Studio& studio_;

@@ -17,7 +17,10 @@ Studio::Studio(QObject* parent)
 void Studio::poll() {
   pending_ = false;
   try {
+    const bool fitted = bench_.fitting();
     if (bench_.poll()) Q_EMIT changed();
+    if (fitted && !bench_.busy() && !bench_.fit_note().empty())
+      Q_EMIT message(tr("Fitted; %1.").arg(text_of(bench_.fit_note())), false);
     if (bench_.fit_update().error) Q_EMIT message(text_of(*bench_.fit_update().error), true);
   } catch (const Error& error) {
     Q_EMIT message(text_of(error.what()), true);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/pluralize.h>
 #include <vug/modeller/tree_to_edits.h>
 
 #include <fmt/format.h>
@@ -279,6 +280,14 @@ class TreeTracer {
 
 TreeEdits tree_to_edits(const FacadeState& start, const Tree& tree) {
   return TreeTracer(start, tree).run();
+}
+
+std::string deviation_text(const TreeEdits& edits) {
+  if (edits.missing + edits.displaced == 0) return "";
+  return fmt::format(
+      "the rules approximate the tree, because they have fewer free values: of {}, {} are up to "
+      "{:.2f} m off and {} are missing",
+      pluralize(edits.elements, "element"), edits.displaced, edits.max_distance, edits.missing);
 }
 
 }  // namespace vug::modeller

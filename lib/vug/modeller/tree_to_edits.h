@@ -4,6 +4,8 @@
 
 #include <vug/modeller/edit.h>
 
+#include <string>
+
 namespace vug::modeller {
 
 struct TreeEdits {
@@ -14,6 +16,10 @@ struct TreeEdits {
   double max_distance = 0;  ///< Largest such distance, metres.
   size_t missing = 0;       ///< Elements without a counterpart of their kind.
 };
+
+/// A sentence about the deviation of the edits from their tree, without a final stop; empty if
+/// there is none.
+std::string deviation_text(const TreeEdits& edits);
 
 /// Applies the rules of the tree's nodes again, with the sizes and counts of its rectangles and
 /// with empty cells of grids removed. If a rule of the style has fewer free numbers than the tree

@@ -94,6 +94,9 @@ class FacadeBench {
   bool fitting() const { return fit_.running(); }
   /// The best tree of the fit so far and its bits.
   const std::optional<facade::Tree>& best_tree() const { return best_tree_; }
+  /// The deviation of the document from the result of the last fit, since rules have fewer free
+  /// numbers than the fit; empty if there is none.
+  const std::string& fit_note() const { return fit_note_; }
   /// Takes the news of the threads; true if something changed.
   bool poll();
   /// Whether a thread works, or its result has not been taken by `poll`.
@@ -127,6 +130,7 @@ class FacadeBench {
   mutable uint64_t scored_revision_ = 0;
   mutable std::string score_reason_ = "no photo";
   std::optional<facade::Tree> best_tree_;
+  std::string fit_note_;
   Job<facade::Tree>::Update fit_update_;
   std::vector<Comparison> comparisons_;
   Job<std::shared_ptr<const fit::FacadeScorer>> scoring_;

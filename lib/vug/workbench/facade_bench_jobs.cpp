@@ -46,7 +46,7 @@ void FacadeBench::start_fit(int64_t steps) {
   options.width = document().state().canvas().width;
   options.height = document().state().canvas().height;
   if (steps > 0) options.sampler.steps = steps;
-  best_tree_.reset();
+  best_tree_.reset(), fit_note_.clear();
   fit_.start([file, options](Progress& progress, const Job<facade::Tree>::Publish& publish) {
     session::FacadeFitOptions how = options;
     session::FacadePictureOptions reading;
@@ -66,6 +66,7 @@ void FacadeBench::finish_fit(const facade::Tree& tree) {
   const modeller::TreeEdits found = modeller::tree_to_edits(start.state(), tree);
   best_tree_.reset();
   run_command(*this, replace_line("Fit", found.edits));
+  fit_note_ = modeller::deviation_text(found);
 }
 
 bool FacadeBench::poll() {

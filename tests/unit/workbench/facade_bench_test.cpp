@@ -150,6 +150,7 @@ TEST(FacadeBench, TheResultOfAFitIsOneStepThatCanBeContinued) {
   bench.poll();
   EXPECT_EQ(bench.stack().undo_name(), "Fit");
   EXPECT_GT(facade::element_instances(bench.state().tree()).size(), 10u);
+  EXPECT_NE(bench.fit_note().find("the rules approximate the tree"), std::string::npos);
   ASSERT_EQ(lines.size(), 1u);
   FacadeBench replayed;
   run(replayed, {new_paris(), "act 0 Grid", lines[0]});

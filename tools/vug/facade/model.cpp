@@ -77,13 +77,10 @@ modeller::Session create_session(const FacadeModelOptions& options) {
 
 /// Reports how far the session deviates from the tree.
 void print_deviation(const modeller::TreeEdits& way) {
-  if (way.missing + way.displaced == 0) return;
+  const std::string text = modeller::deviation_text(way);
+  if (text.empty()) return;
   clear_progress_bar();
-  fmt::print(
-      stderr,
-      "the rules approximate the tree, because they have fewer free values: of {}, {} are up "
-      "to {:.2f} m off and {} are missing\n",
-      pluralize(way.elements, "element"), way.displaced, way.max_distance, way.missing);
+  fmt::print(stderr, "{}\n", text);
 }
 
 /// The grammar file that has the tree's name, which a session finds by itself.
