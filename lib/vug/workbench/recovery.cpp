@@ -21,17 +21,27 @@ void Recorder::run(const std::string& line) {
 }
 
 void Recorder::recover(const LostJournal& lost) {
-  const auto remove = [&] {
+  // The lost journal stays until the new one contains its lines.
+  journal_.reset();
+  std::vector<std::string> done;
+  const auto adopt = [&] {
+    if (!done.empty()) {
+      journal_ = std::make_unique<Journal>(folder_);
+      journal_->restart(done);
+    }
     std::error_code ignored;
     std::filesystem::remove(lost.file, ignored);
   };
   try {
-    for (const std::string& line : lost.lines) run(line);
-  } catch (...) {
-    remove();
+    for (const std::string& line : lost.lines) {
+      run_command(bench_, line);
+      done.push_back(line);
+    }
+  } catch (const Error&) {
+    adopt();
     throw;
   }
-  remove();
+  adopt();
 }
 
 }  // namespace vug::workbench
