@@ -104,7 +104,7 @@ image::Image render_thumbnail(const Location& location, const picture::PicturePl
   render.seed = options.seed;
   render.integrator = settings.integrator;
   std::vector<std::string> layers = image::denoising_layers();
-  layers.push_back("beauty");
+  layers.insert(layers.end(), {"beauty", "A"});
   render.aovs = render::scene_aovs(scene, layers);
   render::PrepareOptions part;
   part.world = std::make_shared<const render::PreparedScene>(*location.world, scene,
