@@ -23,6 +23,12 @@ struct GraphOptions : SeepOptions {
   /// these, except flowstone, and skirts at landings that such a film reaches.
   bool over_floors = true;
   uint64_t memory = uint64_t(8) << 30;  ///< Bytes that the graph may use.
+
+  /// Adds all but the limit of the memory, which does not change a graph.
+  void add_to(Digester& digester) const {
+    digester(static_cast<const SeepOptions&>(*this), temperature, mixing, girth, straws, edits,
+             film, run_out, over_floors);
+  }
 };
 
 /// The memory in bytes that the graph needs at most.

@@ -32,6 +32,7 @@ class Planes {
   std::optional<NearPlane> nearest(const Vec3d& point) const;
   /// E.g. "joint 3", or "joint 3 of family 2" if there are several families.
   std::string name(const NearPlane& plane) const;
+  void add_to(Digester& digester) const { digester(geology_, joints_); }
 
  private:
   karst::Geology geology_;

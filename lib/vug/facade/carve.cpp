@@ -97,6 +97,9 @@ class FacadeNode final : public field::Node {
   std::string name() const override { return "facade"; }
   std::vector<field::NodePtr> children() const override { return {child_}; }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(child_); }
+
  private:
   FacadeInstance placed_;
   field::NodePtr child_;

@@ -40,6 +40,8 @@ struct Polygon {
     }
   }
 
+  void add_to(Digester& digester) const { digester(edges); }
+
   template <class T>
   T distance(const T& x, const T& y) const {
     T least = T(1e30), height = T(0.0), sign = T(1.0);

@@ -29,6 +29,11 @@ struct Affine {
     return {inverse.point(ball.centre), ball.radius * stretch_in};
   }
   double scale() const { return scale_out; }
+  void add_to(Digester& digester) const {
+    for (const Transform* map : {&forward, &inverse})
+      digester(map->column(0), map->column(1), map->column(2), map->origin());
+    digester(stretch_in, scale_out);
+  }
   Traits traits(const Traits& child) const {
     Traits out = child;
     const double uneven = forward.max_stretch() / forward.min_stretch();  // 1 for similarities.

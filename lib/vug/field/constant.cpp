@@ -23,6 +23,9 @@ class ConstantNode final : public EvaluationModes<ConstantNode> {
   }
   std::string name() const override { return value_ > 0 ? "empty" : "full"; }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(value_); }
+
  private:
   double value_;
 };

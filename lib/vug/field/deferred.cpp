@@ -19,12 +19,10 @@ namespace {
 
 class DeferredNode final : public Node, public MaterialSource, public EvaluatesBelow {
  public:
-  DeferredNode(Traits traits, std::string work, std::function<Field()> make, double bytes)
-      : Node(std::move(traits)), work_(std::move(work)), make_(std::move(make)), bytes_(bytes) {}
+  DeferredNode(Traits traits, DeferredWork work, Digest inputs, std::function<Field()> make)
+      : Node(std::move(traits)), work_(std::move(work)), inputs_(inputs), make_(std::move(make)) {}
 
-  double bytes() const { return bytes_; }
-
-  const std::string& work() const { return work_; }
+  const DeferredWork& work() const { return work_; }
   bool is_computed() const { return ready_; }
   void compute() const { made(); }
 
@@ -78,6 +76,9 @@ class DeferredNode final : public Node, public MaterialSource, public EvaluatesB
     return ready_ ? std::vector<NodePtr>{field_.node()} : std::vector<NodePtr>();
   }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(work_.stage, inputs_); }
+
  private:
   const Node& made() const {
     if (!ready_) {
@@ -91,9 +92,9 @@ class DeferredNode final : public Node, public MaterialSource, public EvaluatesB
     return *field_.node();
   }
 
-  std::string work_;
+  DeferredWork work_;
+  Digest inputs_;
   std::function<Field()> make_;
-  double bytes_;
   mutable std::mutex computing_;
   mutable std::atomic<bool> ready_ = false;
   mutable Field field_;
@@ -101,9 +102,10 @@ class DeferredNode final : public Node, public MaterialSource, public EvaluatesB
 
 }  // namespace
 
-Field deferred(Traits traits, std::string work, std::function<Field()> make, double bytes) {
+Field detail::deferred(Traits traits, DeferredWork work, Digest inputs,
+                       std::function<Field()> make) {
   return Field(
-      std::make_shared<DeferredNode>(std::move(traits), std::move(work), std::move(make), bytes));
+      std::make_shared<DeferredNode>(std::move(traits), std::move(work), inputs, std::move(make)));
 }
 
 void compute_deferred(const Field& whole, Progress& progress, uint64_t memory) {
@@ -115,9 +117,9 @@ void compute_deferred(const Field& whole, Progress& progress, uint64_t memory) {
     if (!seen.insert(node.get()).second) continue;
     const auto* deferred = dynamic_cast<const DeferredNode*>(node.get());
     if (deferred && !deferred->is_computed()) {
-      require_memory(deferred->bytes(), memory, deferred->work(),
+      require_memory(deferred->work().bytes, memory, deferred->work().stage,
                      "use a larger spacing, a smaller box");
-      run_stage(progress, deferred->work(), [&] { deferred->compute(); });
+      run_stage(progress, deferred->work().stage, [&] { deferred->compute(); });
     }
     for (NodePtr& child : node->children()) pending.push_back(std::move(child));
   }

@@ -84,6 +84,9 @@ class DeformerNode final : public EvaluationModes<DeformerNode<D>>, public Mater
   }
   std::vector<NodePtr> material_operands() const override { return {child_}; }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(name_, deformer_, child_); }
+
  private:
   Vec3d inside(const Vec3d& p) const { return vector(deformer_.map(point(p))); }
   static constexpr bool kConstantDerivative = requires(const D& deformer, const Point<Pack>& g) {

@@ -88,6 +88,9 @@ class DisplaceNode final : public EvaluationModes<DisplaceNode> {
     return out;
   }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(child_, noise_, options_); }
+
  private:
   /// The factor for a surface whose outward slope along y is (above - below) / 2h.
   template <class T>

@@ -38,6 +38,7 @@ struct HullSide {
     return (length(p.x, p.z) - (T(hull.low) + t * T(widening))) * T(scale);
   }
   Box3d bounds() const { return infinite_box(); }
+  void add_to(Digester& digester) const { digester(hull); }
   Exactness exactness() const { return Exactness::bound; }
   double growth() const { return 0; }
 };

@@ -10,6 +10,37 @@
 
 namespace vug::field {
 
+namespace {
+
+/// Children before parents, each node once; without recursion, because an expression may be deep.
+std::vector<const Node*> children_first(const NodePtr& root) {
+  struct Step {
+    NodePtr node;
+    bool left;
+  };
+  std::vector<Step> open{{root, false}};
+  std::vector<const Node*> order;
+  std::unordered_set<const Node*> seen;
+  while (!open.empty()) {
+    const Step step = open.back();
+    open.pop_back();
+    if (step.left) {
+      order.push_back(step.node.get());
+    } else if (seen.insert(step.node.get()).second) {
+      open.push_back({step.node, true});
+      for (const NodePtr& child : step.node->children()) open.push_back({child, false});
+    }
+  }
+  return order;
+}
+
+}  // namespace
+
+Digest Field::digest() const {
+  for (const Node* node : children_first(node_)) node->digest();  // No deep recursion.
+  return node_->digest();
+}
+
 Gradient Field::gradient(const Vec3d& p) const {
   const Dual<double> d = node_->eval(seeded(point(p)));
   return {d.v, {d.dx, d.dy, d.dz}};
@@ -42,28 +73,6 @@ namespace {
 void print(const Node& node, int depth, std::string& out) {
   out.append(2 * static_cast<size_t>(depth), ' ').append(node.name()).push_back('\n');
   for (const NodePtr& child : node.children()) print(*child, depth + 1, out);
-}
-
-/// Children before parents, each node once; without recursion, because an expression may be deep.
-std::vector<const Node*> children_first(const NodePtr& root) {
-  struct Step {
-    NodePtr node;
-    bool left;
-  };
-  std::vector<Step> open{{root, false}};
-  std::vector<const Node*> order;
-  std::unordered_set<const Node*> seen;
-  while (!open.empty()) {
-    const Step step = open.back();
-    open.pop_back();
-    if (step.left) {
-      order.push_back(step.node.get());
-    } else if (seen.insert(step.node.get()).second) {
-      open.push_back({step.node, true});
-      for (const NodePtr& child : step.node->children()) open.push_back({child, false});
-    }
-  }
-  return order;
 }
 
 }  // namespace

@@ -43,6 +43,8 @@ class Field {
   Exactness exactness() const { return node_->traits().exactness; }
   const Box3d& bounds() const { return node_->traits().bounds; }
   const NodePtr& node() const { return node_; }
+  /// See Node::digest.
+  Digest digest() const;
 
  private:
   NodePtr node_;

@@ -107,6 +107,9 @@ class FoldNode final : public EvaluationModes<FoldNode>,
   /// Prepares unions of many operands for sample_materials, which skips groups of far ones.
   void group_operands();
 
+ protected:
+  void add_to(Digester& digester) const override { digester(operands_, sign_, blend_); }
+
  private:
   static constexpr size_t kGroup = 16;
   static constexpr size_t kFew = 4;              // A test of these would not pay.

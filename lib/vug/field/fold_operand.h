@@ -57,6 +57,7 @@ struct Operand {
   Reach reach;
   const EvaluatesBelow* below = sign > 0 ? dynamic_cast<const EvaluatesBelow*>(node.get())
                                          : nullptr;
+  void add_to(Digester& digester) const { digester(node, sign); }
 };
 
 }  // namespace vug::field

@@ -30,6 +30,8 @@ struct Ground {
   /// bound of the distance.
   Traits traits() const;
 
+  void add_to(Digester& digester) const { digester(heightmap, middle, size, base, cosine, reach); }
+
  private:
   Gradient above_ground(const Vec3d& p) const;
 };

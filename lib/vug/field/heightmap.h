@@ -2,6 +2,7 @@
 // Heights over a rectangle, interpolated from the samples of an image.
 #pragma once
 
+#include <vug/base/digester.h>
 #include <vug/base/interval.h>
 #include <vug/base/vec.h>
 
@@ -34,6 +35,10 @@ class Heightmap {
   Interval range() const { return range_; }
   /// The maximum slope.
   double max_slope() const { return max_slope_; }
+
+  void add_to(Digester& digester) const {
+    digester(columns_, rows_, width_, depth_, sampling_, heights_);
+  }
 
  private:
   int columns_, rows_;

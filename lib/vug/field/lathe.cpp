@@ -41,6 +41,7 @@ struct Side {
         upward(b.y < a.y ? -1 : 1) {}
 
   double widest() const { return line.x + std::max(line.u, 0.0); }
+  void add_to(Digester& digester) const { digester(line, low, high, upward); }
 };
 
 /// The sides of a part of space. All numbers are also kept in single precision, for batches.
@@ -111,6 +112,8 @@ class Sides {
   const std::vector<Side>& near() const { return near_; }
   const std::vector<Side>& crossed() const { return crossed_; }
   double sign() const { return sign_; }
+
+  void add_to(Digester& digester) const { digester(near_, crossed_, sign_); }
 
  private:
   template <class S>
@@ -203,6 +206,9 @@ class LatheNode final : public EvaluationModes<LatheNode> {
                        Sides(std::move(kept), std::move(rest), passes ? sides_.sign() : sign))};
   }
   std::string name() const override { return name_; }
+
+ protected:
+  void add_to(Digester& digester) const override { digester(name_, sides_); }
 
  private:
   std::string name_;

@@ -73,6 +73,11 @@ class MeanNode final : public EvaluationModes<MeanNode> {
     return out;
   }
 
+ protected:
+  void add_to(Digester& digester) const override {
+    digester(operands_, sign_, number_.range, number_.contact);
+  }
+
  private:
   template <class T>
   T share(const T& least, const T& next) const {
@@ -101,6 +106,9 @@ class OppositeNode final : public EvaluationModes<OppositeNode> {
   }
   std::string name() const override { return "outside"; }
   std::vector<NodePtr> children() const override { return {child_}; }
+
+ protected:
+  void add_to(Digester& digester) const override { digester(child_); }
 
  private:
   NodePtr child_;

@@ -45,6 +45,9 @@ class MaterialNode final : public EvaluationModes<MaterialNode>, public Material
     return out;
   }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(name_, child_, rule_); }
+
  private:
   std::string name_;
   NodePtr child_;

@@ -24,6 +24,8 @@ class MaterialRule {
   virtual std::vector<NodePtr> bodies() const { return {}; }
   /// Whether materials of the child remain.
   virtual bool keeps_child() const { return false; }
+  /// Adds all parameters to the digest of the node.
+  virtual void add_to(Digester& digester) const = 0;
 };
 
 /// `name`: of the kind, for people.

@@ -20,7 +20,11 @@ class ModifierNode final : public EvaluationModes<ModifierNode<M>> {
       : EvaluationModes<ModifierNode<M>>(modifier.traits(child->traits())),
         name_(std::move(name)),
         modifier_(std::move(modifier)),
-        child_(std::move(child)) {}
+        child_(std::move(child)) {
+    // The parameters of a kind contain the field that it modifies. Restricted nodes have another
+    // child, so only the child counts.
+    if constexpr (requires { modifier_.field = Field(); }) modifier_.field = Field();
+  }
 
   template <class T>
   T at(const Point<T>& p) const {
@@ -43,6 +47,9 @@ class ModifierNode final : public EvaluationModes<ModifierNode<M>> {
   }
   std::string name() const override { return name_; }
   std::vector<NodePtr> children() const override { return {child_}; }
+
+ protected:
+  void add_to(Digester& digester) const override { digester(name_, modifier_, child_); }
 
  private:
   std::string name_;

@@ -64,6 +64,9 @@ class MorphNode final : public EvaluationModes<MorphNode>, public MaterialSource
   }
   std::vector<NodePtr> material_operands() const override { return children(); }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(a_, b_, amount_); }
+
  private:
   NodePtr a_, b_;
   double amount_;

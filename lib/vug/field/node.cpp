@@ -2,6 +2,7 @@
 #include <vug/field/node.h>
 
 #include <cmath>
+#include <typeinfo>
 
 namespace vug::field {
 
@@ -20,6 +21,18 @@ Interval Node::centre_form(double value, const Ball& ball) const {
 
 Restriction Node::restrict_to(const Ball& ball) const {
   return {centre_form(eval(point(ball.centre)), ball), nullptr};
+}
+
+Digest Node::digest() const {
+  if (digest_known_.load(std::memory_order_acquire)) return {digest_high_, digest_low_};
+  Digester digester;
+  digester(std::string_view(typeid(*this).name()));
+  add_to(digester);
+  const Digest out = digester.finish();
+  digest_high_.store(out.high, std::memory_order_relaxed);
+  digest_low_.store(out.low, std::memory_order_relaxed);
+  digest_known_.store(true, std::memory_order_release);
+  return out;
 }
 
 }  // namespace vug::field

@@ -2,9 +2,11 @@
 // One operation of a field expression, with five evaluation modes.
 #pragma once
 
+#include <vug/base/digester.h>
 #include <vug/field/point.h>
 #include <vug/field/scratch.h>
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -72,12 +74,22 @@ class Node {
   virtual std::string name() const = 0;
   virtual std::vector<NodePtr> children() const { return {}; }
 
+  /// Identifies the function: nodes of one class, name, parameters and children have the same
+  /// digest, and nodes with the same digest have the same values. It does not depend on where or
+  /// when the node was made. Computed on the first call; thread-safe.
+  Digest digest() const;
+
  protected:
+  /// Adds all parameters and children on which values depend.
+  virtual void add_to(Digester& digester) const = 0;
   /// Bounds over a ball from the value at its centre, with a tolerance for single precision.
   Interval centre_form(double value, const Ball& ball) const;
 
  private:
   Traits traits_;
+  /// Threads may compute it at the same time, with the same result.
+  mutable std::atomic<uint64_t> digest_high_ = 0, digest_low_ = 0;
+  mutable std::atomic<bool> digest_known_ = false;
 };
 
 /// Implements the five virtual evaluation modes for Derived from two templates:

@@ -14,6 +14,8 @@ struct Noise {
   Noise();
   Noise(Field values, Interval bounds) : field(std::move(values)), range(bounds) {}
 
+  Digest digest() const { return field.digest(); }
+
   Field field;
   Interval range;           ///< Bounds of all values.
   bool is_default = false;  ///< Whether this is the default noise.

@@ -13,10 +13,12 @@ namespace vug::field {
 template <class N>
 class NoiseNode final : public EvaluationModes<NoiseNode<N>> {
  public:
-  NoiseNode(std::string name, N noise)
+  /// `parameters`: the digest of all parameters of the noise.
+  NoiseNode(std::string name, N noise, Digest parameters)
       : EvaluationModes<NoiseNode<N>>({noise.lipschitz(), Exactness::sign, infinite_box(), 0}),
         name_(std::move(name)),
-        noise_(std::move(noise)) {}
+        noise_(std::move(noise)),
+        parameters_(parameters) {}
 
   template <class T>
   T at(const Point<T>& p) const {
@@ -33,6 +35,9 @@ class NoiseNode final : public EvaluationModes<NoiseNode<N>> {
   Restriction restrict_to(const Ball& ball) const override { return {over(ball), nullptr}; }
   std::string name() const override { return name_; }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(name_, parameters_); }
+
  private:
   /// Includes a tolerance for single precision, whose rounding grows with the distance from the
   /// origin.
@@ -43,6 +48,7 @@ class NoiseNode final : public EvaluationModes<NoiseNode<N>> {
   }
   std::string name_;
   N noise_;
+  Digest parameters_;
 };
 
 /// Simple bounds: the value at the centre and the Lipschitz constant, intersected with the range.
@@ -54,18 +60,20 @@ Interval centred_bounds(const N& noise, const Ball& ball) {
   return intersection({value - reach, value + reach}, noise.range());
 }
 
-/// The noise with the formula N.
-template <class N>
-Noise formula_noise(const std::string& name, N formula) {
+/// The noise with the formula N, which depends on `parameters` alone.
+template <class N, class P>
+Noise formula_noise(const std::string& name, N formula, const P& parameters) {
   const Interval range = formula.range();
-  return Noise(Field(std::make_shared<NoiseNode<N>>(name, std::move(formula))), range);
+  return Noise(
+      Field(std::make_shared<NoiseNode<N>>(name, std::move(formula), digest_of(parameters))),
+      range);
 }
 
 /// `prepare` converts parameters to the formula.
 template <class P, class Prepare>
 NoiseKind noise_kind(const std::string& name, Prepare prepare) {
   return make_kind<Noise, P>(name, "noise", [name, prepare](const P& params) {
-    return formula_noise(name, prepare(params));
+    return formula_noise(name, prepare(params), params);
   });
 }
 

@@ -53,6 +53,7 @@ class Octaves {
   }
   /// Bounds over a ball; not evaluated where they would be trivial.
   Interval noise(int i, const Ball& ball) const;
+  void add_to(Digester& digester) const { digester(layers_); }
 
  private:
   struct Layer {
@@ -61,6 +62,10 @@ class Octaves {
     double weight = 1;
     double slope = 1;
     uint32_t seed = 0;
+
+    void add_to(Digester& digester) const {
+      digester(rows[0], rows[1], rows[2], shift, weight, slope, seed);
+    }
   };
   const Layer& layer(int i) const { return layers_[static_cast<size_t>(i)]; }
   template <class T>
@@ -102,6 +107,7 @@ class Fractal {
       total += octaves_.weight(i) * Shape::kSlope * octaves_.slope(i);
     return total;
   }
+  void add_to(Digester& digester) const { digester(octaves_); }
 
  private:
   template <class T, class Sample>

@@ -55,6 +55,9 @@ class OpaqueNode : public EvaluationModes<OpaqueNode<S>> {
   std::string name() const override { return name_; }
   const S& source() const { return source_; }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(name_, source_); }
+
  private:
   double value(const Vec3d& p) const {
     if constexpr (requires { source_.value(p); })

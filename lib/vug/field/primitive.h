@@ -18,9 +18,13 @@ template <class P>
 class PrimitiveNode final : public EvaluationModes<PrimitiveNode<P>> {
  public:
   PrimitiveNode(std::string name, P params)
+      : PrimitiveNode(std::move(name), params, digest_of(params)) {}
+  /// `parameters`: the digest of the numbers of which P consists or from which it is computed.
+  PrimitiveNode(std::string name, P params, Digest parameters)
       : EvaluationModes<PrimitiveNode<P>>(traits_of(params)),
         name_(std::move(name)),
-        params_(std::move(params)) {}
+        params_(std::move(params)),
+        parameters_(parameters) {}
 
   template <class T>
   T at(const Point<T>& p) const {
@@ -37,6 +41,9 @@ class PrimitiveNode final : public EvaluationModes<PrimitiveNode<P>> {
   }
   std::string name() const override { return name_; }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(name_, parameters_); }
+
  private:
   static Traits traits_of(const P& params) {
     Traits traits;
@@ -49,6 +56,7 @@ class PrimitiveNode final : public EvaluationModes<PrimitiveNode<P>> {
   }
   std::string name_;
   P params_;
+  Digest parameters_;
 };
 
 template <class P>
@@ -56,11 +64,18 @@ Field primitive_field(const std::string& name, const P& params) {
   return Field(std::make_shared<PrimitiveNode<P>>(name, params));
 }
 
+/// The primitive of a shape that is computed from parameters.
+template <class P>
+auto shaped_field(const std::string& name, const P& params) {
+  using Shape = decltype(params.shape());
+  return Field(std::make_shared<PrimitiveNode<Shape>>(name, params.shape(), digest_of(params)));
+}
+
 template <class P>
 FieldKind primitive_kind(const std::string& name) {
   return field_kind<P>(name, "primitive", [name](const P& params) {
     if constexpr (requires { params.shape(); })
-      return primitive_field(name, params.shape());
+      return shaped_field(name, params);
     else
       return primitive_field(name, params);
   });

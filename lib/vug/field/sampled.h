@@ -21,6 +21,8 @@ class SampledGrid {
   virtual double band() const = 0;
   /// The maximum slope between samples: sqrt(3) covers any level set, 1 only smooth ones.
   virtual double lipschitz() const = 0;
+  /// Identifies the samples and their places.
+  virtual Digest digest() const = 0;
 };
 
 /// The level set as a field. Beyond the band the value is constant, and outside the bounds it grows

@@ -44,6 +44,9 @@ class ThickenedNode final : public EvaluationModes<ThickenedNode> {
   std::string name() const override { return "thickened"; }
   std::vector<NodePtr> children() const override { return {rock_, thickness_}; }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(rock_, thickness_, most_); }
+
  private:
   NodePtr rock_, thickness_;
   double most_;

@@ -52,6 +52,9 @@ class RadiusNode final : public EvaluationModes<RadiusNode> {
     return out;
   }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(radius_); }
+
  private:
   double middle() const { return 0.5 * (radius_.range.lo + radius_.range.hi); }
   template <class T>
@@ -121,6 +124,9 @@ class VariableBlendNode final : public EvaluationModes<VariableBlendNode>, publi
     return field::material_mean(unite({Field(a_), Field(b_)}), number);
   }
   std::vector<NodePtr> material_operands() const override { return {a_, b_}; }
+
+ protected:
+  void add_to(Digester& digester) const override { digester(a_, b_, radius_); }
 
  private:
   template <class T>

@@ -5,6 +5,8 @@
 // values fits stems of any size.
 #pragma once
 
+#include <vug/base/digester.h>
+
 #include <vector>
 
 namespace vug::flora {
@@ -73,6 +75,8 @@ class NodeDisplacement {
   const std::vector<DisplacedNode>& nodes() const { return nodes_; }
   /// Positions of cross-sections that resolve all rings with straight lines between them.
   std::vector<double> rows() const;
+
+  void add_to(Digester& digester) const { digester(displacement_, nodes_); }
 
  private:
   DisplacementSample ring_of(const DisplacedNode& node, double along) const;

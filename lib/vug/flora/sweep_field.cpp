@@ -160,6 +160,7 @@ struct SweepSource {
 
   double value(const Vec3d& p) const { return stems->value(p); }
   field::Gradient sample(const Vec3d& p) const { return stems->sample(p); }
+  void add_to(Digester& digester) const { digester(stems->tubes()); }
 };
 
 }  // namespace

@@ -98,6 +98,10 @@ class Tube {
   /// Upper bound of the distance of the surface from the middle line at a ring.
   double reach(size_t ring) const { return rings_[ring].radius + displacement_.highest(); }
 
+  void add_to(Digester& digester) const {
+    digester(rings_, displacement_, chambers_, wall_, min_wall_, slope_, order_);
+  }
+
  private:
   /// Gradients of the coordinates: metres and radians per metre.
   struct CoordinateGradients {

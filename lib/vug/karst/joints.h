@@ -31,6 +31,8 @@ class Joints {
   /// The distance in metres of a point to the nearest joint.
   double distance(const Vec3d& point) const;
 
+  void add_to(Digester& digester) const { digester(family_, key_.state()); }
+
  private:
   FractureFamily family_;
   Vec3d normal_;

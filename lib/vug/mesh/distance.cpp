@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/digester.h>
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/mesh/box_tree.h>
@@ -74,6 +75,8 @@ MeshDistance::Closest MeshDistance::closest(const Vec3d& p) const {
   const Vec3d normal = tree.normals[face][static_cast<size_t>(nearest.feature)];
   return {nearest.point, std::sqrt(best), face, normal.normalized()};
 }
+
+Digest MeshDistance::digest() const { return digest_of(tree_->triangles); }
 
 double MeshDistance::signed_distance(const Vec3d& p) const {
   const Closest c = closest(p);

@@ -5,6 +5,7 @@
 // with holes also gets a distance, but its sign flips across the gaps.
 #pragma once
 
+#include <vug/base/hash.h>
 #include <vug/mesh/mesh.h>
 
 namespace vug::mesh {
@@ -29,6 +30,8 @@ class MeshDistance {
 
   /// The bounding box of the surface.
   const Box3d& bounds() const;
+  /// Identifies the triangles, in their order.
+  Digest digest() const;
 
  private:
   struct Tree;

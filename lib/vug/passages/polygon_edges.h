@@ -2,6 +2,7 @@
 // The edges of a polygon, and the selection of the few that matter near some points.
 #pragma once
 
+#include <vug/base/digester.h>
 #include <vug/base/vec.h>
 #include <vug/field/numbers/pack.h>
 
@@ -21,6 +22,8 @@ struct Edge {
   }
   Vec2d a, b, along, normal;
   double inverse;
+
+  void add_to(Digester& digester) const { digester(a, b); }
 };
 
 /// A rectangle of points in the plane of a section, by its centre and half its size.

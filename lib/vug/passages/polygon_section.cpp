@@ -79,6 +79,9 @@ class PolygonSection final : public Section {
   }
   std::vector<Vec2d> outline(int count) const override;
 
+ protected:
+  void add_numbers_to(Digester& digester) const override { digester(edges_, rounding_); }
+
  private:
   /// Calls keep(i, distance) for each point. Some consecutive points, which are usually close to
   /// each other, share a selection of edges.

@@ -3,6 +3,7 @@
 // sections that scenes name (tube, canyon, keyhole, ...).
 #pragma once
 
+#include <vug/base/digester.h>
 #include <vug/base/kind.h>
 #include <vug/base/vec.h>
 #include <vug/field/numbers/interval.h>
@@ -10,6 +11,8 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <typeinfo>
 #include <vector>
 
 namespace vug::passages {
@@ -62,11 +65,19 @@ class Section {
 
   /// The axes of sections that are ellipses about the origin.
   virtual std::optional<EllipseAxes> ellipse() const { return std::nullopt; }
+  /// Adds the name of the class and all numbers of the shape to the digest of a field.
+  void add_to(Digester& digester) const {
+    digester(std::string_view(typeid(*this).name()));
+    add_numbers_to(digester);
+  }
 
   double distance(double u, double v) const { return at(u, v).value; }
   /// Bounds of the distance over a rectangle, from its centre and the Lipschitz constant.
   Interval interval(Interval u, Interval v) const;
   const SectionTraits& traits() const { return traits_; }
+
+ protected:
+  virtual void add_numbers_to(Digester& digester) const = 0;
 
  private:
   SectionTraits traits_;

@@ -40,6 +40,9 @@ class PlacesNode : public field::EvaluationModes<PlacesNode>, public field::Mate
 
   const std::vector<NamedPlace> places;
 
+ protected:
+  void add_to(Digester& digester) const override { digester(child_); }
+
  private:
   field::NodePtr child_;
 };

@@ -87,6 +87,9 @@ class LocalMorph final : public field::EvaluationModes<LocalMorph>, public field
   }
   std::vector<NodePtr> material_operands() const override { return children(); }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(base_, shape_, amount_, blend_); }
+
  private:
   /// base + a (min(base, shape) - base): bit-identical to the base where it is smaller. In the
   /// second form both factors are monotone in base and shape, so intervals stay tight.

@@ -47,12 +47,13 @@ field::Field with_speleothems(const DripsPtr& drips, const SpeleothemJoin& join,
   const double bytes = drips::graph_memory(options.graph);
   const field::Field solids = field::deferred(
       {drips::kDripstoneSlope, field::Exactness::sign, bounds, drips::kDripstoneGrowth},
-      "finding drips", [drips] { return drips->grown().solids; }, bytes);
+      {"finding drips", bytes}, [](const DripsPtr& plan) { return plan->grown().solids; }, drips);
   const field::Field own = field::of_material(solids, join.material);
   if (part == SpeleothemPart::solids) return own;
   const field::Field thickness = field::deferred(
-      {field::kSteepestDeposit, field::Exactness::sign, infinite_box(), 0}, "laying flowstone",
-      [drips] { return drips->grown().thickness; }, bytes);
+      {field::kSteepestDeposit, field::Exactness::sign, infinite_box(), 0},
+      {"laying flowstone", bytes}, [](const DripsPtr& plan) { return plan->grown().thickness; },
+      drips);
   const field::Field thick = field::thickened(drips->rock(), thickness, field::kThickestDeposit),
                      rock = field::grown_on(drips->rock(), thick, join.material);
   if (part == SpeleothemPart::rock) return rock;

@@ -20,6 +20,8 @@ class DripsPlan {
 
   const field::Field& rock() const { return rock_; }
   const drips::DripstoneOptions& options() const { return options_; }
+  /// Identifies the rock and the options.
+  Digest digest() const { return digest_of(rock_, options_); }
   const drips::Graph& graph() const;
   const drips::Dripstone& grown() const;
 

@@ -73,6 +73,7 @@ class Samples final : public field::SampledGrid {
   Box3d bounds() const override { return bounds_; }
   double band() const override { return level_set_.background(); }
   double lipschitz() const override { return lipschitz_; }
+  Digest digest() const override { return level_set_.content(); }
 
  private:
   LevelSet level_set_;

@@ -15,15 +15,16 @@ namespace {
 
 TEST(Deferred, IsComputedOnceWhenAValueIsNeeded) {
   const Field ball = make("sphere", {{"radius", 2.0}});
-  std::atomic<int> calls = 0;
-  std::atomic<double> sum = 0;
-  const Field field = deferred(ball.node()->traits(), "digging", [&] {
+  static std::atomic<int> calls = 0;
+  static std::atomic<double> sum = 0;
+  const auto dig = [](const Field& solid) {
     ++calls;
     // A parallel loop of its own, while others wait for the field.
     sum = ordered_sum(
-        20000, 0.0, [&](size_t i) { return ball.value(Vec3d(double(i), 0, 0)); }, 8);
-    return ball;
-  });
+        20000, 0.0, [&](size_t i) { return solid.value(Vec3d(double(i), 0, 0)); }, 8);
+    return solid;
+  };
+  const Field field = deferred(ball.node()->traits(), {"digging"}, dig, ball);
   EXPECT_EQ(field.lipschitz(), 1);
   EXPECT_EQ(field.bounds(), ball.bounds());
   EXPECT_EQ(calls, 0);
@@ -41,11 +42,12 @@ TEST(Deferred, IsComputedOnceWhenAValueIsNeeded) {
 
 TEST(Deferred, BoundsAndInspectionComputeNothing) {
   const Field ball = make("sphere", {{"radius", 2.0}});
-  int calls = 0;
-  const Field drips = deferred(ball.node()->traits(), "digging", [&] {
+  static int calls = 0;
+  const auto dig = [](const Field& solid) {
     ++calls;
-    return ball;
-  });
+    return solid;
+  };
+  const Field drips = deferred(ball.node()->traits(), {"digging"}, dig, ball);
   const Field rock = unite({make("box"), drips});
   EXPECT_EQ(to_string(rock), "union\n  box\n  deferred\n");
   EXPECT_EQ(node_count(rock), 3u);
@@ -63,8 +65,9 @@ TEST(Deferred, BoundsAndInspectionComputeNothing) {
 
 TEST(Deferred, IsComputedAsAStageAndOnlyOnce) {
   const Field ball = make("sphere", {{"radius", 2.0}});
-  const Field field =
-      unite({ball, deferred(ball.node()->traits(), "digging", [&] { return ball; })});
+  const Field field = unite({ball, deferred(
+                                       ball.node()->traits(), {"digging"},
+                                       [](const Field& solid) { return solid; }, ball)});
   std::vector<std::string> stages;
   Progress progress([&](const std::string& stage, double fraction) {
     if (fraction >= 1) stages.push_back(stage);
@@ -75,12 +78,12 @@ TEST(Deferred, IsComputedAsAStageAndOnlyOnce) {
 
 TEST(Deferred, IsRefusedIfItNeedsTooMuchMemory) {
   const Field ball = make("sphere", {{"radius", 2.0}});
-  int calls = 0;
-  const auto make_ball = [&] {
+  static int calls = 0;
+  const auto dig = [](const Field& solid) {
     ++calls;
-    return ball;
+    return solid;
   };
-  const Field field = deferred(ball.node()->traits(), "digging", make_ball, 1000);
+  const Field field = deferred(ball.node()->traits(), {"digging", 1000}, dig, ball);
   EXPECT_THROW(compute_deferred(field, Progress::none(), 999), Error);
   EXPECT_EQ(calls, 0);
   compute_deferred(field, Progress::none(), 1000);
@@ -89,7 +92,7 @@ TEST(Deferred, IsRefusedIfItNeedsTooMuchMemory) {
 
 TEST(Deferred, AnErrorIsRepeated) {
   const Field field =
-      deferred({}, "digging", []() -> Field { throw Error(ErrorCode::bad_input, "no"); });
+      deferred({}, {"digging"}, []() -> Field { throw Error(ErrorCode::bad_input, "no"); });
   EXPECT_THROW(field.value(Vec3d(0)), Error);
   EXPECT_THROW(field.value(Vec3d(0)), Error);
 }

@@ -24,6 +24,7 @@ class BallGrid final : public SampledGrid {
   Box3d bounds() const override { return {Vec3d(-1 - band()), Vec3d(1 + band())}; }
   double band() const override { return 0.3; }
   double lipschitz() const override { return 1; }
+  Digest digest() const override { return digest_of(std::string("ball")); }
 };
 
 }  // namespace

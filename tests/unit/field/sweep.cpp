@@ -81,18 +81,11 @@ Value draw(const std::string& type, const ParamInfo& info, const std::string& ki
 }
 
 std::optional<SweepCase> random_case(const FieldKind& kind, RandomStream& random, bool defaults) {
-  Arguments arguments;
+  const Arguments arguments = draw_arguments(kind.info, random, defaults);
   std::string label = kind.info.name + "(";
-  for (const ParamInfo& info : kind.info.params) {
-    if (!info.required && (defaults || random.uniform() < 0.25)) continue;
-    Value value = draw(info.type, info, kind.info.name, random);
-    if (value.empty()) {
-      if (!info.required) continue;
-      throw std::runtime_error("sweep.cpp cannot draw a " + info.type + " for " + kind.info.name);
-    }
-    label += fmt::format(" {}: {}", info.name, value.get<Object>() ? "..." : to_string(value));
-    arguments.push_back({info.name, std::move(value), {}});
-  }
+  for (const Argument& each : arguments)
+    label +=
+        fmt::format(" {}: {}", each.name, each.value.get<Object>() ? "..." : to_string(each.value));
   Diagnostics diagnostics;
   std::optional<Field> field = kind.make(arguments, {}, diagnostics);
   if (!field) return std::nullopt;  // Incompatible parameters: draw again.
@@ -100,6 +93,24 @@ std::optional<SweepCase> random_case(const FieldKind& kind, RandomStream& random
 }
 
 }  // namespace
+
+Value draw_value(const ParamInfo& info, const std::string& kind, RandomStream& random) {
+  return draw(info.type, info, kind, random);
+}
+
+Arguments draw_arguments(const KindInfo& kind, RandomStream& random, bool defaults) {
+  Arguments arguments;
+  for (const ParamInfo& info : kind.params) {
+    if (!info.required && (defaults || random.uniform() < 0.25)) continue;
+    Value value = draw(info.type, info, kind.name, random);
+    if (value.empty()) {
+      if (!info.required) continue;
+      throw std::runtime_error("sweep.cpp cannot draw a " + info.type + " for " + kind.name);
+    }
+    arguments.push_back({info.name, std::move(value), {}});
+  }
+  return arguments;
+}
 
 std::vector<SweepCase> sweep_cases(const FieldKind& kind, int count) {
   RandomStream random(RandomKey(7).at(kind.info.name));

@@ -16,6 +16,11 @@ struct SweepCase {
   Field field;
 };
 
+/// A random value for a parameter of a kind.
+Value draw_value(const ParamInfo& info, const std::string& kind, RandomStream& random);
+/// Random values for the required parameters and, unless `defaults`, for most of the others.
+Arguments draw_arguments(const KindInfo& kind, RandomStream& random, bool defaults = false);
+
 /// The kind with its defaults, then with `count` random sets of compatible parameters.
 std::vector<SweepCase> sweep_cases(const FieldKind& kind, int count = 5);
 /// The cases of all kinds.

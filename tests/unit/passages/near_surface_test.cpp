@@ -160,6 +160,9 @@ class Plain final : public field::Node {
   }
   std::string name() const override { return "plain"; }
 
+ protected:
+  void add_to(vug::Digester& digester) const override { digester(node_); }
+
  private:
   field::NodePtr node_;
 };

@@ -142,6 +142,9 @@ class RepeatNode final : public EvaluationModes<RepeatNode>, public MaterialSour
   }
   std::vector<NodePtr> material_operands() const override { return {child_}; }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(child_, rows_[0], rows_[1], rows_[2]); }
+
  private:
   Vec3d in_nearest_copy(const Vec3d& position) const {
     const Point<double> p = point(position);

@@ -57,6 +57,8 @@ class Warping {
             child.growth_rate()};
   }
 
+  void add_to(Digester& digester) const { digester(amount_, noise_[0], noise_[1], noise_[2]); }
+
  private:
   using Layers = Fractal<Plain>;
   static Layers layer(const Warp& w, int axis) {

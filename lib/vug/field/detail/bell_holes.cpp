@@ -12,6 +12,10 @@ struct BellHoles : RoofHollows {
   double diameter = 0.6;
   double height = 1.2;
 
+  void add_to(Digester& digester) const {
+    digester(static_cast<const RoofHollows&>(*this), diameter, height);
+  }
+
   static void describe(Schema<BellHoles>& s) {
     s.doc(
          "Bell holes: plumb round shafts that end blindly in the roof of a cave, with a dome on "
@@ -23,7 +27,7 @@ struct BellHoles : RoofHollows {
         .param("height", &BellHoles::height, positive_length("mean height above the roof"));
   }
 
-  Field hole(const Roof& roof) const {
+  Field hollow(const Roof& roof) const {
     const double radius = 0.5 * diameter * (0.7 + 0.6 * roof.random[0]);
     const double top = std::max(height * (0.4 + 1.2 * roof.random[1]), radius);
     // The mouth reaches below a sloping roof, but not to the floor.
@@ -39,6 +43,6 @@ struct BellHoles : RoofHollows {
 
 VUG_FIELD_KIND(bell_holes) {
   return field_kind<BellHoles>("bell_holes", "detail", [](const BellHoles& b) {
-    return hollowed(b, 1.6 * b.height + b.diameter, [b](const Roof& roof) { return b.hole(roof); });
+    return hollowed(b, 1.6 * b.height + b.diameter);
   });
 }

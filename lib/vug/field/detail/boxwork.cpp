@@ -94,6 +94,8 @@ class Veins {
   Traits traits(const Traits& child) const { return layer().traits(child); }
   Interval range(Interval child) const { return layer().range(child); }
 
+  void add_to(Digester& digester) const { digester(half_, height_, ragged_, wave_, sets_); }
+
  private:
   /// How much closer together surfaces of a bent set can be than planes.
   static double stretch(const Layering& set) { return set.slope() * set.thickness; }

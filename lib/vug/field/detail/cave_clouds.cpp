@@ -26,6 +26,10 @@ struct CaveClouds : SurfaceScatter {
 
   CaveClouds() { spacing = 0.1; }
 
+  void add_to(Digester& digester) const {
+    digester(static_cast<const SurfaceScatter&>(*this), level, diameter, rise, merge, material);
+  }
+
   static void describe(Schema<CaveClouds>& s) {
     s.doc(
         "Cave clouds: a coating of rounded lobes that calcite forms on the walls of a pool, and "
@@ -75,8 +79,8 @@ struct CaveClouds : SurfaceScatter {
 VUG_FIELD_KIND(cave_clouds) {
   return field_kind<CaveClouds>("cave_clouds", "detail", [](const CaveClouds& c) {
     const Field clouds = deferred(
-        surface_traits(c, c.reach()), "growing cave clouds", [c] { return c.coating(); },
-        c.bytes<Lobe>());
+        surface_traits(c, c.reach()), {"growing cave clouds", c.bytes<Lobe>()},
+        [](const CaveClouds& each) { return each.coating(); }, c);
     return unite({c.field, of_material(clouds, c.material)});
   });
 }

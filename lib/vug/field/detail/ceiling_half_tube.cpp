@@ -118,7 +118,8 @@ struct CeilingHalfTube {
 
 VUG_FIELD_KIND(ceiling_half_tube) {
   return field_kind<CeilingHalfTube>("ceiling_half_tube", "detail", [](const CeilingHalfTube& c) {
-    return subtract(c.field, {deferred({1, Exactness::bound, c.box(), 1}, "cutting half-tubes",
-                                       [c] { return c.channel(); })});
+    return subtract(c.field, {deferred(
+                                 {1, Exactness::bound, c.box(), 1}, {"cutting half-tubes"},
+                                 [](const CeilingHalfTube& each) { return each.channel(); }, c)});
   });
 }

@@ -15,6 +15,10 @@ struct Cupolas : RoofHollows {
   double diameter = 1.8;
   double rise = 0.8;
 
+  void add_to(Digester& digester) const {
+    digester(static_cast<const RoofHollows&>(*this), diameter, rise);
+  }
+
   static void describe(Schema<Cupolas>& s) {
     s.doc(
          "Cupolas: domes that slowly moving water or condensation dissolved into the roof of a "
@@ -30,7 +34,7 @@ struct Cupolas : RoofHollows {
                 .max = 3});
   }
 
-  Field dome(const Roof& roof) const {
+  Field hollow(const Roof& roof) const {
     const double radius = 0.5 * diameter * maths::exp(kSpread * (2 * roof.random[0] - 1));
     const double height = radius * rise * (0.8 + 0.4 * roof.random[1]);
     // The lower half hangs in the air of the cave, but leaves its floor as it is.
@@ -46,7 +50,6 @@ struct Cupolas : RoofHollows {
 
 VUG_FIELD_KIND(cupolas) {
   return field_kind<Cupolas>("cupolas", "detail", [](const Cupolas& c) {
-    return hollowed(c, 0.75 * c.diameter * std::max(1.0, 1.2 * c.rise),
-                    [c](const Roof& roof) { return c.dome(roof); });
+    return hollowed(c, 0.75 * c.diameter * std::max(1.0, 1.2 * c.rise));
   });
 }

@@ -20,6 +20,10 @@ struct DogtoothSpar : SurfaceScatter {
 
   DogtoothSpar() { spacing = 0.022; }
 
+  void add_to(Digester& digester) const {
+    digester(static_cast<const SurfaceScatter&>(*this), length, tilt);
+  }
+
   static void describe(Schema<DogtoothSpar>& s) {
     s.doc(
          "Dog-tooth spar: pointed crystals of calcite on a wall, scalenohedra {21-31} with twelve "
@@ -56,8 +60,9 @@ struct DogtoothSpar : SurfaceScatter {
 
 VUG_FIELD_KIND(dogtooth_spar) {
   return field_kind<DogtoothSpar>("dogtooth_spar", "detail", [](const DogtoothSpar& d) {
-    return unite({d.field, deferred(
-                               surface_traits(d, d.reach()), "growing spar",
-                               [d] { return d.crystals(); }, d.bytes<Scalenohedron>())});
+    return unite(
+        {d.field, deferred(
+                      surface_traits(d, d.reach()), {"growing spar", d.bytes<Scalenohedron>()},
+                      [](const DogtoothSpar& each) { return each.crystals(); }, d)});
   });
 }

@@ -25,6 +25,10 @@ struct Frostwork : SurfaceScatter {
 
   Frostwork() { spacing = 0.025; }
 
+  void add_to(Digester& digester) const {
+    digester(static_cast<const SurfaceScatter&>(*this), length, diameter, needles, branches);
+  }
+
   static void describe(Schema<Frostwork>& s) {
     s.doc("Frostwork: bushes of thin needles on a rock, with side needles at 20 to 40 degrees.")
         .cite("hill1997");
@@ -79,7 +83,8 @@ VUG_FIELD_KIND(frostwork) {
   return field_kind<Frostwork>("frostwork", "detail", [](const Frostwork& f) {
     return unite(
         {f.field, deferred(
-                      surface_traits(f, f.reach()), "growing frostwork", [f] { return f.bushes(); },
-                      f.bytes<RoundCone>(f.needles * (1 + f.branches)))});
+                      surface_traits(f, f.reach()),
+                      {"growing frostwork", f.bytes<RoundCone>(f.needles * (1 + f.branches))},
+                      [](const Frostwork& each) { return each.bushes(); }, f)});
   });
 }

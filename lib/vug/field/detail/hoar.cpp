@@ -20,6 +20,10 @@ struct Hoar : SurfaceScatter {
 
   Hoar() { spacing = 0.012; }
 
+  void add_to(Digester& digester) const {
+    digester(static_cast<const SurfaceScatter&>(*this), diameter, thickness, tilt, wind);
+  }
+
   static void describe(Schema<Hoar>& s) {
     s.doc("Hoar: thin hexagonal plates of ice that stand on a cold surface.");
     describe_surface_scatter(s)
@@ -66,7 +70,7 @@ struct Hoar : SurfaceScatter {
 VUG_FIELD_KIND(hoar) {
   return field_kind<Hoar>("hoar", "detail", [](const Hoar& h) {
     return unite({h.field, deferred(
-                               surface_traits(h, h.reach()), "growing hoar",
-                               [h] { return h.plates(); }, h.bytes<HexPlate>())});
+                               surface_traits(h, h.reach()), {"growing hoar", h.bytes<HexPlate>()},
+                               [](const Hoar& each) { return each.plates(); }, h)});
   });
 }

@@ -24,6 +24,10 @@ struct Lavacicles : SurfaceScatter {
 
   Lavacicles() { spacing = 0.07; }
 
+  void add_to(Digester& digester) const {
+    digester(static_cast<const SurfaceScatter&>(*this), length, base, tip, flow);
+  }
+
   static void describe(Schema<Lavacicles>& s) {
     s.doc(
         "Lavacicles on the roof of a lava tube: blunt cones that hang plumb. With a `base` above "
@@ -68,8 +72,9 @@ struct Lavacicles : SurfaceScatter {
 
 VUG_FIELD_KIND(lavacicles) {
   return field_kind<Lavacicles>("lavacicles", "detail", [](const Lavacicles& l) {
-    return unite({l.field, deferred(
-                               surface_traits(l, l.reach()), "hanging lavacicles",
-                               [l] { return l.cones(); }, l.bytes<RoundCone>())});
+    return unite(
+        {l.field, deferred(
+                      surface_traits(l, l.reach()), {"hanging lavacicles", l.bytes<RoundCone>()},
+                      [](const Lavacicles& each) { return each.cones(); }, l)});
   });
 }

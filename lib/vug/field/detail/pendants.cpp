@@ -75,6 +75,8 @@ class PendantChannels {
     return {child.lo, std::max(child.hi, std::min(width_ / braid_.slope(), child.hi + height_))};
   }
 
+  void add_to(Digester& digester) const { digester(braid_, up_, width_, height_, level_); }
+
  private:
   Braid braid_;
   Vec3d up_;

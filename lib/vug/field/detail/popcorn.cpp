@@ -29,6 +29,10 @@ struct Popcorn : SurfaceScatter {
 
   Popcorn() { spacing = 0.018; }
 
+  void add_to(Digester& digester) const {
+    digester(static_cast<const SurfaceScatter&>(*this), diameter, stalk, cluster, wind, material);
+  }
+
   static void describe(Schema<Popcorn>& s) {
     s.doc(
          "Popcorn: knobs of calcite on short stalks, in clusters on a wall. They are larger on its "
@@ -93,8 +97,8 @@ struct Popcorn : SurfaceScatter {
 VUG_FIELD_KIND(popcorn) {
   return field_kind<Popcorn>("popcorn", "detail", [](const Popcorn& p) {
     const Field knobs = deferred(
-        surface_traits(p, p.reach()), "growing popcorn", [p] { return p.crust(); },
-        p.bytes<Nodule>(p.cluster));
+        surface_traits(p, p.reach()), {"growing popcorn", p.bytes<Nodule>(p.cluster)},
+        [](const Popcorn& each) { return each.crust(); }, p);
     return unite({p.field, of_material(knobs, p.material)});
   });
 }

@@ -60,6 +60,8 @@ class Pores {
     return {child.lo, std::max(child.hi, std::min(radius_, child.hi + depth_))};
   }
 
+  void add_to(Digester& digester) const { digester(size_, depth_, radius_, seed_); }
+
  private:
   /// Balls about random places, one per unit of volume, leave exp(-v) of it for their volume v.
   /// There is one in each cell, so they overlap less: exp(-v (1 + kEven v)) fits.

@@ -24,6 +24,10 @@ struct Tafoni : SurfaceScatter {
 
   Tafoni() { spacing = 0.085; }
 
+  void add_to(Digester& digester) const {
+    digester(static_cast<const SurfaceScatter&>(*this), width, depth, stretch, normal);
+  }
+
   static void describe(Schema<Tafoni>& s) {
     s.doc(
          "Tafoni: round cells that weathering hollows out of a rock face, side by side with sharp "
@@ -77,8 +81,9 @@ struct Tafoni : SurfaceScatter {
 
 VUG_FIELD_KIND(tafoni) {
   return field_kind<Tafoni>("tafoni", "detail", [](const Tafoni& t) {
-    return subtract(t.field, {deferred(
-                                 surface_traits(t, t.reach()), "weathering tafoni",
-                                 [t] { return t.cells(); }, t.bytes<RoundCone>())});
+    return subtract(t.field,
+                    {deferred(
+                        surface_traits(t, t.reach()), {"weathering tafoni", t.bytes<RoundCone>()},
+                        [](const Tafoni& each) { return each.cells(); }, t)});
   });
 }

@@ -17,6 +17,7 @@ struct Beds : BedParams {
     describe_beds(
         s.doc("Layered rock: 1 on the face of the hardest bed, -1 in the notch of the softest."));
   }
+  void add_to(Digester& digester) const { digester(static_cast<const BedParams&>(*this)); }
 };
 
 class Hardness {
@@ -68,7 +69,9 @@ class Hardness {
 
 }  // namespace
 
-Noise layered_rock(const BedParams& params) { return formula_noise("beds", Hardness(params)); }
+Noise layered_rock(const BedParams& params) {
+  return formula_noise("beds", Hardness(params), params);
+}
 
 }  // namespace vug::field
 

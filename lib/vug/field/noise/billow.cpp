@@ -9,6 +9,7 @@ struct Billow : OctaveParams {
     describe_octaves(s.doc("Round bumps that meet in sharp hollows, like boulders or clouds.")
                          .cite("musgrave1989"));
   }
+  void add_to(Digester& digester) const { digester(static_cast<const OctaveParams&>(*this)); }
 };
 
 /// 2 |n|, minus its mean.

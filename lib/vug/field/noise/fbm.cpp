@@ -9,6 +9,7 @@ struct Fbm : OctaveParams {
     describe_octaves(s.doc("Fractal Brownian motion: smooth features with ever finer ones added.")
                          .cite("musgrave1989"));
   }
+  void add_to(Digester& digester) const { digester(static_cast<const OctaveParams&>(*this)); }
 };
 
 }  // namespace

@@ -11,6 +11,7 @@ struct Ridged : OctaveParams {
   static void describe(Schema<Ridged>& s) {
     describe_octaves(s.doc("Sharp ridges, finer ones on coarser ones.").cite("musgrave1989"));
   }
+  void add_to(Digester& digester) const { digester(static_cast<const OctaveParams&>(*this)); }
 };
 
 class Ridges {

@@ -10,6 +10,7 @@ struct Turbulence : OctaveParams {
         s.doc("Folded noise that only displaces outwards: 0 along creases, larger between them.")
             .cite("perlin1985"));
   }
+  void add_to(Digester& digester) const { digester(static_cast<const OctaveParams&>(*this)); }
 };
 
 /// 2 |n|.

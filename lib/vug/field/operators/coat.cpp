@@ -39,6 +39,8 @@ class CoatRule final : public MaterialRule {
   std::vector<RockMaterialPtr> assigned() const override { return {coating_.of}; }
   bool keeps_child() const override { return true; }
 
+  void add_to(Digester& digester) const override { digester(coating_.of, coating_.thickness); }
+
  private:
   Coating coating_;
 };

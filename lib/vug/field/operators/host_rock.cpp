@@ -68,6 +68,10 @@ class Partition final : public MaterialRule {
     return out;
   }
 
+  void add_to(Digester& digester) const override {
+    digester(host_.of, host_.bodies, host_.contact);
+  }
+
  private:
   HostRock host_;
 };

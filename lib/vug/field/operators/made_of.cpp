@@ -33,6 +33,8 @@ class OneMaterial final : public MaterialRule {
   }
   std::vector<RockMaterialPtr> assigned() const override { return {material_}; }
 
+  void add_to(Digester& digester) const override { digester(material_); }
+
  private:
   RockMaterialPtr material_;
 };

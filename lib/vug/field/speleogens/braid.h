@@ -40,6 +40,10 @@ class Braid {
     return 2 * (1 + std::sqrt(2.0) * kBends * kGradientNoiseSlope * wander_ / spacing_);
   }
 
+  void add_to(Digester& digester) const {
+    digester(across_, spacing_, wander_, seeds_[0], seeds_[1], seeds_[2]);
+  }
+
  private:
   static constexpr double kBends = 1.3;  ///< Waves of the deviation per spacing.
   Across across_;

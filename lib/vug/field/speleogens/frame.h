@@ -2,6 +2,7 @@
 // Coordinates along a direction and across it, scaled.
 #pragma once
 
+#include <vug/base/digester.h>
 #include <vug/field/point.h>
 
 #include <cmath>
@@ -17,6 +18,7 @@ struct Across {
     up = along.cross(side);
   }
   Vec3d side, up;
+  void add_to(Digester& digester) const { digester(side, up); }
 };
 
 /// x along the direction, y and z across it, each multiplied by its factor. y is turned from the

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
 #include <vug/base/rng.h>
-#include <vug/field/boolean.h>
 #include <vug/field/box_fault.h>
-#include <vug/field/deferred.h>
 #include <vug/field/speleogens/roofs.h>
 
 #include <algorithm>
@@ -80,15 +78,6 @@ std::vector<Roof> find_roofs(const RoofHollows& h) {
   std::vector<Roof> roofs;
   for (const auto& cell : found) roofs.insert(roofs.end(), cell.begin(), cell.end());
   return roofs;
-}
-
-Field hollowed(const RoofHollows& h, double reach, std::function<Field(const Roof&)> hollow) {
-  const Traits traits{1, Exactness::bound, grown(Box3d(h.from, h.to), reach), 0.5};
-  return subtract(h.field, {deferred(traits, "hollowing roofs", [h, hollow] {
-                    std::vector<Field> air;
-                    for (const Roof& roof : find_roofs(h)) air.push_back(hollow(roof));
-                    return air.empty() ? empty() : unite(std::move(air));
-                  })});
 }
 
 }  // namespace vug::field

@@ -2,10 +2,11 @@
 // Hollows in the roofs of caves: the search for their places, and the parameters that all share.
 #pragma once
 
+#include <vug/field/boolean.h>
+#include <vug/field/deferred.h>
 #include <vug/field/kind.h>
 #include <vug/field/noise.h>
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -49,8 +50,18 @@ std::vector<double> surface_heights(const Field& rock, double x, double z, doubl
 /// that a vertical line there crosses; in lattice order. Air is where the rock is positive.
 std::vector<Roof> find_roofs(const RoofHollows& hollows);
 
-/// The rock less a hollow at each roof: `hollow` returns its air, no wider than `reach` from the
-/// place. Hollows that meet leave sharp cusps. They are computed when first needed.
-Field hollowed(const RoofHollows& hollows, double reach, std::function<Field(const Roof&)> hollow);
+/// The rock less a hollow at each roof. P is derived from RoofHollows and has
+///   Field hollow(const Roof&) const   (the air of a hollow, no wider than `reach` from the roof)
+/// Hollows that meet leave sharp cusps. They are computed when first needed.
+template <class P>
+Field hollowed(const P& hollows, double reach) {
+  const Traits traits{1, Exactness::bound, grown(Box3d(hollows.from, hollows.to), reach), 0.5};
+  const auto cut = [](const P& each) {
+    std::vector<Field> air;
+    for (const Roof& roof : find_roofs(each)) air.push_back(each.hollow(roof));
+    return unite(std::move(air));
+  };
+  return subtract(hollows.field, {deferred(traits, {"hollowing roofs"}, cut, hollows)});
+}
 
 }  // namespace vug::field

@@ -61,6 +61,9 @@ struct Layer {
     const Vec3d offset = p - from;
     return (offset - along * std::clamp(offset.dot(along) * inverse, 0.0, 1.0)).length();
   }
+  void add_to(Digester& digester) const {
+    digester(from, along, inverse, width, widening, thickness, thickening);
+  }
 };
 
 class ThicknessNode final : public EvaluationModes<ThicknessNode> {
@@ -124,6 +127,9 @@ class ThicknessNode final : public EvaluationModes<ThicknessNode> {
     return {range, std::make_shared<ThicknessNode>(traits(), std::move(kept))};
   }
   std::string name() const override { return "deposits"; }
+
+ protected:
+  void add_to(Digester& digester) const override { digester(grid_ ? grid_->layers : listed_); }
 
  private:
   /// In ascending order, each once.

@@ -105,6 +105,9 @@ class ElementListNode final : public EvaluationModes<ElementListNode<E>>, public
   }
   std::string name() const override { return "elements"; }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(elements_, blend_); }
+
  private:
   static constexpr double kFar = 1e6;  ///< As the value of the empty field.
 

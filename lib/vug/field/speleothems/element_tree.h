@@ -79,6 +79,8 @@ class ElementTree {
     return out;
   }
 
+  void add_to(Digester& digester) const { digester(elements_); }
+
  private:
   static constexpr size_t kLeaf = 4;
   struct Branch {

@@ -33,6 +33,8 @@ class HexPlate {
   }
   Ball ball() const { return {centre_, radius_}; }
 
+  void add_to(Digester& digester) const { digester(centre_, axis_, sides_, inner_, half_); }
+
  private:
   Vec3d centre_, axis_;
   std::array<Vec3d, 3> sides_;

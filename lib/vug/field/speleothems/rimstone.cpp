@@ -79,6 +79,11 @@ class RimstoneNode final : public EvaluationModes<RimstoneNode> {
   std::string name() const override { return water_ ? "rimstone_water" : "rimstone"; }
   std::vector<NodePtr> children() const override { return {rock_, lobes_.field.node()}; }
 
+ protected:
+  void add_to(Digester& digester) const override {
+    digester(rock_, lobes_, p_.height, p_.depth, p_.lobes, p_.lobe_size, water_);
+  }
+
  private:
   static double feel(const RimstoneParams& p) { return 0.8 * p.height; }
 

@@ -30,6 +30,8 @@ class Scalenohedron {
   /// The unit normals of the six faces of the upper tip; the lower ones are their opposites.
   const std::array<Vec3d, 6>& normals() const { return normals_; }
 
+  void add_to(Digester& digester) const { digester(centre_, axis_, half_, face_, normals_); }
+
  private:
   /// Distance to a face or its opposite: the crystal has a centre of symmetry.
   template <class T>

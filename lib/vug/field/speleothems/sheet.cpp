@@ -111,6 +111,9 @@ class SheetNode final : public EvaluationModes<SheetNode>, public EvaluatesBelow
   }
   std::string name() const override { return name_; }
 
+ protected:
+  void add_to(Digester& digester) const override { digester(name_, facets_); }
+
  private:
   /// Lowers `least` to the least value of the facets that is below it, and `which` to their index.
   template <class S>

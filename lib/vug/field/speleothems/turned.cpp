@@ -49,6 +49,9 @@ struct FluteModifier {
     return out;
   }
   Interval range(Interval child) const { return {child.lo - depth, child.hi + depth}; }
+  void add_to(Digester& digester) const {
+    digester(first, second, depth, radius, cosine[0], cosine[1], sine[0], sine[1]);
+  }
 };
 
 struct BendDeformer {

@@ -85,9 +85,12 @@ field::Field breakdown_body(const Vault& vault, const PileOptions& options, doub
     traits.growth = std::min(traits.growth, rubble.growth);
     traits.bounds = united(traits.bounds, rubble.bounds);
   }
-  return field::deferred(std::move(traits), "piling up blocks", [vault, options, fines] {
-    return pile_body(pile(vault, options), options.floor, fines);
-  });
+  return field::deferred(
+      std::move(traits), {"piling up blocks"},
+      [](const Vault& fallen, const PileOptions& how, double rubble) {
+        return pile_body(pile(fallen, how), how.floor, rubble);
+      },
+      vault, options, fines);
 }
 
 }  // namespace vug::passages

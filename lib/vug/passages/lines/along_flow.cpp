@@ -103,6 +103,11 @@ class AlongFlow final : public field::EvaluationModes<AlongFlow> {
   std::string name() const override { return "along_flow"; }
   std::vector<field::NodePtr> children() const override { return {noise_.field.node()}; }
 
+ protected:
+  void add_to(Digester& digester) const override {
+    digester(bvh_, noise_, inverse_stretch_, inverse_blend_, reach_);
+  }
+
  private:
   static Vec3d centre_of(const Point<double>& p) { return field::vector(p); }
   static Vec3d centre_of(const Point<Dual<double>>& p) { return {p.x.v, p.y.v, p.z.v}; }

@@ -42,6 +42,8 @@ class LineBvh {
   };
   Nearest nearest(const Vec3d& p) const;
 
+  void add_to(Digester& digester) const { digester(lines_); }
+
  private:
   void build(uint32_t node, uint32_t first, uint32_t count);
 

@@ -51,6 +51,11 @@ class Vesica final : public SectionModes<Vesica> {
     return points;
   }
 
+ protected:
+  void add_numbers_to(Digester& digester) const override {
+    digester(half_, radius_, offset_, cosine_, sine_);
+  }
+
  private:
   static SectionTraits traits_of(double half, double bulge, bool upright, double tilt) {
     const double radius = (half * half + bulge * bulge) / (2 * bulge), offset = radius - bulge;

@@ -63,6 +63,11 @@ class RoundedRectangle final : public SectionModes<RoundedRectangle> {
     return points;
   }
 
+ protected:
+  void add_numbers_to(Digester& digester) const override {
+    digester(inner_, radius_, cosine_, sine_);
+  }
+
  private:
   static SectionTraits traits_of(const Vec2d& half, double radius, double tilt) {
     const double c = std::abs(maths::cos(tilt)), s = std::abs(maths::sin(tilt));

@@ -47,6 +47,9 @@ class Ellipse final : public SectionModes<Ellipse> {
     return points;
   }
 
+ protected:
+  void add_numbers_to(Digester& digester) const override { digester(a_, b_, cosine_, sine_); }
+
  private:
   static SectionTraits traits_of(double a, double b, double tilt) {
     const double c = maths::cos(tilt), s = maths::sin(tilt);

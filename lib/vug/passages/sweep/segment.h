@@ -72,11 +72,14 @@ class Segment {
   /// A box around the inside; outside of it the field grows at least with the rate `scale()`.
   Box3d bounds() const;
 
+  void add_to(Digester& digester) const { digester(start_, along_, length_, from_, to_); }
+
  private:
   struct Plane {
     Vec3d right, up;
     SectionPtr section;
     double depth = 0;
+    void add_to(Digester& digester) const { digester(right, up, section); }
     Vec3d in_space(const Vec2d& p) const { return right * p.x + up * p.y; }
   };
   Plane plane(const SectionFrame& frame) const;

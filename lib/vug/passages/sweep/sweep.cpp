@@ -116,6 +116,11 @@ class SweepNode final : public field::EvaluationModes<SweepNode>,
   std::string name() const override { return "passages"; }
   std::optional<Thin> thinner_than(double thickness) const override;
 
+ protected:
+  void add_to(Digester& digester) const override {
+    digester(parts_->sweep, active_.segments, whole_);
+  }
+
  private:
   static Vec3d centre_of(const Point<double>& p) { return field::vector(p); }
   static Vec3d centre_of(const Point<Dual<double>>& p) { return {p.x.v, p.y.v, p.z.v}; }

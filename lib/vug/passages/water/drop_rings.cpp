@@ -76,7 +76,7 @@ field::Noise drop_rings(const DropRingsOptions& options) {
         ErrorCode::bad_input,
         fmt::format("{} points of drop rings are more than {}", options.points.size(), kMostRings),
         {}, "use the drops of one pool, or a 'budget' of drips");
-  return field::formula_noise("drop_rings", Rings(options));
+  return field::formula_noise("drop_rings", Rings(options), options);
 }
 
 }  // namespace vug::passages

@@ -185,9 +185,12 @@ field::Field fill_body(const field::Field& rock, const FillOptions& options) {
   traits.growth = 1 / std::sqrt(3.0);
   traits.bounds = grown(options.region, (kOverlapInCells + 1) * options.cell);
   traits.bounds.max.y = std::min(traits.bounds.max.y, options.level);
-  return field::deferred(std::move(traits), "filling in water", [rock, options] {
-    return polytopes("fill", filled_hollow(rock, options));
-  });
+  return field::deferred(
+      std::move(traits), {"filling in water"},
+      [](const field::Field& solid, const FillOptions& how) {
+        return polytopes("fill", filled_hollow(solid, how));
+      },
+      rock, options);
 }
 
 }  // namespace vug::passages

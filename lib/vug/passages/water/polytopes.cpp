@@ -60,6 +60,8 @@ class PolytopeUnion {
   }
   const Box3d& bounds() const { return nodes_[0].box; }
 
+  void add_to(Digester& digester) const { digester(parts_); }
+
  private:
   struct Node {
     Box3d box;

@@ -101,15 +101,15 @@ field::Field tubes(const WaterPaths& p) {
                                    p.radius * (p.by_discharge > 0 ? WaterPaths::kWidest : 1)),
                              1};
   return field::deferred(
-      traits, "finding drips",
-      [p] {
+      traits, {"finding drips", drips::graph_memory(options)},
+      [](const WaterPaths& paths) {
         std::vector<field::Field> classes;
-        for (auto& [number, ways] : lines(p))
+        for (auto& [number, ways] : lines(paths))
           classes.push_back(passages::centreline(
-              std::move(ways), p.radius * maths::pow(2.0, number / WaterPaths::kClasses)));
+              std::move(ways), paths.radius * maths::pow(2.0, number / WaterPaths::kClasses)));
         return classes.empty() ? field::empty() : field::unite(std::move(classes));
       },
-      drips::graph_memory(options));
+      p);
 }
 
 }  // namespace
