@@ -4,6 +4,7 @@
 
 #include <vug/base/memory.h>
 #include <vug/building/cells_checkpoint.h>
+#include <vug/loading/plugin.h>
 
 namespace vug::python {
 
@@ -19,6 +20,9 @@ struct Build::Context {
     if (!settings.checkpoint.empty())
       out.checkpoint = std::make_shared<building::CellsCheckpoint>(
           building::CheckpointOptions{settings.checkpoint, std::nullopt, true}, shot);
+    if (!scene.loaded().sources.empty())
+      out.stored = building::user_store(scene.loaded().sources.front()->file,
+                                        loading::digest_of_plugins(), nullptr);
     out.on_warning = [this, &scene](const Diagnostics& doubtful) {
       queue.warn(warnings_of(scene.loaded(), doubtful));
     };

@@ -2,6 +2,7 @@
 #include "scene_options.h"
 
 #include "arguments.h"
+#include "product_report.h"
 
 #include <fmt/format.h>
 #include <vug/base/memory.h>
@@ -125,6 +126,8 @@ void WorkOptions::add_to(CLI::App& app) {
                               "No progress bar and no summary; warnings are still printed");
   app.add_flag("--progress", progress, "Progress bar even if stderr is not a terminal")
       ->excludes(silent);
+  app.add_flag("--no-cache", no_cache,
+               "Build everything anew, without the store of finished products");
 }
 
 ProgressBarMode WorkOptions::bar_mode() const {
@@ -140,6 +143,7 @@ uint64_t WorkOptions::memory_limit() const {
 building::BuildOptions WorkOptions::build_options(const loading::Loaded& loaded) const {
   building::BuildOptions options;
   options.max_memory = memory_limit();
+  if (!no_cache) options.stored = store_use(loaded);
   options.on_warning = [&loaded](const Diagnostics& doubtful) {
     clear_progress_bar();
     fmt::print(stderr, "{}", loaded.report(doubtful));

@@ -56,6 +56,7 @@ struct WorkOptions {
   std::string max_memory;
   bool quiet = false;
   bool progress = false;
+  bool no_cache = false;
 
   void add_to(CLI::App& app);
   ProgressBarMode bar_mode() const;

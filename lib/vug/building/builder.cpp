@@ -5,6 +5,7 @@
 #include <vug/building/cells_checkpoint.h>
 #include <vug/building/make_mesh.h>
 #include <vug/building/memory_estimate.h>
+#include <vug/building/product_keys.h>
 #include <vug/building/thin_part_warnings.h>
 #include <vug/field/deferred.h>
 #include <vug/shot/queries.h>
@@ -113,17 +114,18 @@ void Builder::reuse_from(Builder&& other) {
       other.surfaces_.clear();
 }
 
-volume::LevelSet Builder::make_level_set(const shot::VolumePlan& plan) {
-  const mesh::MeshPtr mesh = plan.source_mesh ? mesh_for_volume(plan.source_mesh) : nullptr;
-  const Stopwatch watch(seconds_);
+void Builder::warn_of_thin_parts(const shot::VolumePlan& plan) {
+  if (!options_.on_warning || plan.source_mesh || !warned_of_.insert(&plan).second) return;
+  if (const Diagnostics thin = thin_part_warnings(plan, options_.where_of); !thin.all().empty())
+    options_.on_warning(thin);
+}
+
+volume::LevelSet Builder::make_level_set(const shot::VolumePlan& plan, const mesh::Mesh* mesh) {
   const CancellableScope scope(progress_);
   const Progress::Product product(progress_, plan.name);
   if (!mesh) {
     field::compute_deferred(plan.field, progress_, memory_budget());
-    // Before the voxels, whose number may make them slow.
-    if (options_.on_warning)
-      if (const Diagnostics thin = thin_part_warnings(plan, options_.where_of); !thin.all().empty())
-        options_.on_warning(thin);
+    warn_of_thin_parts(plan);  // Before the voxels, whose number may make them slow.
     return volume::voxelize(plan.field, voxelize_options(plan, memory_budget()), progress_);
   }
   volume::FromMeshOptions options;
@@ -136,8 +138,17 @@ volume::LevelSet Builder::make_level_set(const shot::VolumePlan& plan) {
 const volume::LevelSet& Builder::level_set(const shot::VolumePtr& plan) {
   if (const auto found = level_sets_.find(plan); found != level_sets_.end()) return found->second;
   try {
-    const volume::LevelSet& made = level_sets_.emplace(plan, make_level_set(*plan)).first->second;
+    const mesh::MeshPtr mesh = plan->source_mesh ? mesh_for_volume(plan->source_mesh) : nullptr;
+    const auto obtained = products_.obtain<volume::LevelSet>(
+        level_set_key(*plan, mesh.get()), plan->name,
+        [&](double& seconds) {
+          const Stopwatch watch(seconds);
+          return make_level_set(*plan, mesh.get());
+        },
+        seconds_);
+    const volume::LevelSet& made = level_sets_.emplace(plan, obtained).first->second;
     held_ += made.statistics().memory_bytes;
+    warn_of_thin_parts(*plan);
     if (!made.holds_solid())
       warn(plan->where, fmt::format("the volume '{}' is empty", plan->name), why_empty(*plan));
     return made;
@@ -172,13 +183,7 @@ mesh::MeshPtr Builder::mesh_for_volume(const shot::MeshPtr& plan) {
 }
 
 Builder::BuiltMesh Builder::build_plain(const shot::MeshPlan& plan) {
-  const volume::LevelSet* surface = plan.file_mesh ? nullptr : &level_set(plan.volume);
-  const Stopwatch watch(seconds_);
-  const Progress::Product product(progress_, plan.name);
-  shot::MeshPlan quality = plan;
-  quality.polish = plan.polish && !shot_.draft;
-  SurfaceMesh made = surface ? make_mesh(quality, *surface, memory_budget(), progress_)
-                             : SurfaceMesh{make_mesh(plan), {}};
+  SurfaceMesh made = plan.file_mesh ? SurfaceMesh{make_mesh(plan)} : surface_mesh(plan);
   if (plan.topology == shot::SmallTopology::keep && !made.small_features.empty())
     warn(plan.volume->where,
          fmt::format("the mesh '{}' has features smaller than two voxels: {}", plan.name,
@@ -186,6 +191,35 @@ Builder::BuiltMesh Builder::build_plain(const shot::MeshPlan& plan) {
          "topology clean removes them");
   return {std::make_shared<const mesh::Mesh>(std::move(made.pieces.mesh)), made.pieces.removed,
           std::move(made.small_features), false};
+}
+
+bool Builder::is_stored(const shot::MeshPlan& plan) const {
+  return plan.volume && !plan.cells && !plan.volume->source_mesh &&
+         products_.contains(surface_mesh_key(plan, shot_.draft));
+}
+
+SurfaceMesh Builder::surface_mesh(const shot::MeshPlan& plan) {
+  const store::Key key = plan.volume->source_mesh
+                             ? surface_mesh_key(plan, shot_.draft, level_set(plan.volume))
+                             : surface_mesh_key(plan, shot_.draft);
+  SurfaceMesh made = products_.obtain<SurfaceMesh>(
+      key, plan.name,
+      [&](double& seconds) {
+        const volume::LevelSet& surface = level_set(plan.volume);
+        const Stopwatch watch(seconds);
+        const Progress::Product product(progress_, plan.name);
+        // Their materials count, too.
+        field::compute_deferred(plan.volume->field, progress_, memory_budget());
+        shot::MeshPlan quality = plan;
+        quality.polish = plan.polish && !shot_.draft;
+        return make_surface_mesh(quality, surface, memory_budget(), progress_);
+      },
+      seconds_);
+  warn_of_thin_parts(*plan.volume);
+  const auto solid = plan.paint ? volume::sampled_grid(level_set(plan.volume)) : nullptr;
+  const Stopwatch watch(seconds_);
+  add_attributes(made, plan, solid.get());
+  return made;
 }
 
 Builder::BuiltMesh Builder::build_with_cells(const shot::MeshPlan& plan, Folds folds) {

@@ -6,6 +6,7 @@
 #include <vug/base/diagnostics.h>
 #include <vug/base/progress.h>
 #include <vug/building/apply_cells.h>
+#include <vug/building/stored_products.h>
 #include <vug/mesh/mesh.h>
 #include <vug/shot/shot.h>
 #include <vug/volume/level_set.h>
@@ -15,6 +16,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 
 namespace vug::building {
 
@@ -27,6 +29,8 @@ struct BuildOptions {
   std::function<SourceLocation(const field::NodePtr&)> where_of = nullptr;
   /// Checkpoint of the runs of cells; null: none.
   std::shared_ptr<CellsCheckpoint> checkpoint = nullptr;
+  /// Level sets and meshes that are in a store are not built again; see product_keys.h.
+  StoreUse stored = {};
 };
 
 /// Builds the products of a shot and caches them. The shot must outlive it. Not thread-safe; the
@@ -35,7 +39,7 @@ class Builder {
  public:
   explicit Builder(const shot::Shot& shot, BuildOptions options = {},
                    Progress& progress = Progress::none())
-      : shot_(shot), options_(options), progress_(progress) {}
+      : shot_(shot), options_(options), progress_(progress), products_(options.stored) {}
 
   /// Takes over the products of another builder whose plans this shot contains as well: for another
   /// frame of the same shot all static products (see loading::StaticCache), and runs of cells to
@@ -62,9 +66,9 @@ class Builder {
 
   /// Error(too_large) if the estimate for the mesh, its grid and its cells exceeds the memory
   /// budget.
-  void require_mesh_memory(const shot::MeshPtr& plan) const;
+  void require_mesh_memory(const shot::MeshPtr& plan);
   /// Error(too_large) if the estimate for the surface and its grid exceeds the memory budget.
-  void require_surface_memory(const shot::MeshPtr& plan) const;
+  void require_surface_memory(const shot::MeshPtr& plan);
 
   const shot::Shot& shot() const { return shot_; }
   const BuildOptions& options() const { return options_; }
@@ -80,6 +84,7 @@ class Builder {
   const shot::Shot& shot_;
   BuildOptions options_;
   Progress& progress_;
+  StoredProducts products_;
   std::map<shot::VolumePtr, volume::LevelSet> level_sets_;
   struct BuiltMesh {
     std::shared_ptr<const mesh::Mesh> mesh;
@@ -90,7 +95,14 @@ class Builder {
   std::map<shot::MeshPtr, BuiltMesh> meshes_;
   /// The mesh of the plan or of an equal plan; null if it has not been built.
   const BuiltMesh* cached(const shot::MeshPtr& plan) const;
-  volume::LevelSet make_level_set(const shot::VolumePlan& plan);
+  volume::LevelSet make_level_set(const shot::VolumePlan& plan, const mesh::Mesh* mesh);
+  /// Passes warnings about the volume's thin parts on, once.
+  void warn_of_thin_parts(const shot::VolumePlan& plan);
+  std::set<const shot::VolumePlan*> warned_of_;
+  /// Whether the mesh of the plan's volume is in the store, so that it needs no field.
+  bool is_stored(const shot::MeshPlan& plan) const;
+  /// The mesh of the plan's volume, with its attributes.
+  SurfaceMesh surface_mesh(const shot::MeshPlan& plan);
   /// The mesh from which a volume is made; if cells displace it, it may have folds.
   mesh::MeshPtr mesh_for_volume(const shot::MeshPtr& plan);
   BuiltMesh build_plain(const shot::MeshPlan& plan);
@@ -103,7 +115,7 @@ class Builder {
   const volume::VoxelizeEstimate& estimate(const shot::VolumePtr& plan) const;
   mutable std::map<shot::VolumePtr, volume::VoxelizeEstimate> estimates_;
   /// Approximate surface area of the volume in square metres.
-  double area_of(const shot::VolumePtr& plan) const;
+  double area_of(const shot::VolumePtr& plan);
   volume::SurfaceBricksPtr cached_surface(const shot::MeshPtr& plan) const;
   /// A run that a run of the plan can continue; null if there is none.
   CellLayerPtr resumable(const shot::CellsPlan& plan) const;

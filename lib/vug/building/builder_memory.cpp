@@ -5,9 +5,11 @@
 #include <vug/building/builder.h>
 #include <vug/building/cell_layer.h>
 #include <vug/building/memory_estimate.h>
+#include <vug/building/product_keys.h>
 #include <vug/building/rock_weights.h>
 #include <vug/field/deferred.h>
 #include <vug/metrics/surface.h>
+#include <vug/shot/cells_plan.h>
 #include <vug/shot/queries.h>
 #include <vug/volume/fitting_voxel.h>
 
@@ -29,6 +31,9 @@ void Builder::compute_deferred(const shot::Shot& part) {
   for (const shot::ObjectPlan& object : shot::shown_objects(part)) {
     const shot::VolumePtr& plan = object.mesh->volume;
     if (!plan) continue;
+    const shot::MeshPtr bare =
+        object.mesh->cells ? shot::mesh_without_cells(*object.mesh) : object.mesh;
+    if (object.direct ? products_.contains(level_set_key(*plan)) : is_stored(*bare)) continue;
     const Progress::Product product(progress_, plan->name);
     field::compute_deferred(plan->field, progress_, memory_budget());
   }
@@ -44,7 +49,9 @@ const volume::VoxelizeEstimate& Builder::estimate(const shot::VolumePtr& plan) c
   return estimates_.emplace(plan, made).first->second;
 }
 
-double Builder::area_of(const shot::VolumePtr& plan) const {
+double Builder::area_of(const shot::VolumePtr& plan) {
+  // An estimate would compute the deferred parts of the field.
+  if (!plan->source_mesh && products_.contains(level_set_key(*plan))) level_set(plan);
   if (const auto held = level_sets_.find(plan); held != level_sets_.end())
     return area_of_band(static_cast<double>(held->second.statistics().active_voxels), *plan);
   if (plan->source_mesh && plan->source_mesh->volume) return area_of(plan->source_mesh->volume);
@@ -52,8 +59,8 @@ double Builder::area_of(const shot::VolumePtr& plan) const {
   return estimate(plan).surface_area;
 }
 
-void Builder::require_mesh_memory(const shot::MeshPtr& plan) const {
-  if (cached(plan)) return;
+void Builder::require_mesh_memory(const shot::MeshPtr& plan) {
+  if (cached(plan) || (plan->labels.empty() && is_stored(*plan))) return;
   for (const shot::MeshPtr& part : plan->parts) require_mesh_memory(part);
   if (plan->cells && cell_layers_.count(plan->cells) == 0) {
     double area = 0;
@@ -86,9 +93,10 @@ void Builder::require_mesh_memory(const shot::MeshPtr& plan) const {
   }
 }
 
-void Builder::require_surface_memory(const shot::MeshPtr& plan) const {
+void Builder::require_surface_memory(const shot::MeshPtr& plan) {
   const shot::VolumePlan& volume = *plan->volume;
-  if (level_sets_.count(plan->volume) || volume.field.bounds().isEmpty()) return;
+  if (level_sets_.count(plan->volume) || products_.contains(level_set_key(volume))) return;
+  if (volume.field.bounds().isEmpty()) return;
   try {
     const auto& estimated = estimate(plan->volume);
     const double bytes = estimated.bytes + surface_bytes(estimated.surface_area, volume.voxel);

@@ -8,9 +8,9 @@
 #include <vug/mesh/refine.h>
 #include <vug/meshing/polygonize.h>
 #include <vug/shot/cells_plan.h>
-#include <vug/volume/level_set_field.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace vug::building {
@@ -26,8 +26,8 @@ void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const field::Sample
   mesh.attributes.push_back(std::move(color));
 }
 
-SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface, uint64_t memory,
-                      Progress& progress) {
+SurfaceMesh make_surface_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface,
+                              uint64_t memory, Progress& progress) {
   const CancellableScope scope(progress);
   meshing::PolygonizeOptions polygonize;
   polygonize.adaptivity = plan.adaptivity;
@@ -54,13 +54,23 @@ SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surfac
       meshing::polygonize(meshed, plan.polish ? exact : nullptr, polygonize, progress).mesh;
   progress.begin("components of the mesh");
   mesh::LargeComponents pieces = mesh::large_components(std::move(polygons), plan.smallest_piece);
-  if (plan.paint) add_colors(pieces.mesh, plan.paint, volume::sampled_grid(surface).get());
-  if (!plan.elements.empty()) facade::add_semantics(pieces.mesh, plan.elements);
-  add_labels(pieces.mesh, plan.labels);
   progress.begin("materials of the rock");
   add_rock_weights(pieces.mesh, volume);
+  std::vector<mesh::Attribute> rock_weights = std::move(pieces.mesh.attributes);
+  pieces.mesh.attributes.clear();
   progress.end();
-  return {std::move(pieces), std::move(small)};
+  return {std::move(pieces), std::move(small), std::move(rock_weights)};
+}
+
+void add_attributes(SurfaceMesh& mesh, const shot::MeshPlan& plan,
+                    const field::SampledGrid* solid) {
+  if (plan.paint) add_colors(mesh.pieces.mesh, plan.paint, solid);
+  if (!plan.elements.empty()) facade::add_semantics(mesh.pieces.mesh, plan.elements);
+  add_labels(mesh.pieces.mesh, plan.labels);
+  std::vector<mesh::Attribute>& attributes = mesh.pieces.mesh.attributes;
+  attributes.insert(attributes.end(), std::make_move_iterator(mesh.rock_weights.begin()),
+                    std::make_move_iterator(mesh.rock_weights.end()));
+  mesh.rock_weights.clear();
 }
 
 mesh::LargeComponents make_mesh(const shot::MeshPlan& plan) {

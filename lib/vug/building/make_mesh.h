@@ -12,16 +12,23 @@
 
 namespace vug::building {
 
+/// The part of a mesh that follows from its volume and from how it is polygonized; it can be
+/// stored.
 struct SurfaceMesh {
-  mesh::LargeComponents pieces;
+  mesh::LargeComponents pieces;  ///< Without attributes.
   /// Removed from the surface, or kept, as the plan says.
-  std::vector<volume::SmallFeature> small_features;
+  std::vector<volume::SmallFeature> small_features = {};
+  std::vector<mesh::Attribute> rock_weights = {};  ///< See add_rock_weights.
 };
 
-/// The mesh of the plan's level set without its small components, with vertex colours and with the
-/// attributes of facade elements. Error(too_large) if `memory` bytes do not suffice.
-SurfaceMesh make_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface, uint64_t memory,
-                      Progress& progress);
+/// The mesh of the plan's level set without its small components. Error(too_large) if `memory`
+/// bytes do not suffice.
+SurfaceMesh make_surface_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface,
+                              uint64_t memory, Progress& progress);
+
+/// Adds vertex colours, the attributes of facade elements, labels, and the weights of the rock.
+/// `solid` is the level set if the plan has a paint, else it may be null.
+void add_attributes(SurfaceMesh& mesh, const shot::MeshPlan& plan, const field::SampledGrid* solid);
 
 /// The mesh of the plan's file without its small components, with vertex colours.
 mesh::LargeComponents make_mesh(const shot::MeshPlan& plan);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/atomic_file.h>
+#include <vug/base/digester.h>
 #include <vug/loading/plugin.h>
 #include <vug/loading/plugin_kinds.h>
 #include <vug/shot/cell_stages.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -46,10 +48,15 @@ Function entry(void* library, const char* name) {
   return reinterpret_cast<Function>(dlsym(library, name));
 }
 
+std::map<std::filesystem::path, Digest>& loaded_plugins() {
+  static std::map<std::filesystem::path, Digest> loaded;
+  return loaded;
+}
+
 }  // namespace
 
 void load_plugin(const std::filesystem::path& file) {
-  static std::set<std::filesystem::path> loaded;
+  auto& loaded = loaded_plugins();
   if (const std::string why = unreadable_reason(file); !why.empty())
     throw unusable(file, "cannot be read: " + why);
   const std::filesystem::path whole = std::filesystem::canonical(file);
@@ -75,8 +82,10 @@ void load_plugin(const std::filesystem::path& file) {
   } catch (const Error& error) {
     throw unusable(file, error.what(), error.hint());
   }
-  loaded.insert(whole);
+  loaded.emplace(whole, digest(read_text(whole)));
 }
+
+Digest digest_of_plugins() { return digest_of(loaded_plugins()); }
 
 std::vector<std::filesystem::path> plugins_in_path() {
   std::vector<std::filesystem::path> plugins;

@@ -10,6 +10,7 @@
 // docs/guides/plugins.md describes how to build plugins and where Vug searches for them.
 #pragma once
 
+#include <vug/base/hash.h>
 #include <vug/cells/rule.h>
 #include <vug/loading/kind_registry.h>
 
@@ -49,6 +50,9 @@ class PluginKinds {
 /// file is not a plugin or has another interface, its kinds already exist, or kinds are already in
 /// use (load plugins before the first scene).
 void load_plugin(const std::filesystem::path& file);
+
+/// Identifies the code of all plugins that have been loaded, by the content of their files.
+Digest digest_of_plugins();
 
 /// The plugins in the folders of $VUG_PLUGIN_PATH, which are separated by colons: all .so files,
 /// folder by folder, sorted by name in each.

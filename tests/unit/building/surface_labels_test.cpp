@@ -37,7 +37,7 @@ TEST(SurfaceLabels, ManyLabelsNeedMemory) {
   shot::MeshPlan plan = *loaded.shot.meshes.back();
   BuildOptions options;
   options.max_memory = uint64_t{250} << 20;
-  const Builder builder(loaded.shot, options);
+  Builder builder(loaded.shot, options);
   builder.require_mesh_memory(std::make_shared<const shot::MeshPlan>(plan));
   for (int i = 0; i < 400; ++i) plan.labels.push_back({std::to_string(i % 4), ball(1, i)});
   builder.require_mesh_memory(std::make_shared<const shot::MeshPlan>(plan));  // Four attributes.

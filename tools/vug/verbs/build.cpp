@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arguments.h"
+#include "product_report.h"
 #include "progress_bar.h"
 #include "scene_at_frame.h"
 #include "scene_options.h"
@@ -24,6 +25,7 @@ struct BuildOptions {
   std::string folder;
   std::string frames;
   std::string checkpoint;
+  bool explain = false;
   building::CheckpointOptions keep;
 };
 
@@ -75,6 +77,11 @@ int run_build(BuildOptions options) {
   if (!options.frames.empty()) return build_frames(options, progress);
   const loading::Loaded loaded = options.scene.load();
   building::BuildOptions build = options.work.build_options(loaded);
+  if (options.explain)
+    build.stored.on_product = [](const building::ProductReport& report) {
+      clear_progress_bar();
+      fmt::print(stderr, "{}\n", to_text(report));
+    };
   options.keep.file = options.checkpoint;
   if (!options.checkpoint.empty())
     build.checkpoint = std::make_shared<building::CellsCheckpoint>(options.keep, loaded.shot);
@@ -106,6 +113,9 @@ Verb build_verb() {
                        "Frames to build, A..B or A..BxSTEP; file names contain the frame number")
             ->excludes("--frame")
             ->excludes(checkpoint);
+        app.add_flag("--explain", options->explain,
+                     "Report for each level set and mesh whether it was built or reused, and why")
+            ->excludes("--frames");
         options->work.add_to(app);
         return [options] {
           return with_threads(options->work.threads, [&] { return run_build(*options); });
