@@ -22,7 +22,7 @@ struct LspOptions {
   bool words = false;
 };
 
-std::vector<std::string> names_of(const std::vector<language::LanguageWord>& words) {
+std::vector<std::string> texts_of(const std::vector<language::LanguageWord>& words) {
   std::vector<std::string> names;
   for (const language::LanguageWord& word : words) names.emplace_back(word.name);
   return names;
@@ -42,9 +42,9 @@ nlohmann::ordered_json words_json() {
     else
       constants.emplace_back(word.name);
   }
-  return {{"statements", names_of(language::statement_words())},
+  return {{"statements", texts_of(language::statement_words())},
           {"declarations", language::declaration_words()},
-          {"inner", names_of(language::inner_words())},
+          {"inner", texts_of(language::inner_words())},
           {"constants", constants},
           {"calls", calls},
           {"units", scene::unit_names()}};
