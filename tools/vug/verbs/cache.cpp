@@ -4,6 +4,7 @@
 #include "print.h"
 #include "product_report.h"
 #include "scene_options.h"
+#include "verb_group.h"
 
 #include <fmt/format.h>
 #include <vug/base/memory.h>
@@ -11,7 +12,6 @@
 #include <vug/store/maintenance.h>
 #include <nlohmann/json.hpp>
 
-#include <map>
 #include <memory>
 
 namespace vug::cli {
@@ -76,36 +76,40 @@ int print_reasons(const CacheOptions& options) {
   return kDone;
 }
 
+/// A verb that runs a function with the options that `add` declares.
+Verb cache_command(const char* name, const char* doc, int (*run)(const CacheOptions&),
+                   void (*add)(CLI::App&, CacheOptions&)) {
+  return {name, doc, [run, add](CLI::App& app) {
+            auto options = std::make_shared<CacheOptions>();
+            add(app, *options);
+            return [options, run] { return run(*options); };
+          }};
+}
+
+void add_json(CLI::App& app, CacheOptions& options) {
+  app.add_flag("--json", options.json, "JSON output");
+}
+
+void add_size(CLI::App& app, CacheOptions& options) {
+  app.add_option("--size", options.size, "Size to keep, e.g. 5G; default: the limit of the store");
+  add_json(app, options);
+}
+
+void add_scene(CLI::App& app, CacheOptions& options) { options.scene.add_to(app); }
+
 }  // namespace
 
 Verb cache_verb() {
-  return {"cache", "Reports on the store of finished products, trims and verifies it.",
-          [](CLI::App& app) {
-            auto options = std::make_shared<CacheOptions>();
-            using Runs = std::map<const CLI::App*, std::function<int()>>;
-            auto runs = std::make_shared<Runs>();
-            const auto add = [&](const char* name, const char* doc,
-                                 int (*run)(const CacheOptions&)) {
-              CLI::App* command = app.add_subcommand(name, doc);
-              (*runs)[command] = [options, run] { return run(*options); };
-              return command;
-            };
-            add("stats", "Folder, size and kinds of the products", print_statistics)
-                ->add_flag("--json", options->json, "JSON output");
-            CLI::App* trimming =
-                add("trim", "Removes the products that were not used for the longest time", trim);
-            trimming->add_option("--size", options->size,
-                                 "Size to keep, e.g. 5G; default: the limit of the store");
-            trimming->add_flag("--json", options->json, "JSON output");
-            add("verify", "Reads all products and removes damaged ones; exit code 1 if there were",
-                verify)
-                ->add_flag("--json", options->json, "JSON output");
-            options->scene.add_to(
-                *add("why", "Lists the products of a scene that would be reused or built, and why",
-                     print_reasons));
-            app.require_subcommand(1);
-            return [&app, runs] { return runs->at(app.get_subcommands().at(0))(); };
-          }};
+  return verb_group(
+      "cache", "Reports on the store of finished products, trims and verifies it.",
+      {cache_command("stats", "Folder, size and kinds of the products", print_statistics, add_json),
+       cache_command("trim", "Removes the products that were not used for the longest time", trim,
+                     add_size),
+       cache_command("verify",
+                     "Reads all products and removes damaged ones; exit code 1 if there were",
+                     verify, add_json),
+       cache_command("why", "Lists the products of a scene that would be reused or built, and why",
+                     print_reasons, add_scene)});
 }
 
 }  // namespace vug::cli
