@@ -48,6 +48,8 @@ class PictureTasks {
       const auto sample = [&](uint32_t i) { return uint64_t{options_.spp} * i / parts; };
       add(task.arguments, {"--guiding", learned, "--part", task.makes, "--samples",
                            fmt::format("{}..{}", sample(part), sample(part + 1))});
+      // The task that learns checks the scene.
+      add(task.arguments, {"--anyway", "--untested"});
       add_checkpoint(task);
       task.needs = {learning};
       task.part_of = picture;
