@@ -10,6 +10,8 @@ struct NewKind : OctaveParams {
   static void describe(Schema<NewKind>& s) {
     describe_octaves(s.doc("STUB: its appearance, in one sentence."));
   }
+  // Without members of its own, the struct is identified by those of its base.
+  void add_to(Digester& digester) const { digester(static_cast<const OctaveParams&>(*this)); }
 };
 
 /// Maps the gradient noise n in -1..1 of each octave; kSlope is the maximum slope of `of`.
