@@ -107,8 +107,9 @@ std::string new_scene(const Archetype& archetype, const std::string& file) {
                         each.doc,
                         each.low.empty() ? "" : fmt::format(", {} to {}", each.low, each.high));
   text += "}\n\n";
-  text += fmt::format("render main {{ camera cave.{}  size 480x270  quality look }}\n",
-                      archetype.cameras.front());
+  text += fmt::format(
+      "render main {{ camera cave.{}  size 480x270  quality draft }}  # then look, and final\n",
+      archetype.cameras.front());
   for (size_t i = 1; i < archetype.cameras.size(); ++i)
     text += fmt::format("# Another view: --camera cave.{}\n", archetype.cameras[i]);
   return text;
