@@ -30,8 +30,9 @@ uint64_t default_max_bytes();
 
 /// A product that is in the store.
 struct Entry {
-  std::filesystem::path object;  ///< The file; its digest has been verified.
-  double seconds = 0;            ///< The time that the product took to make.
+  /// The file; its digest has been verified. Another process may remove it before it is read.
+  std::filesystem::path object;
+  double seconds = 0;  ///< The time that the product took to make.
 };
 
 /// Layout: objects/ab/HEX, named by the digest of the content, and actions/ab/HEX, named by the

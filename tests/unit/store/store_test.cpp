@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
 #include <vug/base/scratch_folder.h>
 #include <vug/store/maintenance.h>
 #include <vug/store/store.h>
@@ -30,10 +31,15 @@ void keep(Store& store, int number) {
     std::ofstream(file, std::ios::binary) << content_of(number);
   });
 }
-/// The content for a number; nothing if it is absent.
+/// The content for a number; nothing if it is absent, or if another process has removed it since.
 std::optional<std::string> load(Store& store, int number) {
   const auto entry = store.find(key_of(number));
-  return entry ? std::optional(read_text(entry->object)) : std::nullopt;
+  if (!entry) return std::nullopt;
+  try {
+    return read_text(entry->object);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
 }
 std::vector<fs::path> files_below(const fs::path& folder) {
   std::vector<fs::path> out;
