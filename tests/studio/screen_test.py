@@ -10,6 +10,11 @@ import unittest
 from studio import PROGRAM, StudioTest, require_studio, skip
 
 
+def let_windows_settle():
+    """Waits as long as the window system may take on a machine with this load: xdotool sends keys to whatever has the focus."""
+    time.sleep(max(1.0, os.getloadavg()[0] / (os.cpu_count() or 1)))
+
+
 class Screen(StudioTest):
     def screen(self):
         """The number of a virtual screen that exists until the test ends."""
@@ -37,7 +42,7 @@ class Screen(StudioTest):
     def palette(self, line, output):
         """Runs a command by the palette and waits for its file."""
         self.xdotool("key", "ctrl+shift+p")
-        time.sleep(0.7)
+        let_windows_settle()
         self.xdotool("type", "--delay", "15", line)
         self.xdotool("key", "Return")
         for _ in range(100):
@@ -53,18 +58,21 @@ class Screen(StudioTest):
         window = self.xdotool("search", "--sync", "--onlyvisible", "--name", "paris.jpg").splitlines()[-1]
         self.xdotool("windowactivate", "--sync", window)
         self.xdotool("windowsize", "--sync", window, 1200, 800)
-        time.sleep(0.5)
-        self.xdotool("key", "1")  # rows
-        self.xdotool("key", "n")  # the ground floor is open
-        self.xdotool("key", "8")  # its elements
+        let_windows_settle()
+        for key in ("1", "n", "8"):  # rows; the ground floor is open; its elements
+            self.xdotool("key", key)
+            let_windows_settle()
         # A click on the upper part of the canvas, then a regular grid.
         self.xdotool("mousemove", "--window", window, 760, 250, "click", 1)
+        let_windows_settle()
         self.xdotool("key", "5")
         session = self.palette(f"save {self.folder}/made.json", self.folder / "made.json")
         self.assertEqual([(each["edit"], each["node"], each["rule"]) for each in session["edits"]],
                          [("act", "0", "rows(FacadeRow, PartFacade)"), ("act", "0.0", "repeat(FacadeElement)"),
                           ("act", "0.1", "RegularGrid")])
+        let_windows_settle()
         self.xdotool("key", "ctrl+z")
+        let_windows_settle()
         session = self.palette(f"save {self.folder}/undone.json", self.folder / "undone.json")
         self.assertEqual((len(session["edits"]), session["done"]), (3, 2))
         self.xdotool("key", "ctrl+q")
