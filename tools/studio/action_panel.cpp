@@ -48,7 +48,7 @@ class ActionButton : public QAbstractButton {
     };
     painter.setPen(isEnabled() ? t.text : t.muted);
     const bool two = !detail_.isEmpty();
-    painter.drawText(QRect(room.x(), two ? 0 : 0, room.width(), two ? middle : height()),
+    painter.drawText(QRect(room.x(), 0, room.width(), two ? middle : height()),
                      two ? Qt::AlignBottom : Qt::AlignVCenter, elided(text()));
     QFont small = font();
     small.setPointSizeF(0.85 * small.pointSizeF());
@@ -64,8 +64,7 @@ class ActionButton : public QAbstractButton {
   QString detail_, key_;
 };
 
-}  // namespace
-
+/// "Rows", "FacadeRow, PartFacade": the words and the parts of an action's name.
 std::pair<QString, QString> action_title(const std::string& name) {
   const QString text = text_of(name);
   const qsizetype open = text.indexOf('(');
@@ -76,6 +75,8 @@ std::pair<QString, QString> action_title(const std::string& name) {
   QString parts = open < 0 ? QString() : text.mid(open + 1).chopped(1);
   return {title, parts};
 }
+
+}  // namespace
 
 ActionPanel::ActionPanel(Studio& studio) : studio_(studio) {
   setObjectName("actions");

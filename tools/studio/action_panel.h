@@ -33,7 +33,4 @@ class ActionPanel : public QWidget {
   std::vector<QAbstractButton*> buttons_;
 };
 
-/// "Rows", "FacadeRow, PartFacade": the words and the parts of an action's name.
-std::pair<QString, QString> action_title(const std::string& name);
-
 }  // namespace vug::studio

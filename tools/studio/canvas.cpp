@@ -43,6 +43,7 @@ Canvas::Canvas(Studio& studio) : studio_(studio) {
   connect(scale_length_, &QLineEdit::returnPressed, this, &Canvas::enter_scale);
   connect(&studio_, &Studio::opened, this, &Canvas::load_photo);
   connect(&studio_, &Studio::changed, this, &Canvas::changed);
+  connect(&studio_, &Studio::hovered, this, &Canvas::changed);
 }
 
 void Canvas::load_photo() {

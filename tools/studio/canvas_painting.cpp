@@ -137,7 +137,7 @@ void Canvas::paint_selection(QPainter& painter) {
     const QRectF where = box(each);
     painter.setPen(QPen(QColor(255, 255, 255, 220), first ? 4.5 : 3));
     painter.drawRect(where);
-    painter.setPen(QPen(theme().dark ? theme().accent : QColor("#0a66c2"), first ? 2.4 : 1.4));
+    painter.setPen(QPen(theme().accent, first ? 2.4 : 1.4));
     painter.drawRect(where);
     first = false;
   }
@@ -146,12 +146,13 @@ void Canvas::paint_selection(QPainter& painter) {
 void Canvas::paint_handles(QPainter& painter) {
   const workbench::FacadeBench& bench = studio_.bench();
   const auto selected = bench.handle();
-  for (const Handle& each : bench.current_handles()) {
+  const std::vector<Handle> all = bench.current_handles();
+  for (const Handle& each : all) {
     const bool same = selected && selected->index == each.index;
     const bool hot = same || (hovered_ && hovered_->index == each.index);
     const QPointF a = at(each.x0, each.y0), b = at(each.x1, each.y1);
     dotted_line(painter, a, b, hot ? QColor(Qt::white) : theme().line, hot ? 2.6 : 1.6);
-    const QPointF grip = each.line ? (each.upright ? b : b) : (a + b) / 2;
+    const QPointF grip = each.line ? b : (a + b) / 2;
     painter.setPen(QPen(QColor(0, 0, 0, 170), 1));
     painter.setBrush(hot ? QColor(Qt::white) : theme().line);
     if (each.line)
@@ -161,7 +162,7 @@ void Canvas::paint_handles(QPainter& painter) {
   }
   const auto shown = selected ? selected : hovered_;
   if (!shown) return;
-  for (const Handle& each : bench.current_handles())
+  for (const Handle& each : all)
     if (each.index == shown->index && each.instance == shown->instance)
       paint_bubble(painter, (at(each.x0, each.y0) + at(each.x1, each.y1)) / 2,
                    QString("%1  %2 m")

@@ -19,11 +19,8 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-QPoint canvas_point(const MainWindow& window, const std::string& x, const std::string& y) {
-  return const_cast<MainWindow&>(window)
-      .canvas()
-      .at(workbench::parse_length(x), workbench::parse_length(y))
-      .toPoint();
+QPoint canvas_point(MainWindow& window, const std::string& x, const std::string& y) {
+  return window.canvas().at(workbench::parse_length(x), workbench::parse_length(y)).toPoint();
 }
 
 void require(const Words& words, size_t least, const char* usage) {

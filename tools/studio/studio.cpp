@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio.h"
 
-#include <vug/workbench/command.h>
-#include <vug/workbench/words.h>
-
 namespace vug::studio {
 
 Studio::Studio(QObject* parent)
@@ -29,11 +26,10 @@ void Studio::poll() {
 }
 
 void Studio::execute(const std::string& line) {
-  const std::vector<std::string> words = workbench::split_words(line);
-  recorder_.run(line);
+  const workbench::Command* command = recorder_.run(line);
   hovered_action_ = -1;
   Q_EMIT message("", false);
-  if (!words.empty() && workbench::find_command(words.front()).opens) Q_EMIT opened();
+  if (command && command->opens) Q_EMIT opened();
   Q_EMIT changed();
 }
 
@@ -52,11 +48,6 @@ bool Studio::run(const std::string& line) {
 
 bool Studio::run(const modeller::Edit& edit) { return run(to_string(edit)); }
 
-void Studio::preview(const modeller::Edit& edit) {
-  bench_.preview(edit);
-  Q_EMIT changed();
-}
-
 void Studio::end_preview() {
   bench_.end_preview();
   Q_EMIT changed();
@@ -69,7 +60,7 @@ void Studio::select(int node) {
 void Studio::hover_action(int index) {
   if (index == hovered_action_) return;
   hovered_action_ = index;
-  Q_EMIT changed();
+  Q_EMIT hovered();
 }
 
 }  // namespace vug::studio

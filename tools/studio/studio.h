@@ -26,8 +26,6 @@ class Studio : public QObject {
   bool run(const std::string& line);
   /// The line of an edit, for `run`.
   bool run(const modeller::Edit& edit);
-  /// Previews an edit, or ends the preview.
-  void preview(const modeller::Edit& edit);
   void end_preview();
   void select(int node);
   /// The action whose result is shown as ghost lines; -1 for none.
@@ -39,6 +37,7 @@ class Studio : public QObject {
  Q_SIGNALS:
   void changed();  ///< Document, selection, view or score.
   void opened();   ///< Another document.
+  void hovered();  ///< Another action is hovered.
   void message(const QString& text, bool error);
 
  private:

@@ -174,10 +174,6 @@ class RegionPainter {
 
 }  // namespace
 
-double facade_complexity(const facade::Rules& text, const Model& model, const facade::Tree& tree) {
-  return model.complexity(StructureBuilder(text, model.rules(), tree).run());
-}
-
 FacadeScorer::FacadeScorer(facade::Rules text, ClusterImage clusters)
     : text_(std::move(text)),
       rules_(compile(text_)),
@@ -187,7 +183,7 @@ FacadeScorer::FacadeScorer(facade::Rules text, ClusterImage clusters)
 
 FacadeScore FacadeScorer::score(const facade::Tree& tree) const {
   FacadeScore out;
-  out.complexity = facade_complexity(text_, model_, tree);
+  out.complexity = model_.complexity(StructureBuilder(text_, rules_, tree).run());
   const std::vector<int> regions =
       RegionPainter(rules_, tree, clusters_.width, clusters_.height).run();
   std::vector<std::array<size_t, kMaxLanes>> counts(tree.nodes.size() + 1);

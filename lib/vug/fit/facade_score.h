@@ -20,13 +20,6 @@ struct FacadeScore {
   std::vector<uint8_t> mask;
 };
 
-/// c(T) of a facade tree under its rules, in bits; an undivided grid counts as one
-/// cell. Width and
-/// height are those of the picture in pixels, which determine the bits of positions.
-/// Error(bad_input) for separated copies and for grids of more than kMaxLines lines, which the
-/// published trees do not have.
-double facade_complexity(const facade::Rules& text, const Model& model, const facade::Tree& tree);
-
 /// Scores trees of one grammar and one picture.
 class FacadeScorer {
  public:

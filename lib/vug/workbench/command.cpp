@@ -65,9 +65,9 @@ const Command& find_command(const std::string& name) {
               did_you_mean(name, names, "Ctrl+Shift+P lists all commands"));
 }
 
-void run_command(FacadeBench& bench, const std::string& line) {
+const Command* run_command(FacadeBench& bench, const std::string& line) {
   CommandCall call{split_words(line), ""};
-  if (call.words.empty()) return;
+  if (call.words.empty()) return nullptr;
   const Command& command = find_command(call.words.front());
   call.words.erase(call.words.begin());
   const size_t name_at = line.find(command.name);
@@ -84,6 +84,7 @@ void run_command(FacadeBench& bench, const std::string& line) {
   else
     command.run(bench, call);
   if (command.changes && bench.journal) bench.journal(line);
+  return &command;
 }
 
 std::string without_document(const FacadeBench& bench) {

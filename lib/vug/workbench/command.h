@@ -47,9 +47,10 @@ const std::vector<const Command*>& all_commands();
 /// Error(bad_input) with the nearest name for an unknown command.
 const Command& find_command(const std::string& name);
 
-/// Runs a line; an empty line and a comment do nothing. Error(bad_input) for an unknown command,
-/// wrong arguments, or a command that is not available, whose message is the reason.
-void run_command(FacadeBench& bench, const std::string& line);
+/// Runs a line and returns its command; null for an empty line and a comment, which do nothing.
+/// Error(bad_input) for an unknown command, wrong arguments, or a command that is not available,
+/// whose message is the reason.
+const Command* run_command(FacadeBench& bench, const std::string& line);
 
 /// Reasons that several commands share.
 std::string without_document(const FacadeBench& bench);

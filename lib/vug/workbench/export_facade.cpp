@@ -46,10 +46,7 @@ void write_carving(const FacadeBench& bench, const fs::path& file) {
 }
 
 void write_session(const FacadeBench& bench, const fs::path& file) {
-  modeller::Session session = bench.document().session(bench.stack().undone());
-  session.header = session::moved_header(std::move(session.header), bench.folder(),
-                                         fs::absolute(file).lexically_normal().parent_path());
-  write_text(file, modeller::session_text(session));
+  write_text(file, modeller::session_text(bench.session_for(file)));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ fs::path folder_of(const fs::path& file) {
 }  // namespace
 
 FacadeBench::FacadeBench(std::function<void()> notify)
-    : notify_(std::move(notify)), scoring_(notify_), fit_(notify_) {}
+    : scoring_(notify), fit_(std::move(notify)) {}
 
 FacadeBench::~FacadeBench() = default;
 
@@ -90,11 +90,14 @@ void FacadeBench::set_document(const modeller::Session& session) {
   start_scoring();
 }
 
+modeller::Session FacadeBench::session_for(const fs::path& file) const {
+  modeller::Session out = document().session(stack().undone());
+  out.header = session::moved_header(std::move(out.header), folder_, folder_of(file));
+  return out;
+}
+
 void FacadeBench::save(const fs::path& file) {
-  const fs::path to = folder_of(file);
-  modeller::Session session = document().session(stack().undone());
-  session.header = session::moved_header(std::move(session.header), folder_, to);
-  write_text(file, modeller::session_text(session));
+  write_text(file, modeller::session_text(session_for(file)));
   file_ = fs::absolute(file).lexically_normal();
   stack_->set_clean();
 }
@@ -117,8 +120,7 @@ void FacadeBench::changed() {
 void FacadeBench::edit(const Edit& edit, const std::string& merge) {
   preview_.reset();
   const FacadeDocument& current = document();
-  const bool again = !merge.empty() && stack_->merge_key() == merge && !stack_->is_clean();
-  const FacadeDocument& base = again ? stack_->before() : current;
+  const FacadeDocument& base = stack_->merges(merge) ? stack_->before() : current;
   FacadeDocument next = base.edited(edit);
   stack_->push(step_name(base.state(), edit), std::move(next), merge);
   changed();

@@ -108,6 +108,9 @@ class FacadeBench {
   const std::vector<Comparison>& comparisons() const { return comparisons_; }
   void clear_comparisons() { comparisons_.clear(); }
 
+  /// The session with undone steps, and with paths for that file.
+  modeller::Session session_for(const std::filesystem::path& file) const;
+
   /// Receives the line of each command that changes the document.
   std::function<void(const std::string& line)> journal = {};
 
@@ -117,7 +120,6 @@ class FacadeBench {
   void start_scoring();
   void finish_fit(const facade::Tree& tree);
 
-  std::function<void()> notify_;
   std::optional<UndoStack<FacadeDocument>> stack_;
   std::filesystem::path file_, folder_;
   Selection selection_;

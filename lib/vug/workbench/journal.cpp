@@ -73,16 +73,12 @@ Journal::~Journal() {
 
 void Journal::restart(const std::vector<std::string>& lines) {
   if (::ftruncate(descriptor_, 0) != 0) fail(file_, "shorten");
-  lines_ = lines;
   std::string text;
   for (const std::string& line : lines) text += line + '\n';
   write_all(descriptor_, file_, text);
 }
 
-void Journal::append(const std::string& line) {
-  lines_.push_back(line);
-  write_all(descriptor_, file_, line + '\n');
-}
+void Journal::append(const std::string& line) { write_all(descriptor_, file_, line + '\n'); }
 
 std::vector<LostJournal> lost_journals(const fs::path& folder) {
   std::vector<std::pair<fs::file_time_type, LostJournal>> found;

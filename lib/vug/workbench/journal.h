@@ -23,11 +23,9 @@ class Journal {
   /// Replaces all lines, e.g. by the one that opens the saved document.
   void restart(const std::vector<std::string>& lines);
   void append(const std::string& line);
-  const std::vector<std::string>& lines() const { return lines_; }
 
  private:
   std::filesystem::path file_;
-  std::vector<std::string> lines_;
   int descriptor_ = -1;
 };
 

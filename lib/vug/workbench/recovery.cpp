@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/workbench/command.h>
 #include <vug/workbench/recovery.h>
-#include <vug/workbench/words.h>
 
 namespace vug::workbench {
 
@@ -12,12 +10,13 @@ Recorder::Recorder(FacadeBench& bench, std::filesystem::path folder)
   };
 }
 
-void Recorder::run(const std::string& line) {
-  run_command(bench_, line);
-  const std::vector<std::string> words = split_words(line);
-  if (words.empty() || !find_command(words.front()).opens) return;
-  if (!journal_) journal_ = std::make_unique<Journal>(folder_);
-  journal_->restart({bench_.opening_line()});
+const Command* Recorder::run(const std::string& line) {
+  const Command* command = run_command(bench_, line);
+  if (command && command->opens) {
+    if (!journal_) journal_ = std::make_unique<Journal>(folder_);
+    journal_->restart({bench_.opening_line()});
+  }
+  return command;
 }
 
 void Recorder::recover(const LostJournal& lost) {

@@ -30,20 +30,22 @@ class UndoStack {
     return out;
   }
 
-  /// Discards undone states and adds one. A step with the same non-empty `merge` key as the current
-  /// one replaces it, unless that is the saved state: the steps of one slider drag are one step.
+  /// Whether a step with this key replaces the current one: it has the same key, which is not
+  /// empty, and is not the saved state. The steps of one slider drag are one step.
+  bool merges(const std::string& key) const {
+    return !key.empty() && done_ > 0 && steps_[done_].merge == key && !is_clean();
+  }
+  /// Discards undone states and adds one, or replaces the current one.
   void push(std::string name, T state, std::string merge = "") {
     steps_.resize(done_ + 1, steps_[done_]);
     if (clean_ > static_cast<long>(done_)) clean_ = -1;
-    const bool merges = !merge.empty() && done_ > 0 && steps_[done_].merge == merge && !is_clean();
-    if (merges)
+    if (merges(merge))
       steps_[done_].state = std::move(state);
     else
       steps_.push_back({std::move(name), std::move(merge), std::move(state)}), ++done_;
   }
   /// The state below the current step; the current one if there is none.
   const T& before() const { return steps_[done_ > 0 ? done_ - 1 : 0].state; }
-  const std::string& merge_key() const { return steps_[done_].merge; }
   /// Later steps do not merge with the current one.
   void end_merge() { steps_[done_].merge.clear(); }
   /// Undo or redo up to `steps` steps; return how many.
