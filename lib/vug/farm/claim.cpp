@@ -67,6 +67,15 @@ bool replace_dead(const fs::path& file) {
 
 }  // namespace
 
+FileLock::FileLock(const fs::path& file)
+    : descriptor_(open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644)) {
+  if (descriptor_ >= 0) flock(descriptor_, LOCK_EX);
+}
+
+FileLock::~FileLock() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
 std::string this_process() {
   std::array<char, 256> host{};
   gethostname(host.data(), host.size() - 1);

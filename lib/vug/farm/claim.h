@@ -32,6 +32,19 @@ class Claim {
   std::thread heart_;
 };
 
+/// A lock on a file, which is created. It only avoids double work; on file systems without locks
+/// nothing waits.
+class FileLock {
+ public:
+  explicit FileLock(const std::filesystem::path& file);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
 /// The host and the process, "node3:4711".
 std::string this_process();
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/base/atomic_file.h>
-#include <vug/base/error.h>
 #include <vug/store/layout.h>
 
 #include <fmt/format.h>
@@ -8,8 +6,6 @@
 
 #include <array>
 #include <atomic>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <system_error>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/base/error.h>
 #include <vug/store/layout.h>
 #include <vug/store/maintenance.h>
 #include <vug/store/store.h>
@@ -8,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <sstream>
 #include <system_error>
 

@@ -10,6 +10,7 @@
 #include <vug/base/hash.h>
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
+#include <vug/base/pluralize.h>
 #include <vug/farm/engine_files.h>
 #include <vug/farm/plan_job.h>
 #include <vug/loading/dependencies.h>
@@ -80,12 +81,10 @@ void print_summary(const farm::Job& job, const PlanOptions& options,
   double seconds = 0, bytes = 0;
   for (const farm::Task& task : job.tasks)
     seconds += task.seconds, bytes = std::max(bytes, task.bytes);
-  const auto plural = [](size_t n, const char* word) {
-    return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s");
-  };
   fmt::print("{} in {}, about {:.1f} h on {} and {} for each\n",
-             plural(job.pictures.size(), "picture"), plural(job.tasks.size(), "task"),
-             seconds / 3600, plural(static_cast<size_t>(options.cores), "core"), bytes_text(bytes));
+             pluralize(job.pictures.size(), "picture"), pluralize(job.tasks.size(), "task"),
+             seconds / 3600, pluralize(static_cast<size_t>(options.cores), "core"),
+             bytes_text(bytes));
   fmt::print("start it with one of these, in {}:\n  vug farm run .\n", options.folder);
   for (const farm::EngineFile& file : files) fmt::print("  {}\n", file.command);
 }

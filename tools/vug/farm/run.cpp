@@ -5,17 +5,13 @@
 #include "progress_bar.h"
 #include "scene_options.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
-#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
 #include <vug/base/memory.h>
 #include <vug/farm/claim.h>
 #include <vug/farm/job_folder.h>
 
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <limits>
 #include <memory>
@@ -38,24 +34,6 @@ struct RunOptions {
   std::optional<size_t> task;
   bool openjd = false;
   int threads = 0;
-};
-
-/// Holds a lock on a file that all processes of the machine respect. The lock only avoids double
-/// work; on file systems without locks nothing waits.
-class FileLock {
- public:
-  explicit FileLock(const fs::path& file)
-      : descriptor_(open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644)) {
-    if (descriptor_ >= 0) flock(descriptor_, LOCK_EX);
-  }
-  ~FileLock() {
-    if (descriptor_ >= 0) close(descriptor_);
-  }
-  FileLock(const FileLock&) = delete;
-  FileLock& operator=(const FileLock&) = delete;
-
- private:
-  int descriptor_;
 };
 
 /// Runs the tasks of a job in child processes. Errors of tasks have the exit code of the verb: 2 if
@@ -96,9 +74,13 @@ class Worker {
 
   /// Tasks that need more memory than there is are left to larger machines.
   Next next_task() const {
+    const farm::Job& job = job_.job();
+    std::vector<bool> finished;  // Spares requests to a shared folder for each part.
+    for (const farm::Picture& each : job.pictures) finished.push_back(job_.finished(each));
     Next next;
-    for (size_t i = 0; i < job_.job().tasks.size(); ++i) {
-      const Task& task = job_.job().tasks[i];
+    for (size_t i = 0; i < job.tasks.size(); ++i) {
+      const Task& task = job.tasks[i];
+      if (task.part_of && finished[*task.part_of]) continue;
       const TaskState state = job_.state(i);
       const bool fits =
           state == TaskState::ready && memory_of(task) <= static_cast<double>(available_memory());
@@ -152,7 +134,7 @@ class Worker {
   void merge(const farm::Picture& picture) {
     if (job_.finished(picture) || !job_.complete(picture)) return;
     const fs::path state = job_.path() / "state" / (picture.file + ".merge");
-    const FileLock lock(state.string() + ".lock");
+    const farm::FileLock lock(state.string() + ".lock");
     if (job_.finished(picture)) return;
     std::vector<std::string> arguments{"merge", "--quiet"};
     for (const size_t part : picture.parts) arguments.push_back(job_.job().tasks[part].makes);

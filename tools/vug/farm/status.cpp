@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <memory>
 
 namespace vug::cli {
@@ -39,10 +39,9 @@ double seconds_left(const JobFolder& job, const std::vector<TaskState>& states) 
   double planned = 0, measured = 0, left = 0;
   for (size_t i = 0; i < states.size(); ++i) {
     const Task& task = job.job().tasks[i];
-    const auto seconds = measured_seconds(job, task);
     if (states[i] != TaskState::done)
       left += task.seconds;
-    else if (seconds)
+    else if (const auto seconds = measured_seconds(job, task))
       planned += task.seconds, measured += *seconds;
   }
   return planned > 0 ? left * measured / planned : left;
