@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/language/context_scanner.h>
-#include <vug/scene/text_at.h>
 
 #include <cctype>
 
@@ -23,9 +22,6 @@ Context inside_words(const Token& token, const Token* before, const std::string&
   const bool closed = token.text.size() > 1 && token.text.back() == '"';
   context.range = range_between(file, {token.line, token.column + 1},
                                 {token.line, token.end_column() - (closed ? 1 : 0)});
-  const std::string_view path = token.text.substr(1);
-  context.word =
-      std::string(path.substr(0, scene::byte_at(path, 1, position.column - token.column)));
   return context;
 }
 
@@ -88,13 +84,9 @@ Context context_at(const Analysis& analysis, const Position& position) {
   }
   const Token& token = tokens[at];
   context.range = range_between(analysis.file, start_of(token), stop_of(token));
-  context.word = std::string(
-      token.text.substr(0, scene::byte_at(token.text, 1, 1 + position.column - token.column)));
   if (token.kind == TokenKind::number) {
-    const size_t unit = unit_of(token.text);
     context.place = Place::unit;
-    context.word = context.word.size() > unit ? context.word.substr(unit) : "";
-    context.range.column += static_cast<int>(unit);
+    context.range.column += static_cast<int>(unit_of(token.text));
   } else if (token.kind != TokenKind::name) {
     context.place = Place::nothing;
   }

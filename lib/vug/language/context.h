@@ -29,7 +29,6 @@ enum class Place {
 /// A call whose brackets are open at the position.
 struct OpenCall {
   std::string name;
-  SourceLocation where;  ///< The range of the name.
   std::string receiver;  ///< The name before ".name(", if it is one.
   bool method = false;
   size_t position = 0;          ///< Index of the current argument, counting the receiver.
@@ -41,7 +40,6 @@ struct OpenCall {
 
 struct Context {
   Place place = Place::nothing;
-  std::string word;             ///< The part of a name before the position.
   SourceLocation range;         ///< The whole name or number at the position, or an empty range.
   std::string keyword;          ///< First word of the statement; empty before it.
   std::string name;             ///< The name that the statement declares.

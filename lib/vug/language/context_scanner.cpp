@@ -3,7 +3,7 @@
 #include <vug/language/kinds.h>
 #include <vug/language/words.h>
 
-#include <algorithm>
+#include <utility>
 
 namespace vug::language {
 namespace {
@@ -67,7 +67,6 @@ void ContextScanner::end_line() {
   if (top.operand || top.symbols) {
     top.at_key = true;
     top.symbols = top.operand = false;
-    top.head_names.clear();
   }
 }
 
@@ -110,7 +109,7 @@ void ContextScanner::name(const Token& token, size_t index) {
   if (token.is_name("where")) where_ = true;
   Frame* top = frame();
   if (!top) return statement_name(token);
-  if (top->open == '[' && token.is_name("for")) top->loop = top->binding = true;
+  if (top->open == '[' && token.is_name("for")) top->binding = true;
   if (top->binding && token.is_name("in")) top->binding = false;
   if (top->binding && !token.is_name("for")) context_.locals.emplace(token.text);
   if (top->open == '{') return block_name(token);
@@ -163,7 +162,6 @@ void ContextScanner::open(const Token& token, size_t index) {
   if (made.open == '(' && token.touches && before && before->kind == TokenKind::name) {
     made.is_call = true;
     made.call.name = std::string(before->text);
-    made.call.where = {"", before->line, before->column, before->end_line(), before->end_column()};
     made.call.method = index >= 2 && tokens_[index - 2].is(".");
     if (made.call.method && index >= 3 && tokens_[index - 3].kind == TokenKind::name)
       made.call.receiver = std::string(tokens_[index - 3].text);
@@ -174,7 +172,6 @@ void ContextScanner::open(const Token& token, size_t index) {
                       !frames_.back().symbols;
     made.binding = def || head;
   }
-  if (made.open == '{') made.at_key = true;
   frames_.push_back(std::move(made));
 }
 
@@ -182,7 +179,6 @@ void ContextScanner::close() {
   if (frames_.empty()) return;
   frames_.pop_back();
   set_operand(true);
-  if (frames_.empty() && tokens_[last_].text != ")" && context_.in_block) context_.in_block = false;
 }
 
 void ContextScanner::sign(const Token& token, size_t index) {

@@ -20,7 +20,6 @@ class ContextScanner {
     char open = '(';
     bool is_call = false;
     OpenCall call = {};
-    bool loop = false;     ///< [for ...
     bool binding = false;  ///< Between `for` and `in`, or in the parameters of a def or a rule.
     bool operand = false;  ///< The last token completed a value.
     std::string key = {};  ///< The entry of a block.
@@ -28,7 +27,6 @@ class ContextScanner {
     bool symbols = false;  ///< In a block: after "->" or `axiom`.
     std::set<std::string> keys = {};
     std::string kind = {};
-    std::set<std::string> head_names = {};
   };
 
   bool begins_statement(size_t index) const;

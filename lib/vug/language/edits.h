@@ -21,7 +21,7 @@ TextEdit set_argument(const Analysis& analysis, const Position& position, const 
                       const std::string& value);
 
 /// Replaces the value of an entry in the block of a declaration, or adds the entry at the end of
-/// the block. Throws Error(bad_input) if there is no such block.
+/// the block. Throws Error(bad_input) if the text has no such block.
 TextEdit set_entry(const Analysis& analysis, const std::string& keyword, const std::string& name,
                    const std::string& key, const std::string& value);
 

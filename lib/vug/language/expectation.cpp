@@ -23,9 +23,8 @@ bool accepts(const KindInfo& info, const OpenCall& call) {
 /// The type of the value of a declaration's "=" or of a value after `on`.
 std::string declared_type(const Context& context) {
   if (context.target) {
-    for (const loading::DeclarationKind* kind : loading::declaration_kinds())
-      if (kind->info.name == context.keyword) return kind->target_type;
-    return {};
+    const loading::DeclarationKind* kind = loading::find_declaration_kind(context.keyword);
+    return kind ? kind->target_type : std::string();
   }
   return loading::find_registry(context.keyword) ? context.keyword : std::string();
 }

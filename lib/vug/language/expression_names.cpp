@@ -4,8 +4,6 @@
 #include <vug/language/symbol_collector.h>
 #include <vug/scene/units.h>
 
-#include <algorithm>
-
 namespace vug::language {
 namespace {
 

@@ -41,20 +41,12 @@ const std::vector<CallableKind>& callable_kinds(const std::string& name) {
   return found == all.end() ? none : found->second;
 }
 
-const ParamInfo* find_param(const KindInfo& kind, size_t position, const std::string& name) {
-  if (name.empty()) return position < kind.params.size() ? &kind.params[position] : nullptr;
-  for (const ParamInfo& param : kind.params)
-    if (param.name == name) return &param;
-  return nullptr;
-}
-
 const KindInfo* find_declaration(const std::string& keyword) {
   if (keyword == "grammar" || keyword == "shape") return &loading::grammar_info();
   if (keyword == "lsystem") return &shot::lsystem_schema().info();
   if (keyword == "facade") return &loading::facade_info();
-  for (const loading::DeclarationKind* kind : loading::declaration_kinds())
-    if (kind->info.name == keyword) return &kind->info;
-  return nullptr;
+  const loading::DeclarationKind* kind = loading::find_declaration_kind(keyword);
+  return kind ? &kind->info : nullptr;
 }
 
 std::vector<std::string> declaration_words() {
@@ -76,12 +68,6 @@ std::vector<const ParamInfo*> block_params(const std::string& keyword, const std
   if (chosen)
     for (const ParamInfo& param : chosen->info->params) params.push_back(&param);
   return params;
-}
-
-std::string_view element_type(std::string_view type) {
-  constexpr std::string_view kList = "list of ";
-  if (type.starts_with(kList)) type.remove_prefix(kList.size());
-  return type;
 }
 
 bool has_choice(const ParamInfo& param, const std::string& word) {

@@ -2,10 +2,9 @@
 // The kinds, parameters and words of the scene language, for completion and hover.
 #pragma once
 
-#include <vug/base/schema.h>
+#include <vug/loading/kind_params.h>
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace vug::language {
@@ -21,9 +20,8 @@ const std::vector<CallableKind>& callable_kinds();
 /// Those of that name: `sphere` is both a field and a light.
 const std::vector<CallableKind>& callable_kinds(const std::string& name);
 
-/// The parameter of an argument, given by name or (if the name is empty) by position; null if there
-/// is not one.
-const ParamInfo* find_param(const KindInfo& kind, size_t position, const std::string& name);
+using loading::element_type;
+using loading::find_param;
 
 /// The description of a declaration or of a kind of grammar ("grammar", "lsystem", "facade"); null
 /// for other words.
@@ -34,9 +32,6 @@ std::vector<std::string> declaration_words();
 
 /// The parameters of a block: those of its declaration, and with `kind` those of this kind.
 std::vector<const ParamInfo*> block_params(const std::string& keyword, const std::string& kind);
-
-/// The type without "list of ".
-std::string_view element_type(std::string_view type);
 
 /// Whether the word is one of the parameter's choices.
 bool has_choice(const ParamInfo& param, const std::string& word);

@@ -22,12 +22,6 @@
 namespace vug::loading {
 namespace {
 
-const DeclarationKind* find_declaration_kind(const std::string& word) {
-  for (const DeclarationKind* kind : declaration_kinds())
-    if (kind->info.name == word) return kind;
-  return nullptr;
-}
-
 std::vector<std::string> declaration_words() {
   std::vector<std::string> words = {"param", "let", "def", "seed", "include", "grammar"};
   for (const DeclarationKind* kind : declaration_kinds()) words.push_back(kind->info.name);

@@ -86,13 +86,17 @@ std::string name_in_text(const scene::Declaration& declaration) {
 }
 
 bool takes_target(const std::string& word) {
-  return std::any_of(declaration_kinds().begin(), declaration_kinds().end(),
-                     [&](const DeclarationKind* kind) {
-                       return kind->info.name == word && !kind->target_type.empty();
-                     });
+  const DeclarationKind* kind = find_declaration_kind(word);
+  return kind && !kind->target_type.empty();
 }
 
 }  // namespace
+
+const DeclarationKind* find_declaration_kind(const std::string& word) {
+  for (const DeclarationKind* kind : declaration_kinds())
+    if (kind->info.name == word) return kind;
+  return nullptr;
+}
 
 bool has_block(const scene::Declaration& declaration, ReadContext& context) {
   if (!declaration.value) return true;

@@ -33,6 +33,8 @@ struct DeclarationKind {
 };
 
 const std::vector<const DeclarationKind*>& declaration_kinds();
+/// The kind that the word begins; null for other words.
+const DeclarationKind* find_declaration_kind(const std::string& word);
 
 /// The info of a declaration whose value is a kind of a registry (see read_kind_declaration). Its
 /// keys are `kind` and the parameters of the default kind, if there is one.

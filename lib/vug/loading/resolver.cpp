@@ -2,6 +2,7 @@
 #include <vug/field/boolean.h>
 #include <vug/field/registry.h>
 #include <vug/loading/example.h>
+#include <vug/loading/kind_params.h>
 #include <vug/loading/kit_functions.h>
 #include <vug/loading/reader.h>
 #include <vug/loading/resolver.h>
@@ -113,15 +114,6 @@ void Resolver::record(const Value& value, const SourceLocation& where) {
 
 namespace {
 
-/// The parameter of an argument that is given by name or (if the name is empty) by position; null
-/// if there is none.
-const ParamInfo* find_param(const KindInfo& kind, size_t position, const std::string& name) {
-  if (name.empty()) return position < kind.params.size() ? &kind.params[position] : nullptr;
-  for (const ParamInfo& param : kind.params)
-    if (param.name == name) return &param;
-  return nullptr;
-}
-
 /// Whether the kind has parameters for all named arguments.
 bool accepts(const KindInfo& kind, const Arguments& arguments) {
   return std::all_of(arguments.begin(), arguments.end(), [&](const Argument& given) {
@@ -156,15 +148,12 @@ std::optional<Value> Resolver::call(const std::string& name, const Arguments& ar
 
 std::string_view Resolver::expected_type(const std::string& call, size_t position,
                                          const std::string& argument) const {
-  constexpr std::string_view kList = "list of ";
   for (const KindRegistry& registry : kind_registries()) {
     const RegisteredKind* kind = registry.find(call);
     if (!kind) continue;
     const ParamInfo* param = find_param(*kind->info, position, argument);
     if (!param) continue;
-    std::string_view type = param->type;
-    if (type.starts_with(kList)) type.remove_prefix(kList.size());
-    return type;
+    return element_type(param->type);
   }
   return {};
 }

@@ -2,6 +2,7 @@
 #include "lsp/text_index.h"
 
 #include <vug/base/utf8.h>
+#include <vug/scene/text_at.h>
 
 #include <algorithm>
 
@@ -42,12 +43,7 @@ ClientPosition TextIndex::to_client(const language::Position& position) const {
   const int number = std::clamp(position.line - 1, 0, lines() - 1);
   if (position.line - 1 > number) return {number, units(line(number))};
   const std::string_view whole = line(number);
-  size_t at = 0;
-  for (int column = 1; at < whole.size() && column < position.column; ++column) {
-    ++at;
-    while (at < whole.size() && is_utf8_tail(whole[at])) ++at;
-  }
-  return {number, units(whole.substr(0, at))};
+  return {number, units(whole.substr(0, scene::byte_at(whole, 1, position.column)))};
 }
 
 language::Position TextIndex::from_client(const ClientPosition& position) const {
