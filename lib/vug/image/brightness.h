@@ -19,7 +19,8 @@ std::optional<double> grey_exposure(const Image& linear, WorkingSpace space = Wo
 
 /// The exposure in stops of a photographer who leaves dark parts dark, since most of a cave is, but
 /// not the whole cave behind a bright mouth. Surfaces are the pixels with an alpha of at least one
-/// half, or all pixels if there is no alpha or if surfaces cover less than 5 % of the picture.
+/// half, or all pixels without an alpha channel, and where surfaces cover less than 5 % of the
+/// picture.
 ///   - The lit surfaces are those above a sixteenth of the 90th percentile of the surfaces. Their
 ///     median becomes 0.16, slightly below middle grey.
 ///   - The 99.5th percentile of all pixels becomes at most 6, which the filmic curve still shows

@@ -87,7 +87,7 @@ class FacadeBench {
   // The score and the fit.
   /// Nothing while the picture is analysed, without a photo, or if the tree has no score.
   const std::optional<fit::FacadeScore>& score() const;
-  const std::string& score_reason() const { return score_reason_; }  ///< If there is no score.
+  const std::string& score_reason() const { return score_reason_; }  ///< Why the tree has no score.
   const fit::FacadeScorer* scorer() const { return scorer_.get(); }
   void start_fit(int64_t steps);
   void stop_fit() { fit_.cancel(); }
