@@ -53,6 +53,15 @@ class Recovery(StudioTest):
                              (self.folder / "expected.json").read_bytes())
             self.assertEqual(list((self.folder / "state").glob("*")), [], "the journal was used")
 
+    def test_offers_a_journal_again_whose_photo_was_missing(self):
+        state = self.folder / "state"
+        state.mkdir()
+        lost = state / "1-0.vugjournal"
+        lost.write_text('photo moved.jpg 15m\n' + "\n".join(EDITS) + "\n")
+        before = lost.read_bytes()
+        self.studio("click recover\nexpect widget recover enabled = yes")
+        self.assertEqual(lost.read_bytes(), before)
+
     def test_discards_a_journal_on_request_only(self):
         self.kill_after(5)
         self.studio("expect widget recover enabled = yes")

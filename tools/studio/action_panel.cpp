@@ -92,10 +92,12 @@ ActionPanel::ActionPanel(Studio& studio) : studio_(studio) {
   column->addLayout(list_);
   column->addStretch();
   connect(&studio_, &Studio::opened, this, &ActionPanel::rebuild);
+  connect(&studio_, &Studio::restyled, this, [this] { shown_.reset(); });
   connect(&studio_, &Studio::changed, this, &ActionPanel::refresh);
 }
 
 void ActionPanel::rebuild() {
+  shown_.reset();
   for (QAbstractButton* each : buttons_) {
     list_->removeWidget(each);
     each->hide();
@@ -116,8 +118,12 @@ void ActionPanel::rebuild() {
 }
 
 void ActionPanel::refresh() {
-  if (!studio_.bench().has_document()) return;
-  const auto choices = modeller::actions(studio_.bench().state(), studio_.bench().selected());
+  const workbench::FacadeBench& bench = studio_.bench();
+  if (!bench.has_document()) return;
+  const std::pair now{bench.revision(), bench.selected()};
+  if (shown_ == now) return;  // zooming and scrolling change no action
+  shown_ = now;
+  const auto choices = modeller::actions(bench.state(), bench.selected());
   for (size_t i = 0; i < choices.size() && i < buttons_.size(); ++i) {
     const QString why = text_of(workbench::reason_text(choices[i].choice));
     QAbstractButton& button = *buttons_[i];

@@ -31,6 +31,7 @@ class ActionPanel : public QWidget {
   Studio& studio_;
   QVBoxLayout* list_;
   std::vector<QAbstractButton*> buttons_;
+  std::optional<std::pair<uint64_t, int>> shown_;  ///< Revision and selection.
 };
 
 }  // namespace vug::studio

@@ -49,8 +49,7 @@ Canvas::Canvas(Studio& studio) : studio_(studio) {
 void Canvas::load_photo() {
   photo_ = {};
   const std::string file = studio_.bench().photo().string();
-  if (file.empty()) return;
-  if (!photo_.load(text_of(file))) {
+  if (!file.empty() && !photo_.load(text_of(file))) {
     // Formats that Qt does not read, such as EXR.
     try {
       const std::string bytes = image::png_bytes(image::read(file, {.linear = true}));

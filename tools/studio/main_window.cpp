@@ -168,29 +168,23 @@ void MainWindow::offer_recovery(const std::vector<workbench::LostJournal>& lost)
     button->setObjectName(name);
     button->setAccessibleName(title);
     connect(button, &QPushButton::clicked, this, [this, run] {
-      run();
-      recovery_->hide();
+      if (run()) recovery_->hide();
     });
     line->addWidget(button);
   };
-  add(tr("Recover"), "recover", [this, lost] {
-    try {
-      studio_.recorder().recover(lost.front());
-    } catch (const Error& error) {
-      show_message(text_of(error.what()), true);
-    }
-    Q_EMIT studio_.opened();
-    Q_EMIT studio_.changed();
-  });
+  add(tr("Recover"), "recover",
+      [this, lost] { return may_discard() && studio_.recover(lost.front()); });
   add(tr("Discard"), "discard", [lost] {
     std::error_code ignored;
     std::filesystem::remove(lost.front().file, ignored);
+    return true;
   });
   recovery_->show();
 }
 
 void MainWindow::apply_theme() {
   for (const auto& [action, name] : icons_) action->setIcon(icon(name));
+  Q_EMIT studio_.restyled();
   Q_EMIT studio_.changed();
 }
 

@@ -93,7 +93,9 @@ void ScorePanel::refresh() {
     for (QLabel* each : {score_, complexity_, differing_}) each->setText("–");
   }
   score_->setToolTip(text_of(bench.score_reason()));
-  comparisons_->setText(comparison_text());
+  const std::pair<const void*, size_t> now{bench.scorer(), bench.comparisons().size()};
+  if (compared_ != now) comparisons_->setText(comparison_text());
+  compared_ = now;
   comparisons_->setVisible(!bench.comparisons().empty());
   show_fit();
 }

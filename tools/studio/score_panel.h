@@ -26,6 +26,7 @@ class ScorePanel : public QWidget {
   QLabel *score_, *complexity_, *differing_, *comparisons_, *stage_;
   QPushButton* fit_;
   QProgressBar* progress_;
+  std::pair<const void*, size_t> compared_;  ///< Scorer and number of comparisons shown.
 };
 
 }  // namespace vug::studio

@@ -38,12 +38,31 @@ bool Studio::run(const std::string& line) {
     execute(line);
     return true;
   } catch (const Error& error) {
-    QString text = text_of(error.what());
-    if (!error.hint().empty()) text += " (" + text_of(error.hint()) + ")";
-    Q_EMIT message(text, true);
-    Q_EMIT changed();
+    show(error);
     return false;
   }
+}
+
+void Studio::show(const Error& error) {
+  QString text = text_of(error.what());
+  if (!error.hint().empty()) text += " (" + text_of(error.hint()) + ")";
+  Q_EMIT message(text, true);
+  Q_EMIT changed();
+}
+
+bool Studio::recover(const workbench::LostJournal& lost) {
+  const uint64_t before = bench_.revision();
+  const auto opened_one = [&] { return bench_.revision() != before; };
+  try {
+    recorder_.recover(lost);
+  } catch (const Error& error) {
+    if (opened_one()) Q_EMIT opened();
+    show(error);
+    return opened_one();
+  }
+  Q_EMIT opened();
+  Q_EMIT changed();
+  return true;
 }
 
 bool Studio::run(const modeller::Edit& edit) { return run(to_string(edit)); }

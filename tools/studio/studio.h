@@ -26,6 +26,9 @@ class Studio : public QObject {
   bool run(const std::string& line);
   /// The line of an edit, for `run`.
   bool run(const modeller::Edit& edit);
+  /// Recovers the work of a killed program. An error is shown as a message; false if it prevented
+  /// that the document was opened.
+  bool recover(const workbench::LostJournal& lost);
   void end_preview();
   void select(int node);
   /// The action whose result is shown as ghost lines; -1 for none.
@@ -35,12 +38,15 @@ class Studio : public QObject {
   void poll();
 
  Q_SIGNALS:
-  void changed();  ///< Document, selection, view or score.
-  void opened();   ///< Another document.
-  void hovered();  ///< Another action is hovered.
+  void changed();   ///< Document, selection, view or score.
+  void opened();    ///< Another document.
+  void hovered();   ///< Another action is hovered.
+  void restyled();  ///< Another theme.
   void message(const QString& text, bool error);
 
  private:
+  void show(const Error& error);
+
   std::atomic<bool> pending_{false};
   int hovered_action_ = -1;
   workbench::FacadeBench bench_;

@@ -37,6 +37,7 @@ TreePanel::TreePanel(Studio& studio) : studio_(studio) {
   connect(tree_, &QTreeWidget::itemExpanded, this,
           [this](QTreeWidgetItem* item) { folded_.erase(item->data(0, Qt::UserRole).toString()); });
   connect(&studio_, &Studio::opened, this, [this] { shown_ = 0; });
+  connect(&studio_, &Studio::restyled, this, [this] { shown_ = 0; });
   connect(&studio_, &Studio::changed, this, &TreePanel::refresh);
 }
 

@@ -32,7 +32,8 @@ struct Command {
   /// In the form of Qt's portable text, "Ctrl+Shift+Z"; several are separated by "; ".
   std::string keys = {};
   bool changes = false;  ///< It changes the document, so that journals record it.
-  bool opens = false;    ///< It gives the document another file, so that journals begin again.
+  bool opens = false;    ///< It replaces the document.
+  bool saves = false;    ///< It writes the document to a file.
   size_t required = 0;   ///< Minimum number of words.
   size_t most = 100;     ///< Maximum number of words.
   /// The reason why it cannot run now; empty if it can.

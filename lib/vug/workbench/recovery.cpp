@@ -12,7 +12,7 @@ Recorder::Recorder(FacadeBench& bench, std::filesystem::path folder)
 
 const Command* Recorder::run(const std::string& line) {
   const Command* command = run_command(bench_, line);
-  if (command && command->opens) {
+  if (command && (command->opens || command->saves)) {
     if (!journal_) journal_ = std::make_unique<Journal>(folder_);
     journal_->restart({bench_.opening_line()});
   }
@@ -20,27 +20,31 @@ const Command* Recorder::run(const std::string& line) {
 }
 
 void Recorder::recover(const LostJournal& lost) {
+  run_command(bench_, lost.lines.front());
+  std::vector<std::string> done = {lost.lines.front()};
   // The lost journal stays until the new one contains its lines.
-  journal_.reset();
-  std::vector<std::string> done;
   const auto adopt = [&] {
-    if (!done.empty()) {
-      journal_ = std::make_unique<Journal>(folder_);
-      journal_->restart(done);
-    }
-    std::error_code ignored;
-    std::filesystem::remove(lost.file, ignored);
+    if (!journal_) journal_ = std::make_unique<Journal>(folder_);
+    journal_->restart(done);
   };
+  journal_.reset();
+  std::error_code ignored;
   try {
-    for (const std::string& line : lost.lines) {
-      run_command(bench_, line);
-      done.push_back(line);
+    for (size_t i = 1; i < lost.lines.size(); ++i) {
+      run_command(bench_, lost.lines[i]);
+      done.push_back(lost.lines[i]);
     }
   } catch (const Error&) {
     adopt();
+    std::filesystem::rename(lost.file, rejected_file(lost), ignored);
     throw;
   }
   adopt();
+  std::filesystem::remove(lost.file, ignored);
+}
+
+std::filesystem::path rejected_file(const LostJournal& lost) {
+  return std::filesystem::path(lost.file).concat(".rejected");
 }
 
 }  // namespace vug::workbench

@@ -16,8 +16,10 @@ class Recorder {
   /// Runs a command line and records it if it changes the document. Errors are those of
   /// run_command, and so is the result.
   const Command* run(const std::string& line);
-  /// Runs the lines of a lost journal, which is removed. An invalid line ends it with its error,
-  /// after which the lines before it are in effect.
+  /// Runs the lines of a lost journal, which is then removed. If the first line, which opens the
+  /// document, fails (a photo was moved), its error is thrown, and neither the bench nor the lost
+  /// journal changes. Any later line that fails ends the recovery with its error: the lines before
+  /// it are in effect, and the lost journal is renamed to `rejected_file`.
   void recover(const LostJournal& lost);
   const std::filesystem::path& folder() const { return folder_; }
 
@@ -26,5 +28,8 @@ class Recorder {
   std::filesystem::path folder_;
   std::unique_ptr<Journal> journal_;
 };
+
+/// Where a lost journal with an invalid line is kept; no program offers this file.
+std::filesystem::path rejected_file(const LostJournal& lost);
 
 }  // namespace vug::workbench

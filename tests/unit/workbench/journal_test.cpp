@@ -103,6 +103,39 @@ TEST(JournalRecovery, GivesTheLastStateAfterAKillAtAnyOfFiftyPoints) {
   }
 }
 
+/// A lost journal with these lines in the folder.
+LostJournal lost_journal(const ScratchFolder& folder, const std::string& text) {
+  write_text(folder.file("1-0.vugjournal"), text);
+  return lost_journals(folder.path()).at(0);
+}
+
+TEST(JournalRecovery, KeepsTheJournalWhosePhotoIsMissing) {
+  const ScratchFolder folder("vug_journal");
+  FacadeBench bench;
+  Recorder recorder(bench, folder.file("new"));
+  recorder.run("photo " + paris_photo() + " 15m");
+  recorder.run("act 0 Grid");
+  const std::string before = text_of(bench);
+  const LostJournal lost = lost_journal(folder, "photo moved.jpg 15m\nact 0 Grid\n");
+  EXPECT_THROW(recorder.recover(lost), Error);
+  EXPECT_EQ(lost_journals(folder.path()).size(), 1u) << "it can be recovered later";
+  EXPECT_EQ(text_of(bench), before);
+  recorder.run("undo");
+  EXPECT_NE(text_of(bench), before);
+}
+
+TEST(JournalRecovery, PutsAJournalWithAnInvalidLineAside) {
+  const ScratchFolder folder("vug_journal");
+  FacadeBench bench;
+  Recorder recorder(bench, folder.file("new"));
+  const LostJournal lost =
+      lost_journal(folder, "photo " + paris_photo() + " 15m\nact 0 Grid\nact 9 Grid\nundo\n");
+  EXPECT_THROW(recorder.recover(lost), Error);
+  EXPECT_EQ(bench.stack().done(), 1u) << "the lines before it are in effect";
+  EXPECT_TRUE(lost_journals(folder.path()).empty()) << "it is offered once";
+  EXPECT_NE(read_text(rejected_file(lost)).find("undo"), std::string::npos) << "nothing is lost";
+}
+
 TEST(Recorder, BeginsItsJournalAgainWithEachFile) {
   const ScratchFolder folder("vug_journal");
   FacadeBench bench;

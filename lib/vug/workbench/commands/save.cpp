@@ -20,7 +20,7 @@ VUG_COMMAND(save) {
           .doc = "Saves the session, to another file if one is named.",
           .arguments = "[FILE]",
           .keys = "Ctrl+S",
-          .opens = true,
+          .saves = true,
           .most = 1,
           .unavailable = without_document,
           .run = run_save};
