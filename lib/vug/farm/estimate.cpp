@@ -2,6 +2,7 @@
 #include <vug/building/memory_estimate.h>
 #include <vug/farm/estimate.h>
 #include <vug/field/deferred.h>
+#include <vug/render/paths/training.h>
 #include <vug/render/render.h>
 #include <vug/shot/queries.h>
 
@@ -11,8 +12,6 @@
 namespace vug::farm {
 namespace {
 
-// The rehearsal of the path tracer uses this share of the samples of a picture.
-constexpr double kLearning = 0.04;
 // Of a film pixel with the usual AOVs.
 constexpr double kPixelBytes = 200;
 constexpr double kVertexBytes = 2 * sizeof(Vec3f);
@@ -48,7 +47,9 @@ PictureCost estimate_picture(const picture::PicturePlan& plan, int cores, const 
   out.build_seconds =
       (out.voxels / rates.voxels + out.triangles / rates.triangles) / std::max(1, cores);
   out.render_seconds = out.samples / rates.samples / std::max(1, cores);
-  out.learn_seconds = kLearning * out.render_seconds;
+  out.learn_seconds =
+      static_cast<double>(render::training_paths(static_cast<uint64_t>(out.samples))) /
+      rates.samples / std::max(1, cores);
   return out;
 }
 

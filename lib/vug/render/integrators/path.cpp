@@ -66,9 +66,6 @@ struct Path {
 
 /// Pictures with fewer samples are not worth a training pass.
 constexpr uint64_t kMinSamples = 1u << 16;
-/// Share of the samples that are used for training, and the limits of their number.
-constexpr double kTrainingFraction = 0.04;
-constexpr uint64_t kMinPaths = 1u << 12, kMaxPaths = 1u << 18;
 
 class PathIntegrator final : public Integrator {
  public:
@@ -93,8 +90,6 @@ class PathIntegrator final : public Integrator {
                                            Progress& progress) const override {
     if (guided_ == Guided::off || settings_.max_bounces < 1) return nullptr;
     if (guided_ == Guided::automatic && context.samples < kMinSamples) return nullptr;
-    const auto share =
-        static_cast<uint64_t>(kTrainingFraction * static_cast<double>(context.samples));
     const auto trace = [&](const Ray& ray, SampleCursor& numbers, const GuidingData& guiding,
                            PathRecorder& path_recorder) {
       path_recorder.finish(trace_path(context.world, {ray}, settings_, guiding, numbers,
@@ -102,7 +97,7 @@ class PathIntegrator final : public Integrator {
                                .radiance);
     };
     return std::make_shared<const GuidingData>(
-        train(context, std::clamp(share, kMinPaths, kMaxPaths), trace, progress));
+        train(context, training_paths(context.samples), trace, progress));
   }
   std::shared_ptr<const Integrator> guided_by(
       std::shared_ptr<const GuidingData> guiding) const override {

@@ -15,6 +15,9 @@ namespace {
 
 constexpr uint64_t kTrainingSalt = 0x6775696465ull;
 
+/// Share of the samples of a picture that are used for training, and the limits of their number.
+constexpr double kTrainingFraction = 0.04;
+constexpr uint64_t kMinPaths = 1u << 12, kMaxPaths = 1u << 18;
 /// Training rounds; each has twice the paths of the previous one and is guided by it, so that paths
 /// found by chance become frequent in the next round.
 constexpr int kRounds = 3;
@@ -148,6 +151,11 @@ std::vector<VisibilitySample> sample_light_visibility(
 }
 
 }  // namespace
+
+uint64_t training_paths(uint64_t samples) {
+  const auto share = static_cast<uint64_t>(kTrainingFraction * static_cast<double>(samples));
+  return std::clamp(share, kMinPaths, kMaxPaths);
+}
 
 GuidingData train(const TrainingContext& context, uint64_t paths, const TrainingPath& trace,
                   Progress& progress) {

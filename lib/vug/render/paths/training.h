@@ -28,6 +28,9 @@ struct GuidingData {
   }
 };
 
+/// The number of training paths for a picture of that many samples: a share of them, within limits.
+uint64_t training_paths(uint64_t samples);
+
 /// Traces one training path with the guiding data so far (possibly empty) and records its vertices.
 using TrainingPath =
     std::function<void(const Ray&, SampleCursor&, const GuidingData&, PathRecorder&)>;
