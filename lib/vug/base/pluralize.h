@@ -31,7 +31,7 @@ inline std::string with_article(const std::string& type) {
 
 /// "1 edit", "0 edits", "7 edits".
 inline std::string pluralize(size_t count, const std::string& what) {
-  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+  return std::to_string(count) + ' ' + (count == 1 ? what : plural_of(what));
 }
 
 }  // namespace vug

@@ -2,6 +2,7 @@
 #include "scene_options.h"
 
 #include <fmt/format.h>
+#include <vug/base/pluralize.h>
 #include <vug/language/check.h>
 #include <nlohmann/json.hpp>
 
@@ -58,10 +59,6 @@ int run_json(const CheckOptions& options) {
   return loaded.usable() ? kDone : kUnusable;
 }
 
-std::string pluralize(size_t count, const std::string& one, const std::string& many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 /// Prints each declaration, function and rule with the range of its text.
 void print_provenance(const loading::Loaded& loaded) {
   for (const auto& each : loaded.provenance.declared())
@@ -77,13 +74,13 @@ int run_check(const CheckOptions& options) {
   const shot::Shot& shot = loaded.shot;
   if (!options.quiet)
     fmt::print("{}: fine; {}, {}, {}, {}, {}, {}, {}\n", options.scene.scene,
-               pluralize(shot.volumes.size(), "volume", "volumes"),
-               pluralize(shot.meshes.size(), "mesh", "meshes"),
-               pluralize(shot.objects.size(), "object", "objects"),
-               pluralize(shot.instancers.size(), "place", "places"),
-               pluralize(shot.lights.size(), "light", "lights"),
-               pluralize(shot.cameras.size(), "camera", "cameras"),
-               pluralize(shot.renders.size(), "render", "renders"));
+               pluralize(shot.volumes.size(), "volume"),
+               pluralize(shot.meshes.size(), "mesh"),
+               pluralize(shot.objects.size(), "object"),
+               pluralize(shot.instancers.size(), "place"),
+               pluralize(shot.lights.size(), "light"),
+               pluralize(shot.cameras.size(), "camera"),
+               pluralize(shot.renders.size(), "render"));
   if (options.provenance) print_provenance(loaded);
   return kDone;
 }
