@@ -144,6 +144,33 @@ class Farm(VugTest):
         self.assertEqual(self.status(1)["tasks"]["failed"], 1)
         self.assertIn("task s.learn cannot work", self.expect(2, "farm", "run", "job", "--task", 0).err)
 
+    def estimate(self, *args):
+        return json.loads(self.expect(0, "estimate", "s.vug", "--json", *args).out)
+
+    def test_estimates_scale_with_the_work(self):
+        still = self.estimate("--cores", "1")
+        self.assertGreater(still["active voxels"], 1000)
+        more = self.estimate("--cores", "1", "--spp", "48")
+        rendering = [each["core seconds of a picture"]["rendering"] for each in (still, more)]
+        self.assertAlmostEqual(rendering[1], 2 * rendering[0], delta=1)
+        frames = self.estimate("--cores", "1", "--frames", "1..30", "--machines", "3", "--parts", "1")
+        self.assertEqual(frames["products"], "the same in all frames", "only the lamp moves")
+        self.assertEqual(frames["tasks of a farm"], 30)
+        self.assertGreater(frames["disk"]["pictures"], 25 * still["disk"]["pictures"])
+        self.assertEqual(frames["disk"]["grids"], still["disk"]["grids"])
+        alone, farm, spot = frames["places"]
+        self.assertLess(farm["hours"], alone["hours"])
+        self.assertGreater(spot["core hours"], farm["core hours"])
+
+    def test_estimates_see_what_moves(self):
+        self.write("s.vug", SCENE.replace("sphere(1.8m)", "sphere(keys(1: 1.8, 3: 1.9))"))
+        self.assertEqual(self.estimate("--frames", "1..3")["products"], "others in each frame")
+
+    def test_refused_estimates(self):
+        self.expect(2, "estimate", "s.vug", "--core-price", "-1")
+        self.expect(2, "estimate", "s.vug", "--machines", "0")
+        self.expect(2, "estimate", "missing.vug")
+
     def test_refusals(self):
         for args, text in ((("--noise", "5%", "--parts", 2), "cannot use 'noise'"),
                            (("--exposure", "locked", "--frames", "1..3"), "needs the first frame"),

@@ -43,7 +43,7 @@ struct Place {
 
 struct Budget {
   size_t pictures = 0;
-  size_t tasks = 0;          ///< Of the farm.
+  size_t tasks = 0;          ///< Tasks of the farm.
   double grid_bytes = 0;     ///< Level sets as .vdb files.
   double mesh_bytes = 0;     ///< Meshes as .ply files.
   double picture_bytes = 0;  ///< All pictures.

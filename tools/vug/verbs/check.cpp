@@ -74,12 +74,9 @@ int run_check(const CheckOptions& options) {
   const shot::Shot& shot = loaded.shot;
   if (!options.quiet)
     fmt::print("{}: fine; {}, {}, {}, {}, {}, {}, {}\n", options.scene.scene,
-               pluralize(shot.volumes.size(), "volume"),
-               pluralize(shot.meshes.size(), "mesh"),
-               pluralize(shot.objects.size(), "object"),
-               pluralize(shot.instancers.size(), "place"),
-               pluralize(shot.lights.size(), "light"),
-               pluralize(shot.cameras.size(), "camera"),
+               pluralize(shot.volumes.size(), "volume"), pluralize(shot.meshes.size(), "mesh"),
+               pluralize(shot.objects.size(), "object"), pluralize(shot.instancers.size(), "place"),
+               pluralize(shot.lights.size(), "light"), pluralize(shot.cameras.size(), "camera"),
                pluralize(shot.renders.size(), "render"));
   if (options.provenance) print_provenance(loaded);
   return kDone;

@@ -53,7 +53,7 @@ bool frames_share_products(const EstimateOptions& options, const loading::SceneS
   return different.size() == 1;
 }
 
-Json report_on(const farm::JobOptions& job, const farm::Budget& budget, bool shared) {
+Json estimate_report(const farm::JobOptions& job, const farm::Budget& budget, bool shared) {
   const auto rounded = [](double value) { return std::round(value); };
   Json out{{"pictures", budget.pictures},
            {"samples of a pixel", job.spp},
@@ -79,7 +79,8 @@ Json report_on(const farm::JobOptions& job, const farm::Budget& budget, bool sha
   return out;
 }
 
-void print_text(const farm::JobOptions& job, const farm::Budget& budget, bool shared, int cores) {
+void print_estimate(const farm::JobOptions& job, const farm::Budget& budget, bool shared,
+                    int cores) {
   fmt::print("{}, {} a pixel\n", pluralize(budget.pictures, "picture"),
              pluralize(job.spp, "sample"));
   fmt::print("  {:<16}{:.3g} million active, {:.3g} million triangles\n", "voxels",
@@ -124,9 +125,9 @@ int run_estimate(EstimateOptions& options) {
       options.parts ? *options.parts : farm::default_parts(on_machine, options.budget.machines);
   const farm::Budget budget = farm::budget(on_machine, shared, options.budget);
   if (options.json)
-    print_report(report_on(job, budget, shared), true);
+    print_report(estimate_report(job, budget, shared), true);
   else
-    print_text(job, budget, shared, options.budget.cores);
+    print_estimate(job, budget, shared, options.budget.cores);
   return kDone;
 }
 
