@@ -79,8 +79,8 @@ Json estimate_report(const farm::JobOptions& job, const farm::Budget& budget, bo
   return out;
 }
 
-void print_estimate(const farm::JobOptions& job, const farm::Budget& budget, bool shared,
-                    int cores) {
+void print_shot_estimate(const farm::JobOptions& job, const farm::Budget& budget, bool shared,
+                         int cores) {
   fmt::print("{}, {} a pixel\n", pluralize(budget.pictures, "picture"),
              pluralize(job.spp, "sample"));
   fmt::print("  {:<16}{:.3g} million active, {:.3g} million triangles\n", "voxels",
@@ -127,7 +127,7 @@ int run_estimate(EstimateOptions& options) {
   if (options.json)
     print_report(estimate_report(job, budget, shared), true);
   else
-    print_estimate(job, budget, shared, options.budget.cores);
+    print_shot_estimate(job, budget, shared, options.budget.cores);
   return kDone;
 }
 
