@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """The store of products: the same bytes with and without it, and the verb `vug cache`."""
+import contextlib
+import functools
+import http.server
 import json
 import os
+import pathlib
+import threading
 import unittest
 
 from vug import VugTest
@@ -20,6 +25,20 @@ render main { size 32x24  spp 1 }
 """
 
 
+class FileHandler(http.server.SimpleHTTPRequestHandler):
+    """Keeps the bodies of PUT requests as files of the folder that it serves."""
+
+    def do_PUT(self):
+        path = pathlib.Path(self.translate_path(self.path))
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(self.rfile.read(int(self.headers["Content-Length"])))
+        self.send_response(201)
+        self.end_headers()
+
+    def log_message(self, *_):
+        pass
+
+
 class Cache(VugTest):
     def setUp(self):
         super().setUp()
@@ -30,6 +49,17 @@ class Cache(VugTest):
         if arguments[0] in ("build", "render"):
             arguments += ("--threads", 1)
         return self.expect(code, *arguments, env={**os.environ, "VUG_CACHE": store or str(self.store)})
+
+    @contextlib.contextmanager
+    def server(self):
+        """The address of a server with an empty folder."""
+        folder = self.folder / "server"
+        folder.mkdir()
+        handler = functools.partial(FileHandler, directory=folder)
+        with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+            threading.Thread(target=server.serve_forever).start()
+            yield f"http://127.0.0.1:{server.server_port}"
+            server.shutdown()
 
     def products(self, folder):
         return {path.name: path.read_bytes() for path in (self.folder / folder).iterdir()}
@@ -44,6 +74,22 @@ class Cache(VugTest):
         self.assertIn("mesh 'skin': reused", second)
         self.assertEqual(self.products("first"), self.products("plain"))
         self.assertEqual(self.products("second"), self.products("plain"))
+
+    def test_machines_share_a_server(self):
+        self.run_vug(0, "build", "scene.vug", "-o", "plain", "--no-cache")
+        with self.server() as address:
+            for machine in ("first", "second"):
+                environment = {**os.environ, "VUG_CACHE": str(self.folder / f"store_{machine}"),
+                               "VUG_CACHE_REMOTE": address}
+                said = self.expect(0, "build", "scene.vug", "-o", machine, "--explain", "--threads", 1,
+                                   env=environment).err
+                self.assertRegex(said, "level_set 'rock': " + ("reused" if machine == "second" else "built"))
+                self.assertEqual(self.products(machine), self.products("plain"))
+
+    def test_addresses_of_servers_are_checked(self):
+        environment = {**os.environ, "VUG_CACHE": str(self.store), "VUG_CACHE_REMOTE": "builds:8080"}
+        said = self.expect(2, "build", "scene.vug", "-o", "plain", env=environment).err
+        self.assertIn("'builds:8080' is not the address of a store", said)
 
     def test_pictures_have_the_same_bytes(self):
         pictures = []

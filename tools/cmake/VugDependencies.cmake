@@ -27,6 +27,7 @@ vug_needs(embree 3 CONFIG)
 vug_needs(boost_context CONFIG)
 vug_needs(PkgConfig)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+pkg_check_modules(cpp_httplib REQUIRED IMPORTED_TARGET cpp-httplib)
 pkg_check_modules(log4cplus REQUIRED IMPORTED_TARGET log4cplus)
 # Debian installs OpenVDB's find module next to its libraries.
 list(APPEND CMAKE_MODULE_PATH /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenVDB)

@@ -18,8 +18,8 @@ StoreUse user_store(const std::string& scene_file, Digest plugins,
     out.scene = std::filesystem::absolute(scene_file).lexically_normal().string();
   const std::filesystem::path folder = store::default_folder();
   if (!folder.empty())
-    out.store = std::make_shared<store::Store>(
-        store::StoreOptions{folder, store::default_max_bytes(), std::move(on_warning)});
+    out.store = std::make_shared<store::Store>(store::StoreOptions{
+        folder, store::default_max_bytes(), store::default_remote(), std::move(on_warning)});
   return out;
 }
 

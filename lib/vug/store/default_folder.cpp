@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The folder and the size of the user's store, from the environment.
+// The folder, the size and the server of the user's store, from the environment.
 #include <vug/base/error.h>
 #include <vug/base/memory.h>
 #include <vug/store/store.h>
@@ -27,6 +27,8 @@ std::filesystem::path default_folder() {
   const std::string home = variable("HOME");
   return home.empty() ? std::filesystem::path() : std::filesystem::path(home) / ".cache" / "vug";
 }
+
+std::string default_remote() { return variable("VUG_CACHE_REMOTE"); }
 
 uint64_t default_max_bytes() {
   const std::string size = variable("VUG_CACHE_SIZE");

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cctype>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -15,8 +17,12 @@ namespace vug::store {
 
 namespace fs = std::filesystem;
 
+std::string name_of(const char* files, const std::string& hex) {
+  return fmt::format("{}/{}/{}", files, hex.substr(0, 2), hex);
+}
+
 fs::path file_of(const fs::path& folder, const char* files, const std::string& hex) {
-  return folder / files / hex.substr(0, 2) / hex;
+  return folder / name_of(files, hex);
 }
 
 std::optional<Digest> digest_of_file(const fs::path& file) {
@@ -76,6 +82,16 @@ std::string move_into_place(const fs::path& temporary, const fs::path& target) {
   if (!error) return "";
   discard(temporary);
   return error.message();
+}
+
+bool is_object_name(const std::string& text) {
+  constexpr size_t kDigits = 32;
+  const std::string digits = text.substr(0, kDigits), extension = text.substr(digits.size());
+  return digits.size() == kDigits &&
+         digits.find_first_not_of("0123456789abcdef") == std::string::npos &&
+         extension.starts_with('.') &&
+         std::all_of(extension.begin() + 1, extension.end(),
+                     [](unsigned char c) { return std::isalnum(c); });
 }
 
 std::string to_text(const Action& action) {

@@ -15,6 +15,8 @@ inline constexpr const char* kActions = "actions";
 inline constexpr const char* kNames = "names";
 inline constexpr const char* kTemporary = "tmp";
 
+/// CLASS/ab/abcdef..., the name of a file in the store.
+std::string name_of(const char* files, const std::string& hex);
 /// FOLDER/CLASS/ab/abcdef...
 std::filesystem::path file_of(const std::filesystem::path& folder, const char* files,
                               const std::string& hex);
@@ -38,6 +40,10 @@ std::filesystem::path temporary_file(const std::filesystem::path& store,
 /// Moves a temporary file to its place. Returns an empty text, or the reason of the failure.
 std::string move_into_place(const std::filesystem::path& temporary,
                             const std::filesystem::path& target);
+
+/// Whether a text from elsewhere is a digest with an extension, and nothing that leads to other
+/// folders.
+bool is_object_name(const std::string& text);
 
 /// The content of a file of kActions.
 struct Action {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/store/layout.h>
 #include <vug/store/maintenance.h>
+#include <vug/store/remote.h>
 #include <vug/store/store.h>
 
 #include <fmt/format.h>
@@ -57,7 +58,11 @@ Store::Store(StoreOptions options) : options_(std::move(options)) {
   fs::create_directories(options_.folder / kObjects, error);
   writable_ = !error && access(options_.folder.c_str(), W_OK) == 0;
   if (options_.max_bytes == 0) options_.max_bytes = limit_for(options_.folder);
+  if (!options_.remote.empty())
+    remote_ = std::make_unique<Remote>(options_.remote, options_.on_warning);
 }
+
+Store::~Store() = default;
 
 void Store::warn(const std::string& why) {
   if (options_.on_warning && !warned_.exchange(true)) options_.on_warning(why);
@@ -66,10 +71,16 @@ void Store::warn(const std::string& why) {
 bool Store::contains(const Key& key) const {
   std::error_code ignored;
   const auto action = action_of(folder(), key.digest().hex());
-  return action && fs::exists(file_of(folder(), kObjects, action->object), ignored);
+  if (action && fs::exists(file_of(folder(), kObjects, action->object), ignored)) return true;
+  return remote_ && writable_ && remote_->has(name_of(kActions, key.digest().hex()));
 }
 
 std::optional<Entry> Store::find(const Key& key) {
+  std::optional<Entry> out = find_here(key);
+  return out || !fetch(key) ? out : find_here(key);
+}
+
+std::optional<Entry> Store::find_here(const Key& key) {
   std::error_code ignored;
   const fs::path file = file_of(folder(), kActions, key.digest().hex());
   if (!fs::exists(file, ignored)) return std::nullopt;
@@ -83,6 +94,44 @@ std::optional<Entry> Store::find(const Key& key) {
   }
   touch(object), touch(file);
   return Entry{object, action->seconds};
+}
+
+/// Copies a product from the server.
+bool Store::fetch(const Key& key) {
+  if (!remote_ || !writable_) return false;
+  const std::string hex = key.digest().hex();
+  const fs::path action_file = temporary_file(folder(), "");
+  const auto fetched_action = [&]() -> std::optional<Action> {
+    if (!remote_->get(name_of(kActions, hex), action_file)) return std::nullopt;
+    const auto text = read_sealed(action_file);
+    const auto action = text ? parse_action(*text) : std::nullopt;
+    return action && action->key == hex && is_object_name(action->object) ? action : std::nullopt;
+  };
+  const auto fetched_object = [&](const std::string& object) {
+    const fs::path target = file_of(folder(), kObjects, object);
+    std::error_code ignored;
+    if (fs::exists(target, ignored)) return true;
+    const fs::path temporary = temporary_file(folder(), target.extension());
+    const bool found = remote_->get(name_of(kObjects, object), temporary);
+    const auto content = found ? digest_of_file(temporary) : std::nullopt;
+    if (!content || content->hex() != target.stem()) return discard(temporary), false;
+    if (!move_into_place(temporary, target).empty()) return false;
+    trim_shard(folder(), object, max_bytes());
+    return true;
+  };
+  const auto action = fetched_action();
+  if (action && fetched_object(action->object))
+    return move_into_place(action_file, file_of(folder(), kActions, hex)).empty();
+  discard(action_file);
+  return false;
+}
+
+/// Copies a product to the server; the object first, so that no action lacks it.
+void Store::send(const std::string& key, const std::string& object) {
+  if (!remote_) return;
+  if (!remote_->has(name_of(kObjects, object)))
+    remote_->put(name_of(kObjects, object), file_of(folder(), kObjects, object));
+  remote_->put(name_of(kActions, key), file_of(folder(), kActions, key));
 }
 
 void Store::keep(const Key& key, double seconds, const std::string& extension,
@@ -101,7 +150,8 @@ void Store::keep(const Key& key, double seconds, const std::string& extension,
     if (!fault.empty()) return warn(fault);
     trim_shard(folder(), action.object, max_bytes());
     if (!write_sealed(folder(), file_of(folder(), kActions, hex), store::to_text(action)))
-      warn("the disk is full");
+      return warn("the disk is full");
+    send(hex, action.object);
   } catch (const std::exception& error) {
     discard(temporary);
     warn(error.what());

@@ -15,16 +15,23 @@
 
 namespace vug::store {
 
+class Remote;
+
 struct StoreOptions {
   std::filesystem::path folder;
   uint64_t max_bytes = 0;  ///< 0: 20 GB or a tenth of the disk, whichever is less.
-  /// Called once, with a sentence, when a product cannot be stored, e.g. because the disk is full.
+  /// Address of a server with products, http://HOST[:PORT][/PATH]; empty: none.
+  std::string remote = {};
+  /// Called with a sentence, at most once each, when a product cannot be stored, e.g. because the
+  /// disk is full, and when the server does not answer.
   std::function<void(const std::string&)> on_warning = nullptr;
 };
 
 /// The folder of $VUG_CACHE; else "vug" in $XDG_CACHE_HOME, else ~/.cache/vug. Empty: the store is
 /// off, because $VUG_CACHE is "off", or because the user has no home folder.
 std::filesystem::path default_folder();
+/// The address in $VUG_CACHE_REMOTE; empty without it.
+std::string default_remote();
 /// The limit of $VUG_CACHE_SIZE, e.g. "5G"; 0 without it. Throws Error(bad_input) for other texts.
 uint64_t default_max_bytes();
 
@@ -40,11 +47,14 @@ struct Entry {
 /// scene. Files are written to a temporary name and renamed, so that any number of processes may
 /// read, write and trim the same folder without locks, and a killed process leaves at most a
 /// temporary file. What is read is verified: damaged files are removed and the product counts as
-/// absent. A folder that is not writable is only read. No member function but the constructor
-/// throws. Thread-safe.
+/// absent. A folder that is not writable is only read. A server receives what is kept, and products
+/// that the folder lacks are copied from it, under the same names and with the same verification.
+/// No member function but the constructor, which throws Error(bad_input) for other addresses of a
+/// server, throws. Thread-safe.
 class Store {
  public:
   explicit Store(StoreOptions options);
+  ~Store();
 
   /// The product of the key; nothing if it is absent or damaged. Marks it as used.
   std::optional<Entry> find(const Key& key);
@@ -67,8 +77,12 @@ class Store {
 
  private:
   void warn(const std::string& why);
+  std::optional<Entry> find_here(const Key& key);
+  bool fetch(const Key& key);
+  void send(const std::string& key, const std::string& object);
 
   StoreOptions options_;
+  std::unique_ptr<Remote> remote_;
   bool writable_ = false;
   std::atomic<bool> warned_ = false;
 };

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/base/error.h>
+#include <vug/store/remote.h>
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include <fstream>
+#include <regex>
+#include <vector>
+
+namespace vug::store {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kConnectSeconds = 3, kTransferSeconds = 60;
+constexpr int kFound = 200, kRefused = 400;
+
+}  // namespace
+
+Remote::Remote(const std::string& url, std::function<void(const std::string&)> on_warning)
+    : on_warning_(std::move(on_warning)) {
+  static const std::regex form(R"((https?://[^/?#@\s]+)(/[^?#\s]*)?)");
+  std::smatch parts;
+  if (!std::regex_match(url, parts, form))
+    throw Error(
+        ErrorCode::bad_input, fmt::format("'{}' is not the address of a store", url), {},
+        "set VUG_CACHE_REMOTE to http://HOST, http://HOST:PORT/PATH, or the same with https");
+  host_ = parts[1];
+  path_ = parts[2];
+  if (!path_.ends_with('/')) path_ += '/';
+}
+
+std::unique_ptr<httplib::Client> Remote::connect() const {
+  auto out = std::make_unique<httplib::Client>(host_);
+  out->set_connection_timeout(kConnectSeconds);
+  out->set_read_timeout(kTransferSeconds);
+  out->set_write_timeout(kTransferSeconds);
+  return out;
+}
+
+bool Remote::fails(const std::string& reason) {
+  if (reachable_.exchange(false) && on_warning_)
+    on_warning_(fmt::format("the store at {}{} does not answer ({}); this run uses the local one",
+                            host_, path_, reason));
+  return false;
+}
+
+bool Remote::has(const std::string& name) {
+  if (!reachable_) return false;
+  const httplib::Result result = connect()->Head(path_ + name);
+  return result ? result->status == kFound : fails(to_string(result.error()));
+}
+
+bool Remote::get(const std::string& name, const fs::path& target) {
+  if (!reachable_) return false;
+  std::ofstream out(target, std::ios::binary);
+  bool found = false;
+  const httplib::Result result = connect()->Get(
+      path_ + name,
+      [&](const httplib::Response& response) { return found = response.status == kFound; },
+      [&](const char* data, size_t count) {
+        return out.write(data, static_cast<std::streamsize>(count)).good();
+      });
+  // A handler that stops the transfer makes it fail with this error: no such file, or a full disk.
+  if (!result && result.error() != httplib::Error::Canceled)
+    return fails(to_string(result.error()));
+  return result && found && out.flush();
+}
+
+void Remote::put(const std::string& name, const fs::path& source) {
+  if (!reachable_ || !writable_) return;
+  std::ifstream in(source, std::ios::binary);
+  std::vector<char> part(1 << 16);
+  const httplib::Result result = connect()->Put(
+      path_ + name, fs::file_size(source),
+      [&](size_t, size_t length, httplib::DataSink& sink) {
+        in.read(part.data(), static_cast<std::streamsize>(std::min(length, part.size())));
+        return in.gcount() > 0 && sink.write(part.data(), static_cast<size_t>(in.gcount()));
+      },
+      "application/octet-stream");
+  if (!result)
+    fails(to_string(result.error()));
+  else if (result->status >= kRefused)
+    writable_ = false;
+}
+
+}  // namespace vug::store
