@@ -19,7 +19,7 @@ StoreUse user_store(const std::string& scene_file, Digest plugins,
   const std::filesystem::path folder = store::default_folder();
   if (!folder.empty())
     out.store = std::make_shared<store::Store>(store::StoreOptions{
-        folder, store::default_max_bytes(), store::default_remote(), std::move(on_warning)});
+        folder, store::default_max_bytes(), std::move(on_warning), store::default_remote()});
   return out;
 }
 

@@ -20,11 +20,11 @@ class Remote;
 struct StoreOptions {
   std::filesystem::path folder;
   uint64_t max_bytes = 0;  ///< 0: 20 GB or a tenth of the disk, whichever is less.
-  /// Address of a server with products, http://HOST[:PORT][/PATH]; empty: none.
-  std::string remote = {};
   /// Called with a sentence, at most once each, when a product cannot be stored, e.g. because the
   /// disk is full, and when the server does not answer.
   std::function<void(const std::string&)> on_warning = nullptr;
+  /// Address of a server with products, http://HOST[:PORT][/PATH]; empty: none.
+  std::string remote = {};
 };
 
 /// The folder of $VUG_CACHE; else "vug" in $XDG_CACHE_HOME, else ~/.cache/vug. Empty: the store is

@@ -69,8 +69,8 @@ struct RemoteStore : testing::Test {
   std::vector<std::string> warnings;
 
   Store store(const std::string& name) {
-    return Store({scratch.path() / name, 1'000'000'000, server.url(),
-                  [this](const std::string& text) { warnings.push_back(text); }});
+    return Store({scratch.path() / name, 1'000'000'000,
+                  [this](const std::string& text) { warnings.push_back(text); }, server.url()});
   }
   static void keep(Store& store, const std::string& text = "rock", const Key& of = key()) {
     store.keep(of, 1.5, ".txt",
@@ -161,9 +161,9 @@ TEST_F(RemoteStore, WorksWithoutTheServerAfterOneWarning) {
 TEST(RemoteStoreAddress, IsChecked) {
   const ScratchFolder folder("vug_remote_store");
   for (const char* bad : {"ftp://a/b", "localhost:80", "http://", "http://a b", "http://a?x=1"})
-    EXPECT_THROW(Store({folder.path(), 0, bad}), Error) << bad;
+    EXPECT_THROW(Store({folder.path(), 0, nullptr, bad}), Error) << bad;
   for (const char* good : {"http://a", "https://a:8443/b/c/", "http://[::1]:80"})
-    EXPECT_NO_THROW(Store({folder.path(), 0, good})) << good;
+    EXPECT_NO_THROW(Store({folder.path(), 0, nullptr, good})) << good;
 }
 
 }  // namespace
