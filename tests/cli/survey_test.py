@@ -58,6 +58,7 @@ class Survey(VugTest):
         report = json.loads(self.expect(0, "survey", "cave.svx", "--json").out)
         self.assertEqual(report["title"], "Two loops")
         self.assertEqual((report["stations"], report["legs"], report["loops"], report["splays"]), (6, 6, 1, 1))
+        self.assertEqual(report["as_survex_counts"], {"components": 1, "loops": 1})
         self.assertEqual(report["cross_sections"], 2)
         self.assertAlmostEqual(report["length"]["measured"], 58.5)
         self.assertEqual(report["altitude"]["low_station"], "cave.5")

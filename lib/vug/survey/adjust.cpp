@@ -3,6 +3,7 @@
 
 #include <vug/survey/blunders.h>
 #include <vug/survey/junctions.h>
+#include <vug/survey/survex_components.h>
 
 #include <algorithm>
 #include <cmath>
@@ -142,7 +143,9 @@ Survey adjust(Observations observations, Diagnostics& warnings) {
   place_dead_ends(graph, traverses.dead_ends);
   separate_components(graph);
 
+  const std::optional<int> survex = survex_components(observations);
   Survey survey = survey_of(std::move(observations), graph);
+  survey.survex_components = survex;
   for (OpenChain& each : open) survey.misclosures.push_back(std::move(each.misclosure));
   survey.blunders = std::move(blunders);
   return survey;

@@ -25,6 +25,7 @@ struct Fix {
   Vec3d position{0.0};
   std::optional<Covariance> covariance;
   SourceLocation where;
+  size_t legs_before = 0, equates_before = 0;  ///< Numbers of those before it in the text.
 };
 
 struct Observations {
@@ -36,6 +37,17 @@ struct Observations {
   std::vector<Fix> fixes;
   std::vector<Tube> tubes;
   std::vector<std::filesystem::path> files;  ///< As Survey::files, if there are several.
+
+  /// Appends an equate or a fix that follows the legs so far.
+  void add(Equate equate) {
+    equate.legs_before = legs.size();
+    equates.push_back(std::move(equate));
+  }
+  void add(Fix fix) {
+    fix.legs_before = legs.size();
+    fix.equates_before = equates.size();
+    fixes.push_back(std::move(fix));
+  }
 };
 
 }  // namespace vug::survey

@@ -83,6 +83,9 @@ Json report(const Survey& survey) {
   out["splays"] = size.splays;
   out["components"] = size.components;
   out["loops"] = size.loops;
+  if (size.survex_loops)
+    out["as_survex_counts"] = {{"components", *size.survex_components},
+                               {"loops", *size.survex_loops}};
   out["cross_sections"] = size.cross_sections;
   out["length"] = {
       {"measured", rounded(size.length)},        {"adjusted", rounded(size.adjusted_length)},

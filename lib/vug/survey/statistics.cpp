@@ -68,7 +68,10 @@ Statistics measure(const Survey& survey) {
     if (sets.root(i) == i) ++out.components;
     ++out.degrees[degrees[static_cast<size_t>(i)]];
   }
-  out.loops = out.legs - out.stations + out.components;
+  const int excess = out.legs - out.stations;
+  out.loops = excess + out.components;
+  out.survex_components = survey.survex_components;
+  if (out.survex_components) out.survex_loops = excess + *out.survex_components;
   for (const Tube& tube : survey.tubes) out.cross_sections += static_cast<int>(tube.size());
   measure_extents(survey, out);
   measure_lengths(survey, out);

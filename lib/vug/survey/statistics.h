@@ -24,6 +24,8 @@ struct Statistics {
   int splays = 0;      ///< Those of them that are splays.
   int components = 0;  ///< Sets of stations that are connected by legs and equates.
   int loops = 0;
+  /// As Survex's cavern counts them; no number for coordinates without measurements.
+  std::optional<int> survex_components, survex_loops;
   /// Metres of all legs but surface legs, duplicates and splays: as measured, between the adjusted
   /// stations, and the horizontal and the vertical part of the measured ones.
   double length = 0, adjusted_length = 0, plan_length = 0, vertical_length = 0;

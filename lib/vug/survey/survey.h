@@ -83,6 +83,7 @@ struct Equate {
   int a = 0;
   int b = 0;
   SourceLocation where;
+  size_t legs_before = 0;  ///< The number of legs before it in the text.
 };
 
 /// The misclosure of one traverse, a chain of legs between two junctions or fixed stations.
@@ -114,6 +115,8 @@ struct Survey {
   std::vector<Scrap> scraps;
   std::vector<Misclosure> misclosures;
   std::vector<Blunder> blunders;  ///< By traverse, the most likely first.
+  /// The components that Survex's cavern counts; no number for coordinates without measurements.
+  std::optional<int> survex_components;
   /// The files that the survey was read from, the file that the user named first.
   std::vector<std::filesystem::path> files;
 };

@@ -63,6 +63,8 @@ TEST(SvxCavern, EquatesOfFixedStationsAreNotLoops) {
   const Statistics size = measure(read_survey(scratch.file("a.svx"), {}, warnings));
   EXPECT_EQ(size.loops, 1);
   EXPECT_EQ(size.components, 1);
+  EXPECT_EQ(size.survex_loops, 2);
+  EXPECT_EQ(size.survex_components, 2);
 }
 
 std::filesystem::path dow_prov() {
@@ -77,9 +79,11 @@ TEST(SvxCavern, DowProvHasTheReportedSize) {
   const Statistics size = measure(survey);
   EXPECT_EQ(size.stations, 802);
   EXPECT_EQ(size.legs, 805);
-  // The cave and a building. cavern 1.4.4 prints 4 components and 7 loops; see the next test.
+  // The cave and a building. cavern 1.4.4 prints 4 components and 7 loops; see the test above.
   EXPECT_EQ(size.components, 2);
   EXPECT_EQ(size.loops, 5);
+  EXPECT_EQ(size.survex_components, 4);
+  EXPECT_EQ(size.survex_loops, 7);
   EXPECT_NEAR(size.length, 3892.06, 0.005);
   EXPECT_NEAR(size.adjusted_length, 3898.72, 0.2);
   EXPECT_NEAR(size.plan_length, 3498.06, 0.005);

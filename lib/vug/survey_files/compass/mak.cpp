@@ -175,7 +175,7 @@ class MakReader {
     fix.station = stations_.find_or_add(station, where);
     fix.where = where;
     result_.stations[static_cast<size_t>(fix.station)].fixed = true;
-    result_.fixes.push_back(fix);
+    result_.add(fix);
     return trimmed(text.substr(end + 1));
   }
 

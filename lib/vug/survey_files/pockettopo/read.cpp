@@ -150,7 +150,7 @@ class Reader {
           "correct one of its stations in PocketTopo");
     } else if (shot.length == 0) {
       close_leg();
-      result_.equates.push_back({station(from), station(to), where_});
+      result_.add(Equate{station(from), station(to), where_});
     } else {
       add_leg_shot(from, to, trip, shot);
     }
@@ -217,7 +217,7 @@ class Reader {
     Station& fixed = result_.stations[static_cast<size_t>(fix.station)];
     fixed.fixed = true;
     fixed.comment = comment;
-    result_.fixes.push_back(fix);
+    result_.add(fix);
   }
 
   void skip_mapping() { in_.text(12); }

@@ -81,7 +81,7 @@ void command_equate(Reader& reader, Line& line) {
           fmt::format("the station '{}' is equated to itself", reader.stations[next].name),
           "remove one of the two names");
     else
-      reader.out.equates.push_back({last, next, line.range(at)});
+      reader.out.add(Equate{last, next, line.range(at)});
     last = next;
   }
 }
@@ -129,7 +129,7 @@ void command_fix(Reader& reader, Line& line) {
   require_plausible(fix.position, fix.where);
   reader.stations.use(fix.station);
   reader.stations[fix.station].fixed = true;
-  reader.out.fixes.push_back(fix);
+  reader.out.add(fix);
 }
 
 }  // namespace vug::survey::svx

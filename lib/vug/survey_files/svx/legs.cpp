@@ -37,7 +37,7 @@ void add_leg(Reader& reader, const LegLine& line) {
   require_plausible(read.measured, leg.where);
   for (const int station : {leg.from, leg.to}) reader.stations.use(station);
   if (settings.infer_equates && read.length == 0 && leg.style != Style::nosurvey) {
-    reader.out.equates.push_back({leg.from, leg.to, leg.where});
+    reader.out.add(Equate{leg.from, leg.to, leg.where});
     return;
   }
   leg.surface = settings.surface;

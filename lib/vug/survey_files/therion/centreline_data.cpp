@@ -128,7 +128,7 @@ void Centreline::add_leg(DataLine line) {
          "name two stations");
   if (settings_.infer_equates && !open && vector.length == 0 &&
       settings_.order.style != DataStyle::nosurvey) {
-    context_.observations.equates.push_back({from, to, line.where});
+    context_.observations.add(Equate{from, to, line.where});
     return;
   }
   ObservedLeg leg;

@@ -48,7 +48,7 @@ void equate(const std::vector<Token>& line, const std::string& path, Context& co
   const int first = context.stations.find_or_add(full_name(line[1], path), line[1].where);
   for (size_t i = 2; i < line.size(); ++i) {
     const int other = context.stations.find_or_add(full_name(line[i], path), line[i].where);
-    if (other != first) context.observations.equates.push_back({first, other, line[i].where});
+    if (other != first) context.observations.add(Equate{first, other, line[i].where});
   }
 }
 
@@ -106,7 +106,7 @@ void Centreline::read_fix(const std::vector<Token>& line) {
     fix.covariance = fix_covariance({values[3], values[4], values[5]},
                                     {values[6], values[7], values[8]}, fix.where);
   context_.observations.stations[static_cast<size_t>(fix.station)].fixed = true;
-  context_.observations.fixes.push_back(fix);
+  context_.observations.add(fix);
 }
 
 }  // namespace vug::survey::therion

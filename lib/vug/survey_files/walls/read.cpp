@@ -164,7 +164,7 @@ class Reader {
     }
     require_plausible(fix.position, fix.where);
     result_.stations[static_cast<size_t>(fix.station)].fixed = true;
-    result_.fixes.push_back(fix);
+    result_.add(fix);
   }
 
   /// "fore/back", of which one may be missing or omitted; nothing if both are.
