@@ -93,6 +93,26 @@ TEST_F(ElevationFiles, ReportsFilesThatAreNotTerrain) {
   EXPECT_NE(fault_of(write("cut.tif", bytes.substr(0, bytes.size() - 300))), "");
 }
 
+/// Replaces the value of an entry of a GeoTiff that is a single number of 32 bits.
+void set_entry(std::string& tiff, uint16_t tag, uint32_t value) {
+  const auto raw = [](const auto& number) {
+    return std::string(reinterpret_cast<const char*>(&number), sizeof(number));
+  };
+  const size_t at = tiff.find(raw(tag) + raw(uint16_t{4}) + raw(uint32_t{1}));
+  ASSERT_NE(at, std::string::npos);
+  tiff.replace(at + 8, 4, raw(value));
+}
+
+TEST_F(ElevationFiles, SmallFilesCannotCauseLargeAllocations) {
+  std::string tiff = GeoTiff{.columns = 4, .rows = 4}.bytes();
+  constexpr uint16_t kColumns = 256;
+  set_entry(tiff, kColumns, 1000000000);  // GDAL would read at least a row.
+  EXPECT_NE(fault_of(write("huge.tif", tiff)).find("states blocks of 1000000000 x"),
+            std::string::npos);
+  set_entry(tiff, kColumns, 2000);
+  EXPECT_EQ(fault_of(write("wide.tif", tiff)).find("states blocks"), std::string::npos);
+}
+
 TEST_F(ElevationFiles, DamagedFilesAreReadOrReported) {
   GeoTiff tiff{.columns = 6, .rows = 5, .epsg = 32633, .missing = "-9999"};
   const std::string whole[] = {tiff.bytes(), kGrid};

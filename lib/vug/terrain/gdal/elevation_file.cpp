@@ -31,6 +31,12 @@ constexpr const char* const kDrivers[] = {"GTiff",   "AAIGrid",     "GRASSASCIIG
 /// Heights beyond this are marks for missing data that the file does not declare.
 constexpr double kHighest = 3e4;
 
+/// GDAL holds whole blocks of cells in memory. Larger ones than this must not exceed the file by
+/// more than a factor that no compression reaches, so that a damaged file of some bytes cannot
+/// cause an allocation of gigabytes.
+constexpr double kLargeBlock = 64 << 20;  // Bytes.
+constexpr double kMostCompressed = 4096;
+
 /// Keeps GDAL from printing; its last message becomes part of our errors.
 class Quiet {
  public:
@@ -107,6 +113,7 @@ struct ElevationFile::Dataset {
     if (type < 1 || (type >= gdal::kFirstComplex && type <= gdal::kLastComplex))
       throw fault(file, "has values that are not real numbers",
                   "convert it, e.g. gdal_translate -ot Float32");
+    require_plausible_blocks(file);
     int exists = 0;
     const double value = gdal.GetRasterNoDataValue(band, &exists);
     if (exists) missing = value;
@@ -118,6 +125,18 @@ struct ElevationFile::Dataset {
     const double metres = metres_of(unit ? unit : "", file);
     scale *= metres;
     offset *= metres;
+  }
+
+  void require_plausible_blocks(const std::filesystem::path& file) const {
+    int columns = 0, rows = 0;
+    gdal::library().GetBlockSize(band, &columns, &rows);
+    const double bytes = 8.0 * columns * rows;
+    const auto size = static_cast<double>(std::filesystem::file_size(file));
+    if (bytes > kLargeBlock && bytes > kMostCompressed * size)
+      throw fault(
+          file,
+          fmt::format("states blocks of {} x {} cells, but has {:.0f} bytes", columns, rows, size),
+          "the file is damaged or incomplete; get it again");
   }
 
   bool is_missing(double stored) const {

@@ -49,6 +49,7 @@ Library load() {
   find(from, "GDALGetGeoTransform", all.GetGeoTransform);
   find(from, "GDALGetRasterBand", all.GetRasterBand);
   find(from, "GDALGetRasterDataType", all.GetRasterDataType);
+  find(from, "GDALGetBlockSize", all.GetBlockSize);
   find(from, "GDALGetRasterNoDataValue", all.GetRasterNoDataValue);
   find(from, "GDALGetRasterScale", all.GetRasterScale);
   find(from, "GDALGetRasterOffset", all.GetRasterOffset);

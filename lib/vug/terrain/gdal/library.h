@@ -31,6 +31,7 @@ struct Library {
   int (*GetGeoTransform)(DatasetHandle, double* six);
   BandHandle (*GetRasterBand)(DatasetHandle, int band);
   int (*GetRasterDataType)(BandHandle);
+  void (*GetBlockSize)(BandHandle, int* columns, int* rows);
   double (*GetRasterNoDataValue)(BandHandle, int* exists);
   double (*GetRasterScale)(BandHandle, int* exists);
   double (*GetRasterOffset)(BandHandle, int* exists);
