@@ -168,6 +168,36 @@ TEST(Section, EllipsesInSinglePrecisionAreExactUpToRounding) {
   }
 }
 
+TEST(Section, FlatLensesInSinglePrecisionAreExactUpToRounding) {
+  // The arcs of the flattest lens have a radius of 2.5e8 m.
+  for (const double ratio : {2.0, 30.0, 1e4, 1e8}) {
+    const double half = 5;
+    const SectionPtr lens = make_family("lens")->fit({2 * half, 2 * half / ratio, 0});
+    RandomStream random(RandomKey(7));
+    for (int round = 0; round < 200; ++round) {
+      float u[8], v[8], found[8];
+      for (int lane = 0; lane < 8; ++lane) {
+        u[lane] = static_cast<float>(random.uniform(-1.5, 1.5) * half);
+        v[lane] = static_cast<float>(random.uniform(-1, 1) * (lane < 4 ? half : half / ratio));
+      }
+      const Pack pu = Pack::load(u), pv = Pack::load(v);
+      Pack out;
+      lens->distances(&pu, &pv, 1, &out);
+      out.store(found);
+      for (int lane = 0; lane < 8; ++lane) {
+        const double x = static_cast<double>(u[lane]), y = static_cast<double>(v[lane]);
+        ASSERT_NEAR(static_cast<double>(found[lane]), lens->distance(x, y), 2e-6 * half)
+            << ratio << " at " << x << " " << y;
+        // A very flat lens is the segment between its tips.
+        if (ratio > 1e7) {
+          ASSERT_NEAR(lens->distance(x, y), std::hypot(std::max(std::fabs(x) - half, 0.0), y),
+                      1e-6 * half);
+        }
+      }
+    }
+  }
+}
+
 TEST(Section, BatchesAgreeWithScalars) {
   for (const SectionCase& c : section_cases(true)) {
     RandomStream random(RandomKey(4).at(c.label));

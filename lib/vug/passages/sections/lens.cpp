@@ -29,13 +29,15 @@ class Vesica final : public SectionModes<Vesica> {
   template <class S>
   PlaneDistance<S> sample(const S& u, const S& v) const {
     const S x = u * S(cosine_) + v * S(sine_), y = v * S(cosine_) - u * S(sine_);
-    const S px = abs(x), py = abs(y);
-    const auto beyond = px * S(offset_) > (py + S(offset_)) * S(half_);
-    const S ox = select(beyond, px - S(half_), px), oy = select(beyond, py, py + S(offset_));
+    const S px = abs(x), py = abs(y), past = px - S(half_);
+    const auto beyond = past * S(offset_) > py * S(half_);
+    const S ox = select(beyond, past, px), oy = select(beyond, py, py + S(offset_));
     const S away = sqrt(square(ox) + square(oy));
     const S inverse = S(1.0) / max(away, S(1e-18));
     const S dx = ox * inverse * sign(x), dy = oy * inverse * sign(y);
-    return {away - select(beyond, S(0.0), S(radius_)), dx * S(cosine_) - dy * S(sine_),
+    // away - radius without the difference of large numbers, as flat lenses have them.
+    const S side = (past * (px + S(half_)) + py * (py + S(2 * offset_))) / (away + S(radius_));
+    return {select(beyond, away, side), dx * S(cosine_) - dy * S(sine_),
             dx * S(sine_) + dy * S(cosine_)};
   }
 
