@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to volume/: the octree traversal from a cube of the lattice down to the blocks that
+// Internal to volume/: the octree traversal from a cube of the lattice down to the bricks that
 // contain the surface.
 #pragma once
 
 #include <vug/base/progress.h>
-#include <vug/volume/block.h>
+#include <vug/volume/brick_evaluator.h>
 #include <vug/volume/grid_access.h>
 
 namespace vug::volume {
-
-struct OctreeTask {
-  NarrowBand band;
-  int64_t low[3] = {0, 0, 0};  ///< Lattice points outside low..high are not in the band.
-  int64_t high[3] = {-1, -1, -1};
-};
 
 /// The root cube around low..high: its size is a power of two, at least 128, and it is aligned to
 /// min(size, 4096), so that its children are nodes of the tree.

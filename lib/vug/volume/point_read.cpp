@@ -26,8 +26,8 @@ const vp::PointDataGrid& point_data(const Grid& grid) {
 }
 
 /// The leaves of a tree and the number of points before each.
-struct Leaves {
-  explicit Leaves(const vp::PointDataGrid& grid) {
+struct PointLeaves {
+  explicit PointLeaves(const vp::PointDataGrid& grid) {
     grid.tree().getNodes(leaves);
     for (const PointLeaf* leaf : leaves) {
       leaf->validateOffsets();  // Throws if they exceed the attributes.
@@ -46,7 +46,7 @@ struct Leaves {
   size_t count = 0;
 };
 
-std::vector<Vec3f> positions(const vp::PointDataGrid& grid, const Leaves& leaves) {
+std::vector<Vec3f> positions(const vp::PointDataGrid& grid, const PointLeaves& leaves) {
   std::vector<Vec3f> out(leaves.count);
   leaves.each([&](const PointLeaf& leaf, size_t begin) {
     if (leaf.pointCount() == 0) return;
@@ -80,7 +80,7 @@ Vec3f plain(const openvdb::math::Vec3<T>& v) {
 }
 
 template <class From>
-PointAttribute::Values values(const Leaves& leaves, size_t at) {
+PointAttribute::Values values(const PointLeaves& leaves, size_t at) {
   std::vector<decltype(plain(From()))> out(leaves.count);
   leaves.each([&](const PointLeaf& leaf, size_t begin) {
     const vp::AttributeHandle<From> from(leaf.constAttributeArray(at));
@@ -90,7 +90,7 @@ PointAttribute::Values values(const Leaves& leaves, size_t at) {
 }
 
 /// By OpenVDB's type names.
-PointAttribute::Values values(const std::string& type, const Leaves& leaves, size_t at) {
+PointAttribute::Values values(const std::string& type, const PointLeaves& leaves, size_t at) {
   if (type == "float") return values<float>(leaves, at);
   if (type == "double") return values<double>(leaves, at);
   if (type == "vec3s") return values<openvdb::Vec3f>(leaves, at);
@@ -114,7 +114,7 @@ bool is_group(const vp::AttributeSet::Descriptor& descriptor, size_t at) {
   return descriptor.type(at) == vp::GroupAttributeArray::attributeType();
 }
 
-std::vector<uint8_t> members(const Leaves& leaves, const std::string& name) {
+std::vector<uint8_t> members(const PointLeaves& leaves, const std::string& name) {
   std::vector<uint8_t> out(leaves.count);
   leaves.each([&](const PointLeaf& leaf, size_t begin) {
     const vp::GroupHandle from = leaf.groupHandle(name);
@@ -135,14 +135,14 @@ template <class Work>
 auto with_points(const Grid& grid, const Work& work) {
   const vp::PointDataGrid& data = point_data(grid);
   try {
-    return work(data, Leaves(data));
+    return work(data, PointLeaves(data));
   } catch (const openvdb::Exception& fault) {
     throw Error(ErrorCode::bad_input,
                 fmt::format("the points of '{}' are damaged: {}", grid.name(), fault.what()));
   }
 }
 
-Points all_of(const vp::PointDataGrid& data, const Leaves& leaves) {
+Points all_of(const vp::PointDataGrid& data, const PointLeaves& leaves) {
   Points out;
   if (leaves.leaves.empty()) return out;
   out.position = positions(data, leaves);
@@ -159,7 +159,7 @@ Points all_of(const vp::PointDataGrid& data, const Leaves& leaves) {
   return out;
 }
 
-PointsInfo info_of(const vp::PointDataGrid& data, const Leaves& leaves) {
+PointsInfo info_of(const vp::PointDataGrid& data, const PointLeaves& leaves) {
   PointsInfo out;
   out.count = leaves.count;
   if (leaves.leaves.empty()) return out;

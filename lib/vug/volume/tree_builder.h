@@ -19,6 +19,7 @@ class Brick {
   Brick(const Brick&) = delete;
   Brick& operator=(const Brick&) = delete;
 
+  const Cell& cell() const { return cell_; }
   void set(const Cell& cell, const Block& block);
   void fill_inside(const Cell& cell);
 

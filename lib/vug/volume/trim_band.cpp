@@ -108,7 +108,7 @@ void keep(openvdb::FloatGrid& grid, const std::vector<Leaf*>& leaves, const Near
       }
     }
   });
-  openvdb::tools::pruneLevelSet(grid.tree());
+  openvdb::tools::prune(grid.tree());  // Not pruneLevelSet: tiles end without a band.
 }
 
 /// The marks of a leaf itself suffice for most leaves that the surface crosses.

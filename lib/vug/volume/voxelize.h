@@ -8,9 +8,14 @@
 #include <vug/field/field.h>
 #include <vug/volume/level_set.h>
 
+#include <Imath/ImathBox.h>
+
 #include <optional>
 
 namespace vug::volume {
+
+/// Lattice points from `min` to `max`, which are included.
+using LatticeBox = Imath::Box3i;
 
 struct VoxelizeOptions {
   double voxel = 0.1;  ///< Edge of a voxel, metres.
@@ -19,7 +24,9 @@ struct VoxelizeOptions {
   bool repair = true;  ///< Divide values that are not distances by the length of their gradient.
   std::optional<Box3d> region;  ///< Region to voxelize; solids are cut off by its faces. Default:
                                 ///< the field's bounds, which must then be finite.
-  uint64_t max_memory = 0;      ///< Memory limit in bytes; 0: the available memory of the machine.
+  std::optional<LatticeBox> tile;  ///< The part of the lattice to compute; solids continue beyond
+                                   ///< it. Whole blocks: `min` and `max` + 1 are multiples of 8.
+  uint64_t max_memory = 0;  ///< Memory limit in bytes; 0: the available memory of the machine.
 };
 
 /// Estimated costs, from samples of the field; no grid is created.
@@ -38,7 +45,8 @@ field::Field field_in_region(const field::Field& field, const VoxelizeOptions& o
 /// The zero set of the level set equals that of the field up to trilinear interpolation; the repair
 /// does not move it. Values are exact distances where the field's are; elsewhere the band ends four
 /// lattice steps from the surface (see trim_band.h). The result has the same bytes for any
-/// number of threads. An empty field gives an empty grid. Throws Error(bad_input) for bounds that
+/// number of threads, and a voxel has the same value in every tile that contains it (bricks.h). An
+/// empty field gives an empty grid. Throws Error(bad_input) for bounds that
 /// are not finite, options out of range, or lattice points beyond 32-bit indices; Error(too_large)
 /// before the work starts; Error(cancelled).
 LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options,
