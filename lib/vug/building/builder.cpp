@@ -108,10 +108,12 @@ void Builder::reuse_from(Builder&& other) {
     if (volumes.count(plan)) {
       held_ += grid.statistics().memory_bytes;
       level_sets_.emplace(plan, std::move(grid));
+      if (const auto solid = other.solids_.find(plan); solid != other.solids_.end())
+        solids_.insert(*solid);
     }
   seconds_ += other.seconds_;
-  other.level_sets_.clear(), other.meshes_.clear(), other.cell_layers_.clear(),
-      other.surfaces_.clear();
+  other.level_sets_.clear(), other.solids_.clear(), other.meshes_.clear(),
+      other.cell_layers_.clear(), other.surfaces_.clear();
 }
 
 void Builder::warn_of_thin_parts(const shot::VolumePlan& plan) {
@@ -147,6 +149,7 @@ const volume::LevelSet& Builder::level_set(const shot::VolumePtr& plan) {
         },
         seconds_);
     const volume::LevelSet& made = level_sets_.emplace(plan, obtained).first->second;
+    ++counts_.level_sets;
     held_ += made.statistics().memory_bytes;
     warn_of_thin_parts(*plan);
     if (!made.holds_solid())
@@ -165,6 +168,7 @@ mesh::MeshPtr Builder::mesh(const shot::MeshPtr& plan) {
                      : !plan->parts.empty() ? build_merged(*plan)
                                             : build_plain(*plan);
     held_ += bytes_of(*mesh.mesh);
+    ++counts_.meshes;
     return meshes_.emplace(plan, std::move(mesh)).first->second.mesh;
   } catch (Error& error) {
     throw error.within(fmt::format("making the mesh '{}'", plan->name));
@@ -216,7 +220,7 @@ SurfaceMesh Builder::surface_mesh(const shot::MeshPlan& plan) {
       },
       seconds_);
   warn_of_thin_parts(*plan.volume);
-  const auto solid = plan.paint ? volume::sampled_grid(level_set(plan.volume)) : nullptr;
+  const auto solid = plan.paint ? solid_of(plan.volume) : nullptr;
   const Stopwatch watch(seconds_);
   add_attributes(made, plan, solid.get());
   return made;
@@ -260,7 +264,14 @@ Builder::BuiltMesh Builder::build_merged(const shot::MeshPlan& plan) {
 }
 
 std::shared_ptr<const field::SampledGrid> Builder::solid(const shot::MeshPtr& plan) {
-  return plan->volume ? volume::sampled_grid(level_set(plan->volume)) : nullptr;
+  return plan->volume ? solid_of(plan->volume) : nullptr;
+}
+
+std::shared_ptr<const field::SampledGrid> Builder::solid_of(const shot::VolumePtr& volume) {
+  const volume::LevelSet& grid = level_set(volume);
+  auto& solid = solids_[volume];
+  if (!solid) solid = volume::sampled_grid(grid);
+  return solid;
 }
 
 CellLayerPtr Builder::resumable(const shot::CellsPlan& plan) const {
@@ -289,6 +300,7 @@ CellLayerPtr Builder::cell_layer(const shot::CellsPtr& plan) {
         make_cell_layer(*plan, supports, memory_budget(), progress_, how));
     if (how.from) held_ -= how.from->simulation.bytes(), resumable_.erase(plan);
     held_ += made->simulation.bytes();
+    ++counts_.cell_layers;
     return cell_layers_.emplace(plan, std::move(made)).first->second;
   } catch (Error& error) {
     throw error.within(fmt::format("making the cells '{}'", plan->name));
@@ -309,6 +321,7 @@ volume::SurfaceBricksPtr Builder::surface(const shot::MeshPtr& plan) {
       return std::make_shared<const volume::SurfaceBricks>(grid, plan->smallest_piece);
     });
     held_ += made->bytes();
+    ++counts_.surfaces;
     return surfaces_.emplace(plan, std::move(made)).first->second;
   } catch (Error& error) {
     throw error.within(fmt::format("making the surface of '{}'", plan->name));

@@ -33,6 +33,14 @@ struct BuildOptions {
   StoreUse stored = {};
 };
 
+/// The numbers of products that a Builder made or read from a store, without those that it took
+/// over.
+struct ProductCounts {
+  size_t level_sets = 0, meshes = 0, surfaces = 0, cell_layers = 0;
+
+  size_t total() const { return level_sets + meshes + surfaces + cell_layers; }
+};
+
 /// Builds the products of a shot and caches them. The shot must outlive it. Not thread-safe; the
 /// work itself is parallel.
 class Builder {
@@ -52,7 +60,8 @@ class Builder {
   mesh::MeshPtr mesh(const shot::MeshPtr& plan);
   /// Whether the mesh has been built.
   bool has_mesh(const shot::MeshPtr& plan) const { return cached(plan) != nullptr; }
-  /// The level set of which the mesh is the surface, for masks; null if there is none.
+  /// The level set of which the mesh is the surface, for masks; null if there is none. The same
+  /// object at each call.
   std::shared_ptr<const field::SampledGrid> solid(const shot::MeshPtr& plan);
   /// The cell layer of a plan.
   CellLayerPtr cell_layer(const shot::CellsPtr& plan);
@@ -77,6 +86,7 @@ class Builder {
   void warn(const SourceLocation& where, const std::string& message, const std::string& hint) const;
   /// Bytes that further work may use; at least 1.
   uint64_t memory_budget() const;
+  const ProductCounts& counts() const { return counts_; }
   /// Wall-clock seconds spent on products so far.
   double seconds() const { return seconds_; }
 
@@ -86,6 +96,7 @@ class Builder {
   Progress& progress_;
   StoredProducts products_;
   std::map<shot::VolumePtr, volume::LevelSet> level_sets_;
+  std::map<shot::VolumePtr, std::shared_ptr<const field::SampledGrid>> solids_;  ///< Views of them.
   struct BuiltMesh {
     std::shared_ptr<const mesh::Mesh> mesh;
     size_t components_removed = 0;
@@ -95,6 +106,7 @@ class Builder {
   std::map<shot::MeshPtr, BuiltMesh> meshes_;
   /// The mesh of the plan or of an equal plan; null if it has not been built.
   const BuiltMesh* cached(const shot::MeshPtr& plan) const;
+  std::shared_ptr<const field::SampledGrid> solid_of(const shot::VolumePtr& volume);
   volume::LevelSet make_level_set(const shot::VolumePlan& plan, const mesh::Mesh* mesh);
   /// Passes warnings about the volume's thin parts on, once.
   void warn_of_thin_parts(const shot::VolumePlan& plan);
@@ -122,6 +134,7 @@ class Builder {
   std::map<shot::CellsPtr, CellLayerPtr> cell_layers_;
   std::map<shot::CellsPtr, CellLayerPtr> resumable_;  ///< Runs of an earlier frame to continue.
   std::map<shot::MeshPtr, volume::SurfaceBricksPtr> surfaces_;
+  ProductCounts counts_;
   double seconds_ = 0;
   uint64_t held_ = 0;  ///< Bytes of all cached products.
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/atomic_file.h>
 #include <vug/loading/attribute_check.h>
+#include <vug/loading/declaration_cache.h>
 #include <vug/loading/grammar_binding.h>
 #include <vug/loading/load.h>
 #include <vug/loading/reader.h>
@@ -65,45 +66,6 @@ std::string recipe(const scene::Document& document, const LoadOptions& options, 
   return text;
 }
 
-/// Evaluates declarations or takes their values from the static cache. A reader first evaluates its
-/// dependencies, which may be other declarations, and then adds its own plans to the shot.
-class DeclarationCache {
- public:
-  DeclarationCache(StaticCache* static_cache, ReadContext& context)
-      : static_cache_(static_cache), reading_(context) {}
-
-  Value operator()(const std::string& kind, const std::string& name,
-                   const std::function<Value()>& make) {
-    if (!static_cache_) return make();
-    shot::Shot& shot = reading_.shot;
-    const std::pair<std::string, std::string> key(kind, name);
-    if (const auto made = static_cache_->declarations.find(key);
-        made != static_cache_->declarations.end()) {
-      shot.add(made->second.shot);
-      if (made->second.text_digest) shot.text_digest = *made->second.text_digest;
-      snapshot_ = shot.snapshot();
-      return made->second.value;
-    }
-    const uint64_t uses = reading_.resolver.frame_uses();
-    const Digest texts = shot.text_digest;
-    snapshot_ = shot.snapshot();
-    const Value value = make();
-    if (!value.empty() && reading_.resolver.frame_uses() == uses) {
-      StaticCache::Entry& made = static_cache_->declarations[key];
-      made.value = value;
-      made.shot = shot.delta(snapshot_);
-      if (!(shot.text_digest == texts)) made.text_digest = shot.text_digest;
-    }
-    snapshot_ = shot.snapshot();
-    return value;
-  }
-
- private:
-  StaticCache* static_cache_;
-  ReadContext& reading_;
-  shot::Shot::Snapshot snapshot_;  ///< After the additions of the last evaluated declaration.
-};
-
 Value read_declaration(const scene::Declaration& declaration, const DeclarationKind& kind,
                        ReadContext& context) {
   Value value = kind.read(declaration, context);
@@ -114,11 +76,13 @@ Value read_declaration(const scene::Declaration& declaration, const DeclarationK
 Value read_loop(const scene::Declaration& declaration, const DeclarationKind& kind,
                 ReadContext& context, DeclarationCache& cached) {
   scene::Evaluator::DeclarationScope scope(context.evaluator);
+  const DeclarationCache::Recording recording(cached, declaration);
   const uint64_t uses = context.resolver.frame_uses();
   const scene::Expr& loop = *declaration.loop;
   const Value elements = context.evaluator.eval(loop, context.evaluator.key(declaration).at("for"));
   if (elements.empty()) return Value();
   const bool animated = context.resolver.frame_uses() > uses;
+  const std::vector<scene::DeclarationName> used = recording.uses();
   const List& list = *elements.get<List>();
   List values;
   for (const Value& element : list) {
@@ -130,12 +94,14 @@ Value read_loop(const scene::Declaration& declaration, const DeclarationKind& ki
     made.name = fmt::format("{}[{}]", declaration.name, values.size());
     values.push_back(cached(made.kind, made.name, [&] {
       if (animated) context.resolver.use_frame();
+      context.resolver.record_use(used);
       scope.begin_element(variables, list.size());
       return read_declaration(made, kind, context);
     }));
   }
   const bool faulty =
       std::any_of(values.begin(), values.end(), [](const Value& each) { return each.empty(); });
+  if (!faulty) recording.keep_loop();
   return faulty ? Value() : Value(std::move(values));
 }
 
@@ -229,7 +195,7 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   loaded.shot.text_digest = texts.finish();
   ReadContext context{document,    evaluator, resolver, loaded.diagnostics,
                       loaded.shot, options,   file};
-  DeclarationCache cached(options.static_cache, context);
+  DeclarationCache cached(context);
   register_declarations(document, context, cached);
   evaluator.check_all();
   for (const scene::ParamValue& each : evaluator.params())
@@ -247,6 +213,7 @@ Loaded evaluate(const scene::Document& document, Loaded loaded, const std::files
   validate(loaded.shot, document, loaded.diagnostics);
   if (!loaded.diagnostics.has_errors()) check_attributes(document, loaded.shot, loaded.diagnostics);
   loaded.shot.animated = resolver.frame_uses() > 0;
+  if (!loaded.diagnostics.has_errors()) cached.forget_others();
   for (scene::VariantValues& each : evaluator.variants())
     loaded.variants.push_back({each.variant->name, std::move(each.values), each.variant->where});
   loaded.functions = callable_functions(document);

@@ -13,14 +13,23 @@
 
 namespace vug::loading {
 
-/// The declarations that do not depend on the frame, by kind and name.
+/// The declarations that do not depend on the frame, by kind and name; those of a loop as
+/// "NAME[0]", ..., and as "NAME" without a value.
 struct StaticCache {
   struct Entry {
     Value value;
     shot::Shot shot;                    ///< The additions of the declaration.
     std::optional<Digest> text_digest;  ///< Shot::text_digest after the declaration, if it changed.
+    Digest inputs;  ///< The text that determines the value; see scene::StatementDigests.
+    /// The declarations that the value uses, in the order of their evaluation, with the numbers of
+    /// their values; 0 for a value that is not in the cache.
+    std::vector<std::pair<scene::DeclarationName, uint64_t>> uses = {};
+    SourceLocation extent = {};  ///< The text of the declaration.
+    uint64_t number = 0;         ///< Distinguishes the value from all others.
   };
-  std::map<std::pair<std::string, std::string>, Entry> declarations;
+  std::map<scene::DeclarationName, Entry> declarations;
+  uint64_t last_number = 0;
+  size_t reused = 0;  ///< Values that the last evaluation of a text took from the cache.
 };
 
 struct LoadOptions {
@@ -36,8 +45,9 @@ struct LoadOptions {
   bool draft = false;    ///< Sets Shot::draft.
   /// Memory limit in bytes for the word of an L-system; 0: the machine's free memory.
   uint64_t max_memory = 0;
-  /// Cache of static declarations for the same text, overrides, variant and seed. Cached values are
-  /// reused as the identical objects, and new static values are added. May be null.
+  /// Cache of static declarations for the same overrides, variant, folders and seed. Values whose
+  /// text is the same as before are reused as the identical objects, and new static values are
+  /// added. Diagnostics of reused declarations are not repeated. May be null.
   StaticCache* static_cache = nullptr;
   /// Makes cameras { scout N } default cameras, without the lamps of their shots: for the search of
   /// new shots.

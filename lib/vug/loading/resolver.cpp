@@ -42,6 +42,7 @@ void Resolver::declare(const std::string& kind, const std::string& name, Factory
 
 Value Resolver::value(Entry& entry, const std::string& name, const SourceLocation& where,
                       Diagnostics& diagnostics) {
+  record_use(scene::DeclarationName(entry.kind, name));
   if (entry.pending) {
     diagnostics.error(where, fmt::format("'{}' depends on itself", name));
     return Value();

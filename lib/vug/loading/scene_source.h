@@ -10,8 +10,8 @@
 namespace vug::loading {
 
 /// The text of a scene and its load options. The text is read once, and everything that does not
-/// depend on the frame is evaluated once and shared by all frames (see StaticCache). Any thread may
-/// call its functions.
+/// depend on the frame is evaluated once and shared by all frames, and by versions of the text that
+/// leave it as it is (see StaticCache). Any thread may call its functions.
 class SceneSource {
  public:
   /// `options`: `frame` and `static_cache` are ignored.
@@ -25,6 +25,13 @@ class SceneSource {
   Loaded evaluate(const std::string& expression, double frame) const;
   /// The shot at a frame. Error(bad_input) with the first fault of the text.
   std::shared_ptr<const shot::Shot> shot_at(double frame) const;
+
+  /// Replaces the text by another version of it. No other thread may use this object meanwhile.
+  void set_text(std::string text) { text_ = std::move(text); }
+  /// Forgets all values, after a file that no text names has changed.
+  void forget_values() { static_cache_ = {}; }
+  /// Declarations whose values the last evaluation took from those before.
+  size_t reused() const { return static_cache_.reused; }
 
   const std::string& text() const { return text_; }
   const std::string& file() const { return file_; }

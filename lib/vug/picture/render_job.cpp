@@ -2,11 +2,13 @@
 #include <vug/base/memory.h>
 #include <vug/picture/render_job.h>
 #include <vug/render/film/guiding_file.h>
-#include <vug/render/prepare.h>
+#include <vug/render/session.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vug::picture {
 namespace {
@@ -80,6 +82,58 @@ render::PreparedRender prepare_region(const PictureJob& job,
   return prepared;
 }
 
+/// Options of a small picture of the whole view, without anything that pays off only for many
+/// samples; nothing if the picture is small or cropped.
+std::optional<render::Options> coarse_options(render::Options options) {
+  constexpr int kWidth = 160;
+  const int shrink = (std::max(options.width, options.height) + kWidth - 1) / kWidth;
+  if (shrink == 1 || !(options.crop == render::Region())) return std::nullopt;
+  options.width = std::max(1, options.width / shrink);
+  options.height = std::max(1, options.height / shrink);
+  options.spp = 1;
+  options.noise = 0;
+  options.openings = options.bright_edges = false;
+  options.deep.reset();
+  return options;
+}
+
+/// The picture, each pixel of which becomes a rectangle.
+image::Image enlarged(const image::Image& small, int width, int height) {
+  image::Image out(width, height, small.channels);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      std::copy_n(&small.pixels[small.index(x * small.width / width, y * small.height / height)],
+                  small.channels.size(), &out.pixels[out.index(x, y)]);
+  return out;
+}
+
+/// Renders the picture of the job in a session.
+void render_in_session(const PictureJob& job, const RenderOptions& options,
+                       render::RenderCallbacks callbacks, Progress& progress,
+                       RenderResult& rendered) {
+  render::Session& session = *options.session;
+  session.set_scene(job.scene);
+  session.set_options(job.options);
+  const bool is_new = !session.has_samples();
+  if (const auto coarse = coarse_options(job.options); coarse && is_new && options.unfinished) {
+    session.set_options(*coarse);
+    session.proceed(1, progress);
+    options.unfinished(enlarged(session.image(), job.options.width, job.options.height),
+                       job.output);
+    session.set_options(job.options);
+  }
+  const render::PreparedRender& prepared = session.prepared(progress);
+  if (options.inspect) options.inspect(prepared);
+  if (options.unfinished && !session.is_complete())
+    callbacks.pass = [&](const render::RenderState& state) {
+      if (!state.complete())
+        options.unfinished(render::develop(state, job.options.aovs), job.output);
+    };
+  session.proceed(static_cast<uint32_t>(job.options.spp), progress, callbacks);
+  rendered.image = session.image();
+  if (job.options.deep) rendered.deep = session.deep();
+}
+
 /// Adds the noise that was reached to the metadata of the picture. They contain no times, since the
 /// same picture has the same bytes.
 void add_noise(const render::NoiseReport& report, PictureOutput& output) {
@@ -120,6 +174,10 @@ RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
   };
   render::PartialRenderHeader header;  // identifies the picture by hashes of all meshes
   if (saved || !options.guiding.empty()) header = file_header(job, builder.shot(), plan);
+  if (options.session) {
+    render_in_session(job, options, std::move(callbacks), builder.progress(), rendered);
+    return rendered;
+  }
   if (!kept) {
     image::DeepImage* deep = job.options.deep ? &rendered.deep.emplace() : nullptr;
     const render::PreparedRender prepared = prepare_region(

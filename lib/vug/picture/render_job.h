@@ -11,7 +11,8 @@
 
 namespace vug::render {
 struct PreparedRender;
-}
+class Session;
+}  // namespace vug::render
 
 namespace vug::picture {
 
@@ -30,6 +31,13 @@ struct RenderOptions {
   std::function<void(double seconds, double bytes)> estimate = nullptr;
   /// With a noise limit: see render::RenderCallbacks::noise.
   std::function<void(const render::NoiseReport& report, double seconds)> noise = nullptr;
+  /// Renders the picture and keeps trees, learned light and samples for the next one, whose picture
+  /// has the same bytes with and without it. Null: none; else without files of parts, checkpoints,
+  /// previews and guiding.
+  render::Session* session = nullptr;
+  /// With a session: called with a small picture of one sample per pixel, scaled to the size of the
+  /// picture, and then with the picture after 4, 8, 16, ... samples; not if it is known already.
+  std::function<void(const image::Image& image, const PictureOutput& output)> unfinished = nullptr;
   /// Called before the rendering with all that it reads.
   std::function<void(const render::PreparedRender&)> inspect = nullptr;
 };

@@ -12,8 +12,9 @@ std::vector<LightPtr> joined(std::vector<LightPtr> lights, const std::vector<Lig
 
 }  // namespace
 
-PreparedScene::PreparedScene(const Scene& scene)
-    : geometry_(std::make_shared<Geometry>(scene.objects)),
+PreparedScene::PreparedScene(const Scene& scene, const PreparedScene* before)
+    : geometry_(
+          std::make_shared<Geometry>(scene.objects, before ? before->geometry_.get() : nullptr)),
       lights_(std::make_shared<const LightSet>(scene.lights, scene.objects, scene.omitted)) {
   medium_ = scene.medium;
   if (medium_)
@@ -41,6 +42,7 @@ bool PreparedScene::intersect(const Ray& ray, float distance, Hit& hit, void (*w
 bool PreparedScene::occluded(const Ray& ray, float distance) const {
   return geometry_->occluded(ray, distance, time_);
 }
+const TreeCounts& PreparedScene::trees() const { return geometry_->trees; }
 bool PreparedScene::moves() const { return geometry_->moves; }
 const Box3f& PreparedScene::bounds() const { return geometry_->bounds; }
 

@@ -26,10 +26,19 @@ struct Hit {
   Vec3f behind;  ///< Origin for rays that are transmitted through the surface.
 };
 
+/// The numbers of trees (BVHs) of a scene: one of all triangles in world space, one of all that is
+/// traced with Embree, and one of each shape that has instances.
+struct TreeCounts {
+  size_t built = 0;
+  size_t reused = 0;  ///< Shared with another scene.
+};
+
 class PreparedScene {
  public:
-  /// Keeps references to the scene's meshes. Throws as `render` does.
-  explicit PreparedScene(const Scene& scene);
+  /// Keeps references to the scene's meshes. `before`: a version of the scene, whose trees are
+  /// shared as far as they contain the same shapes; may be null. The scene does not depend on it.
+  /// Throws as `render` does.
+  explicit PreparedScene(const Scene& scene, const PreparedScene* before = nullptr);
   /// Shares the geometry of `other` and adds lights.
   PreparedScene(const PreparedScene& other, const Scene& scene, const std::vector<LightPtr>& more);
   ~PreparedScene();
@@ -40,6 +49,8 @@ class PreparedScene {
   PreparedScene at(float time) const { return PreparedScene(*this, time); }
   /// True if `at` makes a difference.
   bool moves() const;
+  /// The trees that the construction built and shared.
+  const TreeCounts& trees() const;
 
   /// False if nothing is hit.
   bool intersect(const Ray& ray, Hit& hit) const {

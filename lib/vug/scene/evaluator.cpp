@@ -139,6 +139,7 @@ bool Evaluator::is_cyclic(const std::vector<std::string>& pending, const std::st
 Value Evaluator::global(const std::string& name, Global& global, const SourceLocation& where) {
   if (global.value) {
     if (global.animated) resolver_.use_frame();
+    resolver_.record_use(global.uses);
     return use(*global.value, global.height, where);
   }
   if (is_cyclic(pending_, name, where)) return {};
@@ -149,6 +150,7 @@ Value Evaluator::global(const std::string& name, Global& global, const SourceLoc
   const FrameScope frame(resolver_.frames(),
                          fmt::format("{} '{}'", global.param ? "param" : "let", name), where);
   const uint64_t uses = resolver_.frame_uses();
+  const Resolver::UseScope used(resolver_);
   const int deepest = std::exchange(deepest_, depth_);
   const double planned = std::exchange(planned_, 1), done = std::exchange(done_, 0);
   Value value = global.param
@@ -162,6 +164,7 @@ Value Evaluator::global(const std::string& name, Global& global, const SourceLoc
   if (document_.skipped.doubtful.count(name)) value = {};
   global.value = value;
   global.animated = resolver_.frame_uses() > uses;
+  global.uses = used.uses();
   return use(*global.value, global.height, where);
 }
 

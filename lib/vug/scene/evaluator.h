@@ -154,7 +154,8 @@ class Evaluator {
     const Let* let = nullptr;
     ParamValue* param = nullptr;
     std::optional<Value> value;
-    bool animated = false;  ///< The value depends on the frame.
+    bool animated = false;              ///< The value depends on the frame.
+    std::vector<DeclarationName> uses;  ///< The declarations that its value uses.
     /// Nesting depth of the calls that made the value, including those of referenced names; 0 for a
     /// number or a text, which does not refer to its inputs.
     int height = 0;

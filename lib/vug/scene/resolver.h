@@ -5,11 +5,13 @@
 #include <vug/base/diagnostics.h>
 #include <vug/base/rng.h>
 #include <vug/base/schema.h>
+#include <vug/scene/declaration_uses.h>
 #include <vug/scene/provenance.h>
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace vug::scene {
@@ -70,6 +72,35 @@ class Resolver {
   /// in every frame.
   void use_frame() { ++frame_uses_; }
   uint64_t frame_uses() const { return frame_uses_; }
+  /// Counts uses of declarations that the text does not mention by name, such as all objects so
+  /// far.
+  void use_whole_text() { ++whole_text_uses_; }
+  uint64_t whole_text_uses() const { return whole_text_uses_; }
+
+  /// For its lifetime, collects the declarations that are used; those outside of it include them.
+  class UseScope {
+   public:
+    explicit UseScope(Resolver& resolver)
+        : resolver_(resolver), outer_(std::exchange(resolver.uses_, &uses_)) {}
+    ~UseScope() {
+      resolver_.uses_ = outer_;
+      if (outer_) outer_->add(uses_.list());
+    }
+    UseScope(const UseScope&) = delete;
+    UseScope& operator=(const UseScope&) = delete;
+
+    const std::vector<DeclarationName>& uses() const { return uses_.list(); }
+
+   private:
+    Resolver& resolver_;
+    DeclarationUses uses_;
+    DeclarationUses* outer_;
+  };
+  /// Records the use of declarations for the innermost UseScope, if there is one.
+  template <class Used>
+  void record_use(const Used& used) {
+    if (uses_) uses_->add(used);
+  }
 
   /// The declarations, names and rules that are being evaluated, for a FrameScope.
   FramePtr& frames() { return frames_; }
@@ -77,6 +108,8 @@ class Resolver {
  private:
   FramePtr frames_;
   uint64_t frame_uses_ = 0;
+  uint64_t whole_text_uses_ = 0;
+  DeclarationUses* uses_ = nullptr;
 };
 
 }  // namespace vug::scene

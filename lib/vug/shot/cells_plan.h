@@ -22,7 +22,7 @@ struct CellStage {
   std::optional<int>
       steps;          ///< Number of steps; default: to the end, or one for rules that act once.
   paint::Mask where;  ///< Probability of rewriting a cell; null: 1.
-  SourceLocation location{};  ///< Location of the rule in the text.
+  mutable SourceLocation location{};  ///< Location of the rule in the text; see move_lines.
 
   /// Number of steps that the rule acts for; negative: to the end.
   int span() const { return steps.value_or(rule->is_single_step() ? 1 : -1); }
@@ -54,8 +54,8 @@ struct CellsPlan {
   /// Only `steps` depends on the frame, so that the run of another frame can be continued.
   bool resumable = false;
   std::vector<std::string> context_attributes;  ///< Used names of context_attribute_names().
-  SourceLocation where;                         ///< Location of the name in the text.
-  SourceLocation spacing_where;                 ///< Location of `spacing`.
+  mutable SourceLocation where;                 ///< Location of the name; see move_lines.
+  mutable SourceLocation spacing_where;         ///< Location of `spacing`; see move_lines.
   int rescatter = 0;   ///< Times that the surface gets new cells during the run; see rescatter.h.
   CellsPtr before;     ///< The part of the run before this one; null: this is the first.
   int first_step = 0;  ///< The steps of the parts before.

@@ -60,8 +60,8 @@ struct VolumePlan {
   bool half = false;          ///< Store 16-bit floats.
   std::optional<Vec3d> from;  ///< With `to`: the box to clip to; required for unbounded fields.
   std::optional<Vec3d> to;
-  Caps caps;             ///< Faces of that box that `field` closes with rock.
-  SourceLocation where;  ///< Location of the name in the text.
+  Caps caps;                     ///< Faces of that box that `field` closes with rock.
+  mutable SourceLocation where;  ///< Location of the name in the text; see move_lines.
 
   std::string fault() const;  ///< Describes an invalid box of `from` and `to`; else empty.
 };

@@ -98,6 +98,7 @@ std::shared_ptr<const shot::Shot> load_model(const shot::Model& model, const Sou
 
 /// Resolves the model: its object, mesh or scene; false with a diagnostic.
 bool resolve_model(shot::Model& model, const SourceLocation& where, ReadContext& context) {
+  context.resolver.use_whole_text();
   if (!model.file.empty()) {
     model.file = find_scene_file(model.file, where, context.options);
     model.scene = load_model(model, where, context);

@@ -74,6 +74,7 @@ Value name_value(const scene::Declaration& declaration, ReadContext& context) {
 /// that a light and a mesh share means the light.
 Value selected_names(const scene::Entry& entry, const NameEntry& selects,
                      const scene::Declaration& declaration, ReadContext& context) {
+  context.resolver.use_whole_text();
   scene::Scope names;
   for (const scene::Declaration& each : context.document.declarations)
     if (std::find(selects.kinds.begin(), selects.kinds.end(), each.kind) != selects.kinds.end())

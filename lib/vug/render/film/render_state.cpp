@@ -30,7 +30,7 @@ constexpr double kMinSaveInterval = 120, kMaxSaveInterval = 300;
 /// This happens after 4, 8, 16, ... samples and at the end, whether or not the state is saved.
 /// Saving adds stops of its own, because it waits for complete tiles.
 std::map<uint32_t, bool> stops_of(const TileProgress& tiles, const Options& options,
-                                  const RenderCallbacks& callbacks) {
+                                  const RenderCallbacks& callbacks, uint32_t until) {
   constexpr uint32_t kSaveStep = 256;
   std::map<uint32_t, bool> stops = {{tiles.end, true}};
   if (callbacks.pass || options.noise > 0)
@@ -38,17 +38,21 @@ std::map<uint32_t, bool> stops_of(const TileProgress& tiles, const Options& opti
   if (callbacks.save)
     for (uint32_t n = kSaveStep; n < tiles.end - tiles.begin; n += kSaveStep)
       stops.try_emplace(tiles.begin + n, false);
+  if (until >= tiles.end) return stops;
+  stops.erase(stops.upper_bound(until), stops.end());
+  stops.try_emplace(until, false);
   return stops;
 }
 
 /// Accumulates the tiles in a state. All threads pause while it is saved.
 class AccumulatingSink final : public TileSink {
  public:
-  AccumulatingSink(const Options& options, RenderState& state, const RenderCallbacks& callbacks)
+  AccumulatingSink(const Options& options, RenderState& state, const RenderCallbacks& callbacks,
+                   uint32_t until)
       : noise_(options.noise),
         state_(state),
         callbacks_(callbacks),
-        stops_(stops_of(state, options, callbacks)),
+        stops_(stops_of(state, options, callbacks, until)),
         interval_(callbacks.save_every.value_or(kMinSaveInterval)) {}
 
   std::vector<uint32_t> stops(const TileProgress&) const override {
@@ -155,8 +159,8 @@ void continue_render(const Scene& scene, const Options& options, RenderState& st
 }
 
 void continue_render(const PreparedRender& prepared, RenderState& state,
-                     const RenderCallbacks& callbacks, Progress& progress) {
-  AccumulatingSink sink(prepared.options, state, callbacks);
+                     const RenderCallbacks& callbacks, Progress& progress, uint32_t until) {
+  AccumulatingSink sink(prepared.options, state, callbacks, until);
   try {
     with_threads_of(prepared.options,
                     [&] { render_tiles(prepared, state, sink, callbacks, progress); });

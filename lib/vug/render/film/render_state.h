@@ -10,6 +10,7 @@
 #include <vug/render/render.h>
 
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace vug::render {
@@ -36,8 +37,10 @@ RenderState begin_render(const Options& options, const RenderSlice& slice = {});
 /// Renders the missing samples. The film's bits depend only on the samples it finally contains.
 void continue_render(const Scene& scene, const Options& options, RenderState& state,
                      const RenderCallbacks& callbacks, Progress& progress);
+/// `until`: the number of samples per pixel after which to stop, counted from the first.
 void continue_render(const PreparedRender& prepared, RenderState& state,
-                     const RenderCallbacks& callbacks, Progress& progress);
+                     const RenderCallbacks& callbacks, Progress& progress,
+                     uint32_t until = std::numeric_limits<uint32_t>::max());
 
 /// The pictures of the samples that are done. A deep picture requires a state that was begun with
 /// Options::deep.

@@ -32,16 +32,54 @@ Box3f box_of(const volume::SurfaceBricks& surface) {
   return {Vec3f(box.min), Vec3f(box.max)};
 }
 
-PreparedScene::Geometry::Embree::~Embree() {
-  if (scene) rtcReleaseScene(scene);
-  for (const auto& each : shared_bvhs)
-    if (each.second.scene) rtcReleaseScene(each.second.scene);
+bool PreparedScene::Geometry::Embree::Item::operator==(const Item& other) const {
+  const auto same = [](const Affine& a, const Affine& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z && a.origin == b.origin;
+  };
+  if (mesh != other.mesh || surface != other.surface || filtered != other.filtered ||
+      id != other.id || !instance != !other.instance)
+    return false;
+  if (instance == other.instance) return true;
+  const std::vector<Affine>&from = instance->keyframes(), &to = other.instance->keyframes();
+  return std::equal(from.begin(), from.end(), to.begin(), to.end(), same);
 }
 
-RTCScene PreparedScene::Geometry::Embree::new_scene() const {
-  RTCScene made = rtcNewScene(device.get());
-  rtcSetSceneFlags(made, RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(made, RTC_BUILD_QUALITY_MEDIUM);
+PreparedScene::Geometry::Embree::Embree(std::vector<Item> items, const Embree* before,
+                                        TreeCounts& counts)
+    : device_(before ? before->device_ : std::make_shared<const raytree::EmbreeDevice>()),
+      items_(std::move(items)),
+      scene_(new_scene()) {
+  for (const Item& item : items_) {
+    if (item.instance)
+      add_instance(shared_bvh(item, before, counts), item);
+    else
+      add_shape(scene_.get(), item, item.id);
+    if (!item.instance && item.mesh && !corners_.count(item.shape()))
+      corners_[item.shape()] = corners_of(*item.mesh);
+  }
+  commit(scene_.get());
+  ++counts.built;
+}
+
+std::shared_ptr<const std::vector<PreparedScene::Geometry::Corners>>
+PreparedScene::Geometry::Embree::corners(const Item& item) const {
+  if (item.instance) return shared_.at(item.shape()).corners;
+  const auto found = corners_.find(item.shape());
+  return found == corners_.end() ? nullptr : found->second;
+}
+
+Box3f PreparedScene::Geometry::Embree::box(const Item& item) const {
+  if (!item.instance) return item.surface ? box_of(*item.surface) : box_of(*item.mesh);
+  Box3f box;
+  for (const Affine& to : item.instance->keyframes())
+    box.extendBy(to.box(shared_.at(item.shape()).box));
+  return box;
+}
+
+PreparedScene::Geometry::Embree::ScenePtr PreparedScene::Geometry::Embree::new_scene() const {
+  ScenePtr made(rtcNewScene(device_->get()), rtcReleaseScene);
+  rtcSetSceneFlags(made.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(made.get(), RTC_BUILD_QUALITY_MEDIUM);
   return made;
 }
 
@@ -55,12 +93,20 @@ void PreparedScene::Geometry::Embree::attach(RTCScene to, RTCGeometry geometry,
 void PreparedScene::Geometry::Embree::commit(RTCScene what) const {
   tbb::task_arena arena(kBuildThreads);
   arena.execute([&] { rtcJoinCommitScene(what); });
-  device.check("building the BVH");
+  device_->check("building the BVH");
 }
 
-void PreparedScene::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& mesh,
-                                               size_t number) const {
-  RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+void PreparedScene::Geometry::Embree::add_shape(RTCScene to, const Item& item,
+                                                size_t number) const {
+  if (item.surface)
+    add_surface(to, *item.surface, number);
+  else
+    add_mesh(to, item, number);
+}
+
+void PreparedScene::Geometry::Embree::add_mesh(RTCScene to, const Item& item, size_t number) const {
+  const mesh::Mesh& mesh = *item.mesh;
+  RTCGeometry geometry = rtcNewGeometry(device_->get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   // Copied, because Embree reads 16 bytes at the last vertex.
   void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                            sizeof(Vec3f), mesh.positions.size());
@@ -69,19 +115,19 @@ void PreparedScene::Geometry::Embree::add_mesh(RTCScene to, const mesh::Mesh& me
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                              mesh.triangles.data(), 0, sizeof(mesh::Triangle),
                              mesh.triangles.size());
-  if (cutout_meshes.count(&mesh)) {
+  if (item.filtered) {
     rtcSetGeometryIntersectFilterFunction(geometry, cutout_filter);
     rtcSetGeometryOccludedFilterFunction(geometry, cutout_filter);
   }
   attach(to, geometry, number);
-  device.check("adding a mesh");
+  device_->check("adding a mesh");
 }
 
 void PreparedScene::Geometry::Embree::add_instance(const SharedBvh& shared,
-                                                   const InstanceTransform& instance,
-                                                   size_t number) const {
-  RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE);
-  rtcSetGeometryInstancedScene(geometry, shared.scene);
+                                                   const Item& item) const {
+  const InstanceTransform& instance = *item.instance;
+  RTCGeometry geometry = rtcNewGeometry(device_->get(), RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, shared.scene.get());
   rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(instance.keyframes().size()));
   for (size_t step = 0; step < instance.keyframes().size(); ++step) {
     const Affine& to = instance.keyframes()[step];
@@ -90,28 +136,29 @@ void PreparedScene::Geometry::Embree::add_instance(const SharedBvh& shared,
     rtcSetGeometryTransform(geometry, static_cast<unsigned>(step), RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                             columns);
   }
-  attach(scene, geometry, number);
-  device.check("adding an instance");
+  attach(scene_.get(), geometry, item.id);
+  device_->check("adding an instance");
 }
 
 const PreparedScene::Geometry::Embree::SharedBvh& PreparedScene::Geometry::Embree::shared_bvh(
-    const Object& object) {
-  const void* key = object.mesh.get();
-  if (object.surface) key = object.surface.get();
-  const auto [at, is_new] = shared_bvhs.try_emplace(key);
+    const Item& item, const Embree* before, TreeCounts& counts) {
+  const auto [at, is_new] = shared_.try_emplace(item.shape());
   SharedBvh& shared = at->second;
-  if (is_new) {
-    shared.scene = new_scene();
-    if (object.surface) {
-      shared.box = box_of(*object.surface);
-      add_surface(shared.scene, *object.surface, 0);
-    } else {
-      shared.corners = corners_of(*object.mesh);
-      shared.box = box_of(*object.mesh);
-      add_mesh(shared.scene, *object.mesh, 0);
+  if (!is_new) return shared;
+  if (before)
+    if (const auto known = before->shared_.find(item.shape());
+        known != before->shared_.end() && known->second.filtered == item.filtered) {
+      shared = known->second;
+      ++counts.reused;
+      return shared;
     }
-    commit(shared.scene);
-  }
+  shared.scene = new_scene();
+  shared.filtered = item.filtered;
+  if (item.mesh && !item.surface) shared.corners = corners_of(*item.mesh);
+  shared.box = item.surface ? box_of(*item.surface) : box_of(*item.mesh);
+  add_shape(shared.scene.get(), item, 0);
+  commit(shared.scene.get());
+  ++counts.built;
   return shared;
 }
 

@@ -7,7 +7,9 @@
 #include <vug/render/geometry/grid_surface.h>
 
 #include <map>
-#include <set>
+#include <memory>
+#include <type_traits>
+#include <vector>
 
 namespace vug::render {
 
@@ -28,29 +30,60 @@ std::shared_ptr<std::vector<std::array<Vec3f, 3>>> corners_of(const mesh::Mesh& 
 Box3f box_of(const mesh::Mesh& mesh);
 Box3f box_of(const volume::SurfaceBricks& surface);
 
-struct PreparedScene::Geometry::Embree {
-  /// The BVH of a mesh or a level set, shared by instances.
+class PreparedScene::Geometry::Embree {
+ public:
+  /// An object of the scene that Embree traces: a cut-out mesh, a level set or an instance of one.
+  struct Item {
+    mesh::MeshPtr mesh;
+    volume::SurfaceBricksPtr surface;  ///< Replaces the mesh.
+    bool filtered = false;  ///< The mesh is that of an object that rays may pass through.
+    InstanceTransformPtr instance;
+    uint32_t id = 0;  ///< Index in Geometry::objects_.
+
+    const void* shape() const {
+      return surface ? static_cast<const void*>(surface.get()) : mesh.get();
+    }
+    /// Whether Embree traces the same: the same shape at the same places.
+    bool operator==(const Item& other) const;
+  };
+
+  /// `before`: shapes that it has a BVH of share it; may be null. Adds to `counts`.
+  Embree(std::vector<Item> items, const Embree* before, TreeCounts& counts);
+
+  RTCScene scene() const { return scene_.get(); }
+  const std::vector<Item>& items() const { return items_; }
+  /// The number of trees: that of the scene, and those that instances share.
+  size_t tree_count() const { return 1 + shared_.size(); }
+  /// The corners of the triangles of the item's mesh; null for a level set.
+  std::shared_ptr<const std::vector<Corners>> corners(const Item& item) const;
+  Box3f box(const Item& item) const;
+
+ private:
+  using ScenePtr = std::shared_ptr<std::remove_pointer_t<RTCScene>>;
+  /// A BVH of a mesh or a level set, shared by its instances.
   struct SharedBvh {
-    RTCScene scene = nullptr;
+    ScenePtr scene;
+    bool filtered = false;
     std::shared_ptr<const std::vector<Corners>> corners;
     Box3f box;
   };
-  raytree::EmbreeDevice device;
-  RTCScene scene = nullptr;  ///< Null if all geometry is in Geometry::triangles_.
-  std::map<const void*, SharedBvh> shared_bvhs;  ///< By mesh or surface.
-  std::set<const mesh::Mesh*> cutout_meshes;     ///< Meshes of objects that rays may pass through.
-
-  ~Embree();
-  RTCScene new_scene() const;
+  ScenePtr new_scene() const;
   void attach(RTCScene to, RTCGeometry geometry, size_t number) const;
-  void add_mesh(RTCScene to, const mesh::Mesh& mesh, size_t number) const;
+  void add_shape(RTCScene to, const Item& item, size_t number) const;
+  void add_mesh(RTCScene to, const Item& item, size_t number) const;
+  void add_surface(RTCScene to, const volume::SurfaceBricks& surface, size_t number) const;
+  void add_instance(const SharedBvh& shared, const Item& item) const;
+  void commit(RTCScene what) const;
+  const SharedBvh& shared_bvh(const Item& item, const Embree* before, TreeCounts& counts);
   /// Embree's filter callback: rejects hits where a cut-out triangle is transparent for the ray.
   static void cutout_filter(const RTCFilterFunctionNArguments* args);
-  void add_surface(RTCScene to, const volume::SurfaceBricks& surface, size_t number) const;
-  void add_instance(const SharedBvh& shared, const InstanceTransform& instance,
-                    size_t number) const;
-  void commit(RTCScene what) const;
-  const SharedBvh& shared_bvh(const Object& object);
+
+  std::shared_ptr<const raytree::EmbreeDevice> device_;
+  std::vector<Item> items_;  ///< Embree refers to their meshes and level sets.
+  ScenePtr scene_;
+  std::map<const void*, SharedBvh> shared_;  ///< By shape.
+  std::map<const void*, std::shared_ptr<const std::vector<Corners>>>
+      corners_;  ///< For meshes that are not instances.
 };
 
 }  // namespace vug::render

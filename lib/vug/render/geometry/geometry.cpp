@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <set>
 
 namespace vug::render {
 namespace {
@@ -48,24 +49,56 @@ Vec3f offset_point(const Vec3f& point, const Vec3f& normal, float extent) {
   return point + normal * (extent * kUnits);
 }
 
-PreparedScene::Geometry::Geometry(const std::vector<Object>& objects)
-    : embree_(std::make_unique<Embree>()) {
-  embree_->scene = embree_->new_scene();
-  bounds.makeEmpty();
-  for (const Object& object : objects)
-    if (object.material && object.material->cut_out())
-      embree_->cutout_meshes.insert(object.mesh.get());
-  std::vector<raytree::WideBvh::Geometry> static_meshes;
-  for (const Object& object : objects)
-    add(object, static_cast<uint32_t>(&object - objects.data()), static_meshes);
-  triangles_ = raytree::WideBvh(static_meshes);
-  const bool all = static_meshes.size() == objects_.size();
-  if (!all) embree_->commit(embree_->scene);
-  uses_embree_ = !all;
+namespace {
+
+using StaticMeshes = std::vector<raytree::WideBvh::Geometry>;
+
+bool have_same_triangles(const StaticMeshes& a, const StaticMeshes& b) {
+  const auto same = [](const auto& one, const auto& other) {
+    return one.id == other.id &&
+           (one.mesh == other.mesh || (one.mesh->positions == other.mesh->positions &&
+                                       one.mesh->triangles == other.mesh->triangles));
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
-void PreparedScene::Geometry::add(const Object& object, uint32_t number,
-                                  std::vector<raytree::WideBvh::Geometry>& static_meshes) {
+}  // namespace
+
+PreparedScene::Geometry::Geometry(const std::vector<Object>& objects, const Geometry* before) {
+  std::set<const mesh::Mesh*> cutout_meshes;
+  for (const Object& object : objects)
+    if (object.material && object.material->cut_out()) cutout_meshes.insert(object.mesh.get());
+  std::vector<Embree::Item> items;
+  for (const Object& object : objects) {
+    const auto id = static_cast<uint32_t>(objects_.size());
+    if (!add(object, static_cast<uint32_t>(&object - objects.data()), before)) continue;
+    const bool filtered = object.mesh && cutout_meshes.count(object.mesh.get());
+    if (!object.instance && !object.surface && !filtered)
+      static_meshes_.push_back({object.mesh, id});
+    else
+      items.push_back({object.mesh, object.surface, filtered, object.instance, id});
+  }
+  bounds.makeEmpty();
+  for (const auto& each : static_meshes_) bounds.extendBy(box_of(*each.mesh));
+  const bool same = before && have_same_triangles(before->static_meshes_, static_meshes_);
+  triangles_ = same ? before->triangles_ : std::make_shared<const raytree::WideBvh>(static_meshes_);
+  if (!static_meshes_.empty()) ++(same ? trees.reused : trees.built);
+  uses_embree_ = !items.empty();
+  if (!uses_embree_) return;
+  if (before && before->uses_embree_ && before->embree_->items() == items) {
+    embree_ = before->embree_;
+    trees.reused += embree_->tree_count();
+  } else {
+    embree_ = std::make_shared<const Embree>(std::move(items),
+                                             before ? before->embree_.get() : nullptr, trees);
+  }
+  for (const Embree::Item& item : embree_->items()) {
+    objects_[item.id].corners = embree_->corners(item);
+    bounds.extendBy(embree_->box(item));
+  }
+}
+
+bool PreparedScene::Geometry::add(const Object& object, uint32_t number, const Geometry* before) {
   if (!object.mesh && !object.surface)
     throw Error(ErrorCode::bad_input, fmt::format("object '{}' has no mesh", object.name));
   TracedObject traced;
@@ -83,42 +116,30 @@ void PreparedScene::Geometry::add(const Object& object, uint32_t number,
                             object.name),
                 {}, "leave out 'direct'");
   if (object.surface) {
-    if (object.surface->bricks().empty()) return;
+    if (object.surface->bricks().empty()) return false;
     traced.surface = object.surface;
     traced.color = object.color;
     traced.flat = object.flat;
   } else {
     const mesh::Mesh& mesh = *object.mesh;
-    if (!embree_->shared_bvhs.count(&mesh))
+    auto& gradients = gradients_[&mesh];
+    if (!gradients && before)  // a mesh that was valid
+      if (const auto known = before->gradients_.find(&mesh); known != before->gradients_.end())
+        gradients = known->second;
+    if (!gradients) {
       mesh::validate(mesh, fmt::format("object '{}'", object.name));
-    if (mesh.triangles.empty()) return;
+      gradients = std::make_shared<const AttributeGradients>(mesh);
+    }
+    if (mesh.triangles.empty()) return false;
     traced.mesh = object.mesh;
     if (!object.flat && !mesh.normals.empty()) traced.normals = mesh.normals.data();
     if (const auto* colour = mesh::find_attribute(mesh, mesh::kColour, 3))
       traced.colours = colour->values.data();
-    auto& gradients = gradients_[&mesh];
-    if (!gradients) gradients = std::make_unique<const AttributeGradients>(mesh);
     traced.gradients = gradients.get();
   }
-  if (object.instance) {
-    const Embree::SharedBvh& shared = embree_->shared_bvh(object);
-    traced.corners = shared.corners;
-    moves = moves || object.instance->moves();
-    embree_->add_instance(shared, *object.instance, objects_.size());
-    for (const Affine& to : object.instance->keyframes()) bounds.extendBy(to.box(shared.box));
-  } else if (object.surface) {
-    embree_->add_surface(embree_->scene, *object.surface, objects_.size());
-    bounds.extendBy(box_of(*object.surface));
-  } else {
-    bounds.extendBy(box_of(*object.mesh));
-    if (embree_->cutout_meshes.count(object.mesh.get())) {
-      traced.corners = corners_of(*object.mesh);
-      embree_->add_mesh(embree_->scene, *object.mesh, objects_.size());
-    } else {
-      static_meshes.push_back({object.mesh, static_cast<uint32_t>(objects_.size())});
-    }
-  }
+  moves = moves || (object.instance && object.instance->moves());
   objects_.push_back(std::move(traced));
+  return true;
 }
 
 PreparedScene::Geometry::~Geometry() = default;
@@ -127,7 +148,8 @@ PreparedScene::Geometry::Intersection PreparedScene::Geometry::intersect(const R
                                                                          float distance,
                                                                          float time) const {
   Intersection found;
-  raytree::BvhTraversal traversal(triangles_, ray, distance, raytree::BvhTraversal::Query::closest);
+  raytree::BvhTraversal traversal(*triangles_, ray, distance,
+                                  raytree::BvhTraversal::Query::closest);
   finish(traversal);
   if (traversal.hit())
     found = {true, false, traversal.geometry(), traversal.triangle(), traversal.corners(), {}};
@@ -150,7 +172,7 @@ void PreparedScene::Geometry::intersect_embree(const Ray& ray, float time, float
   query.ray.mask = ~0u, query.ray.id = 0, query.ray.flags = 0;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID, query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   RayContext context(*this, ray, time);
-  rtcIntersect1(embree_->scene, &context, &query);
+  rtcIntersect1(embree_->scene(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
   const bool placed = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
   const uint32_t number = placed ? query.hit.instID[0] : query.hit.geomID;
@@ -173,7 +195,7 @@ bool PreparedScene::Geometry::fill_hit(const Intersection& found, const Ray& ray
 }
 
 bool PreparedScene::Geometry::occluded(const Ray& ray, float distance, float time) const {
-  raytree::BvhTraversal traversal(triangles_, ray, distance, raytree::BvhTraversal::Query::any);
+  raytree::BvhTraversal traversal(*triangles_, ray, distance, raytree::BvhTraversal::Query::any);
   finish(traversal);
   if (traversal.hit() || !uses_embree_) return traversal.hit();
   RTCRay query{};
@@ -182,7 +204,7 @@ bool PreparedScene::Geometry::occluded(const Ray& ray, float distance, float tim
   query.tnear = 0, query.tfar = distance, query.time = time;
   query.mask = ~0u, query.id = 0, query.flags = 0;
   RayContext context(*this, ray, time);
-  rtcOccluded1(embree_->scene, &context, &query);
+  rtcOccluded1(embree_->scene(), &context, &query);
   return query.tfar < 0;
 }
 

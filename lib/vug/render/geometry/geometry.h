@@ -22,7 +22,9 @@ namespace vug::render {
 /// of threads. They only identify the closest primitive; the distance and the position on it are
 /// computed here, so that they have the same bits on every machine.
 struct PreparedScene::Geometry {
-  explicit Geometry(const std::vector<Object>& objects);
+  /// `before`: other geometry, whose trees are shared as far as they hold the same shapes; may be
+  /// null. The result does not depend on it.
+  explicit Geometry(const std::vector<Object>& objects, const Geometry* before = nullptr);
   ~Geometry();
 
   using Corners = std::array<Vec3f, 3>;
@@ -44,9 +46,10 @@ struct PreparedScene::Geometry {
 
   Box3f bounds;
   bool moves = false;  ///< True if something changes while the shutter is open.
+  TreeCounts trees;
 
  private:
-  struct Embree;
+  class Embree;
   struct RayContext;
   struct TracedObject {
     mesh::MeshPtr mesh;
@@ -67,9 +70,8 @@ struct PreparedScene::Geometry {
     paint::Paint color;
     bool flat = false;
   };
-  /// Appends meshes for the raytree::WideBvh to `static_meshes`.
-  void add(const Object& object, uint32_t number,
-           std::vector<raytree::WideBvh::Geometry>& static_meshes);
+  /// Appends an object; false if it is empty.
+  bool add(const Object& object, uint32_t number, const Geometry* before);
   /// Finds the closest of Embree's primitives before `distance`.
   void intersect_embree(const Ray& ray, float time, float distance, Intersection& found) const;
   /// True if the ray passes through a cut-out triangle: with the probability 1 - opacity, decided
@@ -86,9 +88,10 @@ struct PreparedScene::Geometry {
                            float time, const Ray& ray, Hit& hit);
 
   std::vector<TracedObject> objects_;  ///< Indexed by Embree's geometry ids in the scene.
-  std::map<const mesh::Mesh*, std::unique_ptr<const AttributeGradients>> gradients_;
-  raytree::WideBvh triangles_;
-  std::unique_ptr<Embree> embree_;
+  std::map<const mesh::Mesh*, std::shared_ptr<const AttributeGradients>> gradients_;
+  std::vector<raytree::WideBvh::Geometry> static_meshes_;
+  std::shared_ptr<const raytree::WideBvh> triangles_;  ///< The static meshes.
+  std::shared_ptr<const Embree> embree_;               ///< Null if it traces nothing.
   bool uses_embree_ = false;
 };
 

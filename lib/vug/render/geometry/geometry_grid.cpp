@@ -95,14 +95,14 @@ float largest_coordinate(const Vec3f& p) {
 
 void PreparedScene::Geometry::Embree::add_surface(RTCScene to, const volume::SurfaceBricks& surface,
                                                   size_t number) const {
-  RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
+  RTCGeometry geometry = rtcNewGeometry(device_->get(), RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(surface.bricks().size()));
   rtcSetGeometryUserData(geometry, const_cast<volume::SurfaceBricks*>(&surface));
   rtcSetGeometryBoundsFunction(geometry, bounds_of, nullptr);
   rtcSetGeometryIntersectFunction(geometry, intersect_brick<RayContext>);
   rtcSetGeometryOccludedFunction(geometry, occlude_brick);
   attach(to, geometry, number);
-  device.check("adding a level set");
+  device_->check("adding a level set");
 }
 
 void PreparedScene::Geometry::fill_surface(const TracedObject& traced, uint32_t brick,
