@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page of `vug watch`, for browsers on this machine.
+#pragma once
+
+#include <vug/base/diagnostics.h>
+
+#include <memory>
+#include <string>
+
+namespace vug::cli {
+
+/// What the page shows next to the picture.
+struct PageStatus {
+  bool complete = false;
+  double seconds = 0;  ///< Since the change was noticed.
+  std::string work;    ///< A sentence about what was built and kept.
+};
+
+/// Serves the page on the loopback address only. Its address contains a random token, and a request
+/// without it, for another host name (a name that an attacker points to this machine) or with
+/// another method than GET is refused. The page loads nothing from elsewhere. All functions may be
+/// called while requests are answered.
+class PageServer {
+ public:
+  /// `port` 0: any free one. Error(io) if the port cannot be used.
+  PageServer(int port, std::string title);
+  ~PageServer();
+  PageServer(const PageServer&) = delete;
+  PageServer& operator=(const PageServer&) = delete;
+
+  /// The address of the page, with its token.
+  const std::string& url() const { return url_; }
+  /// Replaces the picture, a PNG.
+  void show_picture(std::string png, const PageStatus& status);
+  /// Replaces the list of problems.
+  void show_problems(const Diagnostics& problems);
+
+ private:
+  struct State;
+  std::string url_;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace vug::cli
