@@ -2,6 +2,7 @@
 #include <vug/field/affine.h>
 #include <vug/field/deformer.h>
 #include <vug/field/placement.h>
+#include <vug/field/translation.h>
 
 namespace vug::field {
 namespace {
@@ -29,6 +30,9 @@ struct Affine {
     return {inverse.point(ball.centre), ball.radius * stretch_in};
   }
   double scale() const { return scale_out; }
+  NodePtr translated(const NodePtr& child, const Vec3d& by) const {
+    return transformed(Field(child), Transform::translation(by) * forward).node();
+  }
   void add_to(Digester& digester) const {
     for (const Transform* map : {&forward, &inverse})
       digester(map->column(0), map->column(1), map->column(2), map->origin());
@@ -40,27 +44,6 @@ struct Affine {
     if (uneven > 1 + 1e-12) out.exactness = std::max(out.exactness, Exactness::bound);
     out.bounds = forward.box(child.bounds);
     out.growth = child.growth_rate() / uneven;
-    return out;
-  }
-};
-
-/// Most solids of a grammar are only translated, which costs three additions.
-struct Translation {
-  Vec3d by;
-
-  template <class T>
-  Point<T> map(const Point<T>& p) const {
-    return {p.x - by.x, p.y - by.y, p.z - by.z};
-  }
-  template <class S>
-  Point<S> pull_back(const Point<S>& g) const {
-    return g;
-  }
-  Ball map(const Ball& ball) const { return {ball.centre - by, ball.radius}; }
-  double scale() const { return 1; }
-  Traits traits(const Traits& child) const {
-    Traits out = child;
-    out.bounds = Transform::translation(by).box(child.bounds);
     return out;
   }
 };

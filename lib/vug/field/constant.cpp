@@ -21,6 +21,7 @@ class ConstantNode final : public EvaluationModes<ConstantNode> {
   void fill(const Point<Pack>*, int count, T* out, Scratch&) const {
     for (int i = 0; i < count; ++i) out[i] = T(value_);
   }
+  NodePtr translated(const Vec3d&) const override { return std::make_shared<ConstantNode>(value_); }
   std::string name() const override { return value_ > 0 ? "empty" : "full"; }
 
  protected:

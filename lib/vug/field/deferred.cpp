@@ -3,6 +3,7 @@
 #include <vug/field/deferred.h>
 #include <vug/field/evaluates_below.h>
 #include <vug/field/material_source.h>
+#include <vug/field/translated.h>
 
 #include <tbb/task_arena.h>
 
@@ -59,6 +60,10 @@ class DeferredNode final : public Node, public MaterialSource, public EvaluatesB
   }
   Restriction restrict_below(const Ball& ball, double limit) const override {
     return field::restrict_below(made(), ball, limit);
+  }
+  NodePtr translated(const Vec3d& by) const override {
+    made();
+    return field::translated(field_.node(), by);
   }
   std::string name() const override { return ready_ ? made().name() : "deferred"; }
   std::vector<NodePtr> children() const override {

@@ -16,6 +16,8 @@ namespace vug::field {
 ///   Traits traits(const Traits& child) const
 ///   template <class S> Point<S> pull_back(const Point<S>& gradient) const
 ///     optional, for maps with a constant derivative: transforms a gradient of the child outwards
+///   NodePtr translated(const NodePtr& child, const Vec3d& by) const
+///     optional: see Node::translated
 template <class D>
 class DeformerNode final : public EvaluationModes<DeformerNode<D>>, public MaterialSource {
  public:
@@ -65,6 +67,12 @@ class DeformerNode final : public EvaluationModes<DeformerNode<D>>, public Mater
     out.range = Interval(inner.range.lo * scale, inner.range.hi * scale);
     if (inner.node) out.node = std::make_shared<DeformerNode>(name_, deformer_, inner.node);
     return out;
+  }
+  NodePtr translated(const Vec3d& by) const override {
+    if constexpr (requires { deformer_.translated(child_, by); })
+      return deformer_.translated(child_, by);
+    else
+      return nullptr;
   }
   std::string name() const override { return name_; }
   std::vector<NodePtr> children() const override { return {child_}; }

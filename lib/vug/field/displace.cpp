@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/displace.h>
 #include <vug/field/operands.h>
+#include <vug/field/translated.h>
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,15 @@ class DisplaceNode final : public EvaluationModes<DisplaceNode> {
     if (slope) inner = child_->restrict_to({ball.centre, ball.radius + options_.feel}).node;
     if (inner) out.node = std::make_shared<DisplaceNode>(this->traits(), inner, noise_, options_);
     return out;
+  }
+  NodePtr translated(const Vec3d& by) const override {
+    const auto moved = [&](const Noise& noise) {
+      return Noise(field::translated(noise.field, by), noise.range);
+    };
+    Displacement options = options_;
+    if (options.by) options.by = moved(*options.by);
+    return std::make_shared<DisplaceNode>(traits().translated(by), field::translated(child_, by),
+                                          moved(noise_), std::move(options));
   }
   std::string name() const override { return "displace"; }
   const NodePtr& child() const { return child_; }

@@ -19,6 +19,7 @@ struct Enclosure {
     return length(max(d, 0)) + min(max(max(d.x, d.y), d.z), T(0.0));
   }
   Box3d bounds() const { return box; }
+  Enclosure translated(const Vec3d& by) const { return {{box.min + by, box.max + by}}; }
 };
 
 /// A lower bound of the distance: the difference of radii divided by the steepness of the hull's

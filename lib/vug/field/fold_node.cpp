@@ -195,4 +195,12 @@ Restriction FoldNode::restricted(const Ball& ball, double limit) const {
   return out;
 }
 
+NodePtr FoldNode::translated(const Vec3d& by) const {
+  std::vector<Operand> operands;
+  operands.reserve(operands_.size());
+  for (const Operand& operand : operands_) operands.push_back(operand.translated(by));
+  return std::make_shared<FoldNode>(traits().translated(by), std::move(operands), sign_, blend_,
+                                    order_);
+}
+
 }  // namespace vug::field

@@ -83,6 +83,7 @@ class FoldNode final : public EvaluationModes<FoldNode>,
     return restricted(ball, is_plain_union() ? limit : kInfinity);
   }
 
+  NodePtr translated(const Vec3d& by) const override;
   std::string name() const override {
     const bool plain = std::all_of(operands_.begin(), operands_.end(),
                                    [&](const Operand& o) { return o.sign == sign_; });

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <vug/field/evaluates_below.h>
+#include <vug/field/translated.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +52,12 @@ struct Operand {
   Operand(NodePtr smaller, const Operand& whole)  // Bounds of the whole also hold for a part.
       : node(std::move(smaller)), sign(whole.sign), reach(node->traits(), sign) {
     if (reach.growth <= 0) reach = whole.reach;
+  }
+  Operand translated(const Vec3d& by) const {
+    Operand out(field::translated(node, by), sign);
+    out.reach = reach;
+    if (!reach.box.isEmpty()) out.reach.box = {reach.box.min + by, reach.box.max + by};
+    return out;
   }
   NodePtr node;
   double sign;  // The fold uses sign * node.

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/material_node.h>
+#include <vug/field/translated.h>
 
 #include <utility>
 
 namespace vug::field {
 namespace {
 
-/// Evaluates as its child, into which it is pruned: materials are evaluated on whole expressions.
+/// Evaluates as its child, into which it is pruned and translated: materials are evaluated on whole
+/// expressions.
 class MaterialNode final : public EvaluationModes<MaterialNode>, public MaterialSource {
  public:
   MaterialNode(std::string name, NodePtr child, std::shared_ptr<const MaterialRule> rule)
@@ -28,6 +30,7 @@ class MaterialNode final : public EvaluationModes<MaterialNode>, public Material
     if (!restriction.node) restriction.node = child_;
     return restriction;
   }
+  NodePtr translated(const Vec3d& by) const override { return field::translated(child_, by); }
   std::string name() const override { return name_; }
   std::vector<NodePtr> children() const override { return {child_}; }
 

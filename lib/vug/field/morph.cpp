@@ -2,6 +2,7 @@
 // The SG+M morph: a weighted sum of two unclipped fields (zawadzki2012, eq. 5).
 #include <vug/field/boolean.h>
 #include <vug/field/material_source.h>
+#include <vug/field/translated.h>
 
 namespace vug::field {
 namespace {
@@ -48,6 +49,10 @@ class MorphNode final : public EvaluationModes<MorphNode>, public MaterialSource
       out.node =
           std::make_shared<MorphNode>(traits(), std::move(a.node), std::move(b.node), amount_);
     return out;
+  }
+  NodePtr translated(const Vec3d& by) const override {
+    return std::make_shared<MorphNode>(traits().translated(by), field::translated(a_, by),
+                                       field::translated(b_, by), amount_);
   }
   std::string name() const override { return "morph"; }
   std::vector<NodePtr> children() const override { return {a_, b_}; }

@@ -12,6 +12,12 @@ Box3d Traits::bounds_below(double level) const {
   return slope > 0 ? grown(bounds, level / slope) : infinite_box();
 }
 
+Traits Traits::translated(const Vec3d& by) const {
+  Traits out = *this;
+  if (!bounds.isEmpty()) out.bounds = {bounds.min + by, bounds.max + by};
+  return out;
+}
+
 Interval Node::centre_form(double value, const Ball& ball) const {
   // Batches use single precision, whose rounding grows with the distance from the origin.
   const double slack = 1e-6 * (std::fabs(value) + ball.centre.length() + ball.radius);

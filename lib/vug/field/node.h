@@ -32,6 +32,8 @@ struct Traits {
   double growth_rate() const { return exactness == Exactness::exact ? 1 : growth; }
   /// A box around every point with f <= level, for offsets and blends.
   Box3d bounds_below(double level) const;
+  /// The traits of the field that is moved by a vector.
+  Traits translated(const Vec3d& by) const;
 };
 
 /// A ball in space, the region that pruning considers.
@@ -78,6 +80,10 @@ class Node {
   /// digest, and nodes with the same digest have the same values. It does not depend on where or
   /// when the node was made. Computed on the first call; thread-safe.
   Digest digest() const;
+
+  /// The same function moved by a vector, if the node can move its parameters in double precision.
+  /// Null: it can only be evaluated at moved points; see translated.h.
+  virtual NodePtr translated(const Vec3d&) const { return nullptr; }
 
  protected:
   /// Adds all parameters and children on which values depend.

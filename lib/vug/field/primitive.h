@@ -12,6 +12,7 @@ namespace vug::field {
 ///        Box3d bounds() const                                   (around the inside)
 ///        double lipschitz() const, Exactness exactness() const  (optional: 1 and exact)
 ///        double growth() const   (optional: 1/2 if not exact; see Traits::growth_rate)
+///        P translated(const Vec3d& by) const   (optional: P moved by a vector)
 /// A parameter struct whose formula needs derived constants has `shape()` instead, which returns a
 /// struct P as above; it is called once.
 template <class P>
@@ -38,6 +39,13 @@ class PrimitiveNode final : public EvaluationModes<PrimitiveNode<P>> {
     } else {
       for (int i = 0; i < count; ++i) out[i] = params_.distance(point_for<T>(points[i]));
     }
+  }
+  NodePtr translated(const Vec3d& by) const override {
+    if constexpr (requires { params_.translated(by); })
+      return std::make_shared<PrimitiveNode>(name_, params_.translated(by),
+                                             Digester()(parameters_, by).finish());
+    else
+      return nullptr;
   }
   std::string name() const override { return name_; }
 

@@ -32,6 +32,7 @@ struct RoundCone {
                   select(foot > T(length_ab), at_b, slant));
   }
   Box3d bounds() const { return united(grown(Box3d(a), radius_a), grown(Box3d(b), radius_b)); }
+  RoundCone translated(const Vec3d& by) const { return {a + by, b + by, radius_a, radius_b}; }
   /// The smallest ball around it.
   Ball ball() const {
     const double radius = 0.5 * (length_ab + radius_a + radius_b);

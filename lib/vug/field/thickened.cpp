@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/thickened.h>
+#include <vug/field/translated.h>
 
 #include <algorithm>
 
@@ -40,6 +41,10 @@ class ThickenedNode final : public EvaluationModes<ThickenedNode> {
       out.node = std::make_shared<ThickenedNode>(traits(), base,
                                                  layer.node ? layer.node : thickness_, most_);
     return out;
+  }
+  NodePtr translated(const Vec3d& by) const override {
+    return std::make_shared<ThickenedNode>(traits().translated(by), field::translated(rock_, by),
+                                           field::translated(thickness_, by), most_);
   }
   std::string name() const override { return "thickened"; }
   std::vector<NodePtr> children() const override { return {rock_, thickness_}; }

@@ -2,6 +2,7 @@
 #include <vug/field/blend.h>
 #include <vug/field/boolean.h>
 #include <vug/field/material_source.h>
+#include <vug/field/translated.h>
 #include <vug/field/variable_blend.h>
 
 #include <algorithm>
@@ -107,6 +108,11 @@ class VariableBlendNode final : public EvaluationModes<VariableBlendNode>, publi
       out.node = std::make_shared<VariableBlendNode>(traits(), a.node ? a.node : a_,
                                                      b.node ? b.node : b_, radius_);
     return out;
+  }
+  NodePtr translated(const Vec3d& by) const override {
+    return std::make_shared<VariableBlendNode>(traits().translated(by), field::translated(a_, by),
+                                               field::translated(b_, by),
+                                               field::translated(radius_, by));
   }
   std::string name() const override { return "union"; }
   std::vector<NodePtr> children() const override { return {a_, b_, radius_}; }

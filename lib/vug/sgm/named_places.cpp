@@ -2,6 +2,7 @@
 #include <vug/sgm/named_places.h>
 
 #include <vug/field/material_source.h>
+#include <vug/field/translated.h>
 
 namespace vug::sgm {
 namespace {
@@ -25,6 +26,9 @@ class PlacesNode : public field::EvaluationModes<PlacesNode>, public field::Mate
     field::Restriction restriction = child_->restrict_to(ball);
     if (!restriction.node) restriction.node = child_;
     return restriction;
+  }
+  field::NodePtr translated(const Vec3d& by) const override {
+    return field::translated(child_, by);
   }
   std::string name() const override { return child_->name(); }
   std::vector<field::NodePtr> children() const override { return child_->children(); }

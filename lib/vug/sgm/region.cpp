@@ -4,6 +4,7 @@
 #include <vug/field/boolean.h>
 #include <vug/field/material_source.h>
 #include <vug/field/primitive.h>
+#include <vug/field/translated.h>
 
 #include <algorithm>
 
@@ -66,6 +67,10 @@ class LocalMorph final : public field::EvaluationModes<LocalMorph>, public field
       out.node = std::make_shared<LocalMorph>(traits(), base.node ? base.node : base_,
                                               shape.node ? shape.node : shape_, amount_, blend_);
     return out;
+  }
+  NodePtr translated(const Vec3d& by) const override {
+    return std::make_shared<LocalMorph>(traits().translated(by), field::translated(base_, by),
+                                        field::translated(shape_, by), amount_, blend_);
   }
   std::string name() const override { return "local morph"; }
   std::vector<NodePtr> children() const override { return {base_, shape_}; }

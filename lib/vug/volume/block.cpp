@@ -194,13 +194,6 @@ void keep_neighbours(const field::Field& field, const NarrowBand& band, Pack* va
   for (int i = 0; i < kPacks; ++i) values[i] = neighbours.held(values[i], values[i]);
 }
 
-float contact_in(const Cell& cell, double voxel) {
-  int64_t farthest = 0;
-  for (const int64_t low : cell.origin)
-    farthest = std::max({farthest, std::abs(low), std::abs(low + cell.size)});
-  return contact_distance(static_cast<double>(farthest) * voxel);
-}
-
 }  // namespace
 
 const field::NearSurface* near_surface_of(const field::Field& field, const NarrowBand& band) {
@@ -237,7 +230,7 @@ void evaluate(const field::Field& field, const Cell& cell, const NarrowBand& ban
     }
   }
   const Pack background(band.background), zero(0.0);
-  const Pack contact(contact_in(cell, band.voxel)), zero_inside(-kLeastDistance);
+  const Pack contact(band.contact), zero_inside(-kLeastDistance);
   for (int x = 0; x < 8; ++x) {
     uint64_t word = 0;
     for (int y = 0; y < 8; ++y) {

@@ -23,7 +23,7 @@ struct Block {
 const field::NearSurface* near_surface_of(const field::Field& field, const NarrowBand& band);
 
 /// Fills the block whose first lattice point is `cell.origin` with clamped values; voxels inside
-/// the band are active.
+/// the band are active. Single precision is accurate if the point is near the origin.
 void evaluate(const field::Field& field, const Cell& cell, const NarrowBand& band,
               field::Scratch& scratch, Block& block);
 

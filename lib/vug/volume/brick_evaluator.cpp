@@ -1,14 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
+#include <vug/field/placement.h>
+#include <vug/field/translated.h>
 #include <vug/volume/brick_evaluator.h>
+#include <vug/volume/contact.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vug::volume {
 namespace {
 
 constexpr int64_t kBlock = 8;
 constexpr int64_t kSerial = 32;  // Cells of at most this size are one task.
+constexpr int64_t kHalf = Brick::kSize / 2;
+
+/// The largest coordinate at which parts of an expression are evaluated in single precision, if
+/// those of the expression are at most `extent`; in metres of the expression, whose values maps
+/// scale. Noises do not count: they have no faces.
+double farthest_coordinate(const field::Node& node, double extent) {
+  double stretch = 1;
+  if (const auto place = field::placement_of(node)) {
+    const Transform inverse = place->inverse();
+    double farthest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      double sum = 0;
+      for (int i = 0; i < 3; ++i) sum += std::fabs(inverse.column(i)[axis]);
+      stretch = std::max(stretch, sum / std::sqrt(3.0));
+      farthest = std::max(farthest, sum * extent + std::fabs(inverse.origin()[axis]));
+    }
+    extent = farthest;
+  }
+  double farthest = extent;
+  for (const field::NodePtr& child : node.children()) {
+    const field::Traits& traits = child->traits();
+    if (traits.exactness != field::Exactness::sign || is_finite(traits.bounds))
+      farthest = std::max(farthest, farthest_coordinate(*child, extent));
+  }
+  return farthest / stretch;
+}
 
 }  // namespace
 
@@ -28,18 +58,30 @@ Side side_of(const NarrowBand& band, const field::Field::RestrictedField& part) 
 
 void BrickEvaluator::run(const field::Field& field, uint64_t units, Brick& brick) {
   brick_ = &brick;
-  limit_ = std::max(static_cast<double>(walk_.band.background), reach(walk_.band, field));
-  descend(field, brick.cell(), units);
+  Vec3d middle;
+  for (int axis = 0; axis < 3; ++axis)
+    middle[axis] = static_cast<double>(brick.cell().origin[axis] + kHalf) * band_.voxel;
+  const field::Field local = field::translated(field, -middle);
+  limit_ = std::max(static_cast<double>(band_.background), reach(band_, local));
+  band_.contact = contact_distance(
+      farthest_coordinate(*local.node(), static_cast<double>(kHalf) * band_.voxel));
+  descend(local, brick.cell(), units);
+}
+
+Cell BrickEvaluator::from_middle(const Cell& cell) const {
+  Cell out = cell;
+  for (int axis = 0; axis < 3; ++axis) out.origin[axis] -= brick_->cell().origin[axis] + kHalf;
+  return out;
 }
 
 void BrickEvaluator::visit(const field::Field& outer, const Cell& cell, uint64_t units) {
   if (cell.size > kBlock) progress_.check();
   if (walk_.is_beyond(cell)) return done(units);
   // Nodes that are evaluated near their surface choose operands for each block themselves.
-  if (cell.size == kBlock && near_surface_of(outer, walk_.band)) return leaf(outer, cell);
+  if (cell.size == kBlock && near_surface_of(outer, band_)) return leaf(outer, cell);
   const field::Field::RestrictedField part =
-      outer.restricted_near(ball_around(cell, walk_.band.voxel), limit_);
-  switch (side_of(walk_.band, part)) {
+      outer.restricted_near(ball_around(from_middle(cell), band_.voxel), limit_);
+  switch (side_of(band_, part)) {
     case Side::outside:
       return done(units);
     case Side::inside:
@@ -66,7 +108,7 @@ void BrickEvaluator::done(uint64_t units) {
 
 void BrickEvaluator::leaf(const field::Field& field, const Cell& cell) {
   Workspace& own = workspaces_.local();
-  evaluate(field, cell, walk_.band, own.scratch, own.block);
+  evaluate(field, from_middle(cell), band_, own.scratch, own.block);
   if (own.block.any_active())
     brick_->set(cell, own.block);
   else if (own.block.values[0] < 0)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Internal to volume/: the octree traversal of one brick down to the blocks that contain the
 // surface. The blocks depend on the brick's expression alone, which is restricted from the whole
-// field for each brick: the same brick has the same bytes in every grid that contains it.
+// field for each brick: the same brick has the same bytes in every grid that contains it. They are
+// evaluated in coordinates relative to the middle of the brick, because the rounding of single
+// precision grows with the coordinates: it is the same at any distance from the origin.
 #pragma once
 
 #include <vug/base/progress.h>
@@ -33,7 +35,7 @@ using Workspaces = tbb::enumerable_thread_specific<Workspace>;
 class BrickEvaluator {
  public:
   BrickEvaluator(const OctreeTask& walk, Workspaces& workspaces, Progress& progress)
-      : walk_(walk), workspaces_(workspaces), progress_(progress) {}
+      : walk_(walk), band_(walk.band), workspaces_(workspaces), progress_(progress) {}
 
   /// `field` is the whole field, restricted to the brick. `units` is the brick's share of the
   /// progress.
@@ -44,8 +46,10 @@ class BrickEvaluator {
   void descend(const field::Field& field, const Cell& cell, uint64_t units);
   void leaf(const field::Field& field, const Cell& cell);
   void done(uint64_t units);
+  Cell from_middle(const Cell& cell) const;
 
   const OctreeTask& walk_;
+  NarrowBand band_;
   Workspaces& workspaces_;
   Progress& progress_;
   Brick* brick_ = nullptr;

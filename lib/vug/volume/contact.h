@@ -14,6 +14,10 @@ inline float contact_distance(double largest_coordinate) {
   return static_cast<float>(2 * std::numeric_limits<float>::epsilon() * largest_coordinate);
 }
 
+/// Samples may be inside by up to this number of voxels because of rounding: coordinates in a brick
+/// are at most some hundred voxels.
+constexpr double kContactInVoxels = 1e-4;
+
 /// The magnitude of values that were 0.
 constexpr float kLeastDistance = std::numeric_limits<float>::min();
 

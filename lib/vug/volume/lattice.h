@@ -34,6 +34,7 @@ struct NarrowBand {
   double voxel = 0;
   float background = 0;  ///< Half-width of the band.
   bool repair = true;
+  float contact = 0;  ///< Values up to it count as inside; see contact.h.
 };
 
 /// The largest |value| of the field that can belong to the band or be adjacent to a change of sign.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
+#include <vug/volume/contact.h>
 #include <vug/volume/level_set.h>
 #include <vug/volume/openvdb_values.h>
 
@@ -30,7 +31,7 @@ bool LevelSet::empty() const {
 }
 
 bool LevelSet::holds_solid() const {
-  const auto inside = static_cast<float>(-1e-6 * voxel());
+  const auto inside = static_cast<float>(-kContactInVoxels * voxel());
   for (auto leaf = floats(*this).tree().cbeginLeaf(); leaf; ++leaf)
     for (auto value = leaf->cbeginValueOn(); value; ++value)
       if (*value < inside) return true;

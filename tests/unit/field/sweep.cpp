@@ -7,6 +7,7 @@
 #include <vug/field/blend.h>
 #include <vug/field/material_pair_kind.h>
 #include <vug/field/noise.h>
+#include <vug/field/translated.h>
 
 #include <fmt/format.h>
 
@@ -126,8 +127,11 @@ std::vector<SweepCase> sweep_cases(const FieldKind& kind, int count) {
 const std::vector<SweepCase>& all_sweep_cases() {
   static const std::vector<SweepCase> cases = [] {
     std::vector<SweepCase> all;
-    for (const FieldKind* kind : field_kinds())
+    for (const FieldKind* kind : field_kinds()) {
       for (SweepCase& c : sweep_cases(*kind)) all.push_back(std::move(c));
+      const SweepCase& last = all.back();
+      all.push_back({last.label + ", translated", translated(last.field, {0.3, -0.2, 0.25})});
+    }
     return all;
   }();
   return cases;

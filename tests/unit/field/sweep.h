@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fields for property tests: every kind of the registry with its defaults and with random
-// parameters from its schema. A new kind is included by its line in the list of kinds.
+// parameters from its schema, and moved by a vector. A new kind is included by its line in the list
+// of kinds.
 #pragma once
 
 #include <vug/base/rng.h>
@@ -23,7 +24,7 @@ Arguments draw_arguments(const KindInfo& kind, RandomStream& random, bool defaul
 
 /// The kind with its defaults, then with `count` random sets of compatible parameters.
 std::vector<SweepCase> sweep_cases(const FieldKind& kind, int count = 5);
-/// The cases of all kinds.
+/// The cases of all kinds, and a translated copy of the last one of each kind.
 const std::vector<SweepCase>& all_sweep_cases();
 
 /// Runs a check on every case; a failed assertion ends the check of its case only.

@@ -3,6 +3,8 @@
 // Lipschitz constants, bounds.
 #include "sweep.h"
 
+#include <vug/field/translated.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -61,6 +63,30 @@ TEST(Sweep, RestrictionKeepsValues) {
         ASSERT_TRUE(part.range.contains(value)) << c.label << " at " << p;
         ASSERT_EQ(part.field.value(p), value) << c.label << " at " << p;
       }
+    }
+  });
+}
+
+TEST(Sweep, TranslationMovesValues) {
+  for_each_case([&](const SweepCase& c) {
+    RandomStream random(RandomKey(16).at(c.label));
+    for (const double far : {2.0, 5000.0}) {
+      const Vec3d by = random_point(random, far);
+      const Field moved = translated(c.field, by), back = translated(moved, -by);
+      EXPECT_EQ(moved.exactness(), c.field.exactness()) << c.label;
+      int differ = 0;
+      for (int i = 0; i < 200; ++i) {
+        const Vec3d p = random_point(random, 2.5);
+        const double value = c.field.value(p),
+                     allowed = 1e-11 * (1 + far) * (1 + c.field.lipschitz()) + 1e-12 * value;
+        differ += std::fabs(moved.value(p + by) - value) > allowed ? 1 : 0;
+        differ += std::fabs(back.value(p) - value) > allowed ? 1 : 0;
+        if (moved.digest() == c.field.digest()) {
+          EXPECT_EQ(moved.value(p), value) << c.label;
+        }
+      }
+      // Values may jump where the number of copies changes, and parts are chosen by cells.
+      EXPECT_LE(differ, 2) << c.label << " by " << by;
     }
   });
 }

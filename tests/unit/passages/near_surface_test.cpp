@@ -5,6 +5,7 @@
 
 #include <vug/base/parallel.h>
 #include <vug/field/near_surface.h>
+#include <vug/field/translated.h>
 #include <vug/volume/voxelize.h>
 
 #include <gtest/gtest.h>
@@ -87,6 +88,30 @@ TEST(NearSurface, BlocksEqualPoints) {
     EXPECT_LT(counts.off, 0.02 * counts.near) << c.label;
   }
   EXPECT_GT(cases, passage_cases().size() / 2);
+}
+
+TEST(NearSurface, TranslatedPassagesKeepTheFastEvaluation) {
+  for (const PassageCase& c : passage_cases()) {
+    if (!near_surface(c.field)) continue;
+    RandomStream random(RandomKey(34).at(c.label));
+    Counts counts;
+    for (int i = 0; i < 20; ++i) {
+      LatticeBlock block;
+      block.step = std::exp2(random.uniform(-4, 0));
+      const Vec3d origin = point_near(c.field, random);
+      block.origin = -Vec3d(4 * block.step);
+      const double limit = 4 * block.step;
+      const Field moved = field::translated(c.field, -origin);
+      ASSERT_TRUE(near_surface(moved)) << c.label;
+      SCOPED_TRACE(c.label);
+      compare(moved, block, limit, counts);
+      const Field part = moved.restricted_near(block.ball(), limit).field;
+      ASSERT_TRUE(near_surface(part)) << c.label;
+      if (!HasFatalFailure()) compare(part, block, limit, counts);
+      if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(counts.near, 1000) << c.label;
+  }
 }
 
 TEST(NearSurface, BlocksInsideOfWidePassagesAreNotEvaluated) {

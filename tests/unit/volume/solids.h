@@ -16,6 +16,12 @@ inline field::Field sphere_at(const Vec3d& centre, double radius) {
                             Transform::translation(centre));
 }
 
+inline VoxelizeOptions with_voxel(double voxel) {
+  VoxelizeOptions options;
+  options.voxel = voxel;
+  return options;
+}
+
 /// Spheres in a cube of edge 2, some blended, some subtracted: all cases of the tree.
 inline field::Field lumpy_solid() {
   using namespace field;

@@ -59,12 +59,6 @@ LevelSet tiled(const Field& field, VoxelizeOptions options, const std::vector<La
   return joined(parts);
 }
 
-VoxelizeOptions with_voxel(double voxel) {
-  VoxelizeOptions options;
-  options.voxel = voxel;
-  return options;
-}
-
 TEST(Tiles, OfAnySizeAndPositionEqualTheWhole) {
   const VoxelizeOptions options = with_voxel(0.017);
   const LevelSet whole = voxelize(solid(), options);

@@ -24,6 +24,7 @@ struct CapsuleShape {
     box.extendBy(b);
     return grown(box, radius);
   }
+  CapsuleShape translated(const Vec3d& by) const { return {a + by, b + by, radius}; }
 };
 
 struct Capsule {

@@ -21,6 +21,7 @@ struct HalfSpaceShape {
     }
     return box;
   }
+  HalfSpaceShape translated(const Vec3d& by) const { return {normal, offset + normal.dot(by)}; }
 };
 
 struct HalfSpace {
