@@ -77,6 +77,10 @@ TEST_F(ElevationFiles, ReportsFilesThatAreNotTerrain) {
   EXPECT_NE(
       fault_of(write("plain.tif", GeoTiff{.transform = {}}.bytes())).find("place on the ground"),
       std::string::npos);
+  // GDAL crashes when it reads heights from a list of points with such a coordinate.
+  EXPECT_NE(fault_of(write("points.xyz", "x y z\n0 10 1\n11 10 2\n1 \nnan1010 4\t20 0"))
+                .find("not a file of elevations"),
+            std::string::npos);
   GeoTiff flat;
   flat.transform = {0, 1, 1, 0, 1, 1};
   EXPECT_NE(fault_of(write("flat.tif", flat.bytes())).find("cells without area"),

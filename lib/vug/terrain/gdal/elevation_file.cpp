@@ -17,16 +17,17 @@ namespace vug::terrain {
 namespace {
 
 /// The formats that are tried: rasters in local files. Formats that refer to servers or to other
-/// files (VRT, WMS, ...) are left out, so that a file cannot cause access to the network.
-constexpr const char* const kDrivers[] = {"GTiff",   "AAIGrid",     "GRASSASCIIGrid",
-                                          "SRTMHGT", "DTED",        "USGSDEM",
-                                          "EHdr",    "ENVI",        "HFA",
-                                          "AIG",     "GSAG",        "GSBG",
-                                          "GS7BG",   "XYZ",         "BT",
-                                          "SAGA",    "RST",         "ERS",
-                                          "ISG",     "GTX",         "ZMap",
-                                          "netCDF",  "HDF5Image",   "GRIB",
-                                          "GPKG",    "JP2OpenJPEG", nullptr};
+/// files (VRT, WMS, ...) are left out, so that a file cannot cause access to the network, and XYZ,
+/// because GDAL 3.6 crashes on damaged lists of points.
+constexpr const char* const kDrivers[] = {"GTiff",       "AAIGrid", "GRASSASCIIGrid",
+                                          "SRTMHGT",     "DTED",    "USGSDEM",
+                                          "EHdr",        "ENVI",    "HFA",
+                                          "AIG",         "GSAG",    "GSBG",
+                                          "GS7BG",       "BT",      "SAGA",
+                                          "RST",         "ERS",     "ISG",
+                                          "GTX",         "ZMap",    "netCDF",
+                                          "HDF5Image",   "GRIB",    "GPKG",
+                                          "JP2OpenJPEG", nullptr};
 
 /// Heights beyond this are marks for missing data that the file does not declare.
 constexpr double kHighest = 3e4;
