@@ -67,6 +67,35 @@ TEST(SvxCavern, EquatesOfFixedStationsAreNotLoops) {
   EXPECT_EQ(size.survex_components, 2);
 }
 
+TEST(SvxCavern, LegsThatAreMeasuredAgainAreAveraged) {
+  const auto text = [](const std::string& between, const std::string& again) {
+    return "*fix a 0 0 0\n*fix c 20 0.5 0\n*sd tape 0.01 metres\na b 10 90 0\n" + between + again +
+           "\nb c 10 90 0\n*sd tape 0.3 metres\n" + again + "\n";
+  };
+  struct Case {
+    std::string between, again;
+    int legs;
+  };
+  const Case cases[] = {
+      {"", "a b 10.2 91 2", 3},
+      {"a b 10.3 88 1\n", "a b 10.2 91 2", 3},
+      {"*begin\n*flags surface\n*end\n*fix d 1 1 1\n*sd compass 3 degrees\n", "a b 10.2 91 2", 3},
+      {"*equate a q\n", "a b 10.2 91 2", 5},  // The equate is a leg, too.
+      {"a .. 3 0 0\n", "a b 10.2 91 2", 5},   // Another leg.
+      {"", "b a 10.2 271 -2", 4},             // The other direction.
+  };
+  for (const Case& each : cases) {
+    const std::string svx = text(each.between, each.again);
+    SCOPED_TRACE(svx);
+    const ScratchFolder scratch("vug_survey");
+    write_text(scratch.file("a.svx"), svx);
+    if (has_program("cavern"))
+      expect_like_cavern(scratch.file("a.svx"), scratch.file("a.svx"), 0.0052);
+    Diagnostics warnings;
+    EXPECT_EQ(measure(read_survey(scratch.file("a.svx"), {}, warnings)).legs, each.legs);
+  }
+}
+
 std::filesystem::path dow_prov() {
   const std::filesystem::path folder = external_data() / "surveys" / "DowProv";
   return external_data().empty() || !std::filesystem::is_directory(folder) ? "" : folder;

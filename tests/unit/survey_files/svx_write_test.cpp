@@ -57,6 +57,7 @@ void expect_kept(const Survey& survey, const Survey& again) {
         const Station& end = from.stations[static_cast<size_t>(k == 0 ? leg.from : leg.to)];
         ends[k] = end.anonymous() ? (end.wall ? "wall" : "open") : end.name;
       }
+      if (ends[1] < ends[0]) std::swap(ends[0], ends[1]);  // Repeated legs are turned.
       all.insert(fmt::format("{} {} {}{}{} {} {}", ends[0], ends[1], leg.surface ? "surface" : "",
                              leg.duplicate ? "duplicate" : "", leg.splay ? "splay" : "",
                              leg.style == Style::nosurvey, leg.date ? leg.date->first : -1));

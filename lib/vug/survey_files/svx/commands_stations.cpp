@@ -84,6 +84,7 @@ void command_equate(Reader& reader, Line& line) {
       reader.out.add(Equate{last, next, line.range(at)});
     last = next;
   }
+  reader.repetitions = 0;
 }
 
 void command_export(Reader& reader, Line& line) {

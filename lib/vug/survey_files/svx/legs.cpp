@@ -20,6 +20,30 @@ void require_valid_ends(Reader& reader, const LegLine& line) {
         line.line.range(line.from.start), "a leg connects two stations");
 }
 
+double mean_with(double mean, double value, int count) { return mean + (value - mean) / count; }
+
+/// Averages the measurements of a leg, as cavern 1.4.4 does: the covariance is the mean, too, as if
+/// the errors of all were the same.
+void add_measurement(ObservedLeg& leg, const ObservedLeg& again, int count) {
+  for (int axis = 0; axis < 3; ++axis)
+    leg.vector[axis] = mean_with(leg.vector[axis], again.vector[axis], count);
+  for (double Covariance::*part : {&Covariance::xx, &Covariance::yy, &Covariance::zz,
+                                   &Covariance::xy, &Covariance::yz, &Covariance::zx})
+    leg.covariance.*part = mean_with(leg.covariance.*part, again.covariance.*part, count);
+  leg.leg.length = mean_with(leg.leg.length, again.leg.length, count);
+}
+
+/// A leg from the same to the same station as the leg before measures it again.
+void add_or_average(Reader& reader, const ObservedLeg& observed) {
+  std::vector<ObservedLeg>& legs = reader.out.legs;
+  const Leg& leg = observed.leg;
+  const bool again = reader.repetitions > 0 && legs.back().leg.from == leg.from &&
+                     legs.back().leg.to == leg.to && leg.style != Style::nosurvey;
+  if (again) return add_measurement(legs.back(), observed, ++reader.repetitions);
+  reader.repetitions = leg.style == Style::nosurvey ? 0 : 1;
+  legs.push_back(observed);
+}
+
 }  // namespace
 
 void add_leg(Reader& reader, const LegLine& line) {
@@ -38,6 +62,7 @@ void add_leg(Reader& reader, const LegLine& line) {
   for (const int station : {leg.from, leg.to}) reader.stations.use(station);
   if (settings.infer_equates && read.length == 0 && leg.style != Style::nosurvey) {
     reader.out.add(Equate{leg.from, leg.to, leg.where});
+    reader.repetitions = 0;
     return;
   }
   leg.surface = settings.surface;
@@ -46,7 +71,7 @@ void add_leg(Reader& reader, const LegLine& line) {
   leg.length = read.length;
   leg.survey = settings.survey;
   leg.date = settings.date;
-  reader.out.legs.push_back(observed);
+  add_or_average(reader, observed);
 }
 
 void add_cross_section(Reader& reader, const StationName& station, const ItemValues& values,

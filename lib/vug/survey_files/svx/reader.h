@@ -41,6 +41,7 @@ struct Reader {
   size_t outer_scopes = 0;  ///< Those of the files that include the current one.
   StationTable stations;
   Traverse traverse;
+  int repetitions = 0;   ///< Measurements in the last leg; 0: a next one is a leg of its own.
   bool in_tube = false;  ///< The next cross-section continues the last tube.
   std::set<std::pair<std::string, int>> exports;  ///< Surveys and the stations that they export.
   std::set<std::string> exporting;                ///< Surveys with *export.

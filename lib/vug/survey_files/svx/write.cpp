@@ -72,7 +72,8 @@ struct LegSettings {
 struct Block {
   std::string exports;
   std::string stations;  ///< *fix and *entrance.
-  std::string legs;
+  std::vector<const Leg*> list;
+  std::string legs;      ///< Their lines.
   std::string rest;      ///< *equate and cross-sections.
   LegSettings settings;  ///< The settings of the last leg.
 
@@ -90,7 +91,11 @@ class Writer {
       : survey_(survey), points_(survey.stations.size()), names_(survey, stations_to_name()) {}
 
   std::string write() {
-    for (const Leg& leg : survey_.legs) add_leg(leg);
+    for (const Leg& leg : survey_.legs)
+      if (leg.from != leg.to)
+        blocks_[common(names_.survey(leg.survey), {leg.from, leg.to})].list.push_back(&leg);
+    for (auto& [path, block] : blocks_)  // In the order of the text.
+      for (const Leg* leg : block.list) add_leg(path, block, *leg);
     for (const Equate& equate : survey_.equates) add_equate(equate);
     add_stations();
     for (const Tube& tube : survey_.tubes) add_tube(tube);
@@ -153,20 +158,27 @@ class Writer {
     return !splay ? "..." : station(index).wall ? ".." : ".";
   }
 
-  void add_leg(const Leg& leg) {
-    if (leg.from == leg.to) return;
-    const Path path = common(names_.survey(leg.survey), {leg.from, leg.to});
-    Block& block = blocks_[path];
+  /// The ends of a leg, turned if the leg of the same stations before it has the other order: a
+  /// reader takes repeated lines as measurements of one leg.
+  std::pair<int, int> ends_of(const Leg& leg) {
+    const std::pair<int, int> ends(leg.from, leg.to), turned(leg.to, leg.from);
+    const auto [last, is_new] = last_ends_.emplace(std::minmax(leg.from, leg.to), ends);
+    if (!is_new) last->second = last->second == ends ? turned : ends;
+    return last->second;
+  }
+
+  void add_leg(const Path& path, Block& block, const Leg& leg) {
     const bool anonymous = names_.station(leg.from).empty() || names_.station(leg.to).empty();
     LegSettings settings{leg.date, leg.surface, leg.duplicate, leg.splay && !anonymous,
                          leg.style == Style::nosurvey};
     const bool storable = !leg.date || (leg.date->first >= 0 && leg.date->last < kDays);
     if (!storable) settings.date.reset();
     block.change_settings(settings);
-    block.legs += leg_end(path, leg.from, leg.splay) + ' ' + leg_end(path, leg.to, leg.splay);
+    const auto [from, to] = settings.nosurvey ? std::pair(leg.from, leg.to) : ends_of(leg);
+    block.legs += leg_end(path, from, leg.splay) + ' ' + leg_end(path, to, leg.splay);
     if (!settings.nosurvey) {
-      points_.join(leg.from, leg.to);
-      block.legs += ' ' + readings(leg);
+      points_.join(from, to);
+      block.legs += ' ' + readings(from, to, leg.where);
     }
     block.legs += storable ? "\n" : " ; " + date_text(leg.date->first) + "\n";
   }
@@ -174,18 +186,18 @@ class Writer {
   /// Tape, compass and clino between the coordinates to a micrometre: the closure of loops
   /// amplifies rounding where long legs, whose bearings have little weight, lie between fixed
   /// stations.
-  std::string readings(const Leg& leg) const {
-    const Vec3d v = station(leg.to).position - station(leg.from).position;
+  std::string readings(int from, int to, const SourceLocation& where) const {
+    const Vec3d v = station(to).position - station(from).position;
     const double flat = std::hypot(v.x, v.y), length = std::hypot(flat, v.z);
-    if (!(length <= kLongestLeg)) refuse("a leg is longer than 10000 km", leg.where);
+    if (!(length <= kLongestLeg)) refuse("a leg is longer than 10000 km", where);
     const int digits = std::clamp(static_cast<int>(std::ceil(std::log10(length + 1))) + 5, 6, 15);
     const double degrees = 180 / kPi;
     double bearing = maths::atan2(v.x, v.y) * degrees;
     if (bearing < 0) bearing += 360;
-    std::string compass = decimal(bearing, digits, leg.where);
+    std::string compass = decimal(bearing, digits, where);
     if (compass == "360") compass = "0";
-    return fmt::format("{} {} {}", decimal(length, 6, leg.where), compass,
-                       decimal(maths::atan2(v.z, flat) * degrees, digits, leg.where));
+    return fmt::format("{} {} {}", decimal(length, 6, where), compass,
+                       decimal(maths::atan2(v.z, flat) * degrees, digits, where));
   }
 
   void add_equate(const Equate& equate) {
@@ -305,6 +317,7 @@ class Writer {
   DisjointSets<int> equals_{survey_.stations.size()};
   WrittenNames names_;
   std::map<Path, Block> blocks_;
+  std::map<std::pair<int, int>, std::pair<int, int>> last_ends_;  ///< For each pair of stations.
 };
 
 }  // namespace
