@@ -159,6 +159,31 @@ class Watch(VugTest):
             lambda each: each["complete"] and each["number"] > state["number"])["work"])
         self.assertNotEqual(self.get(picture)[2], b"")
 
+        # Looks from other eyes, also while the picture is being rendered.
+        def look(**changes):
+            at = {f"{name[0]}{axis}": x for name in ("eye", "target") for axis, x in zip("xyz", state[name])}
+            query = urllib.parse.urlencode({**at, "fov": state["fov"], "w": 64, "h": 36, **changes})
+            connection = http.client.HTTPConnection(page.hostname, page.port, timeout=60)
+            connection.request("GET", f"{page.path}look.png?{query}")
+            response = connection.getresponse()
+            content = response.read()
+            connection.close()
+            return response.status, content
+
+        self.assertEqual((state["camera"], state["eye"]), ("main", [0, 1, 4]))
+        status, own = look()
+        self.assertEqual((status, own[:4]), (200, b"\x89PNG"))
+        self.assertNotEqual(look(ex=2)[1], own)
+        self.assertEqual(look(clay=1)[0], 200)
+        for wrong in ({"ex": "nan"}, {"ex": ""}, {"fov": 4}, {"w": 100000}, {"ex": "1e9"}, {"ex": "1;2"},
+                      {f"t{axis}": x for axis, x in zip("xyz", state["eye"])}):
+            self.assertEqual(look(**wrong)[0], 404, wrong)
+        before = self.get(page._replace(path=page.path + "state.json"))[2]
+        self.save(SCENE.replace("spp 8", "spp 1024"))
+        event(lambda each: each["number"] > json.loads(before)["number"] and not each["complete"])
+        self.assertEqual(look(ex=1)[0], 200)
+        event(lambda each: each["complete"])
+
         # Other tokens, host names, methods and files are refused.
         token = page.path.strip("/")
         for path, code in [("/", 404), ("/" + "0" * len(token) + "/", 404), ("/picture.png", 404),
@@ -176,6 +201,7 @@ class Watch(VugTest):
         self.process.stderr.read()
         self.assertEqual(self.process.wait(), 0)
         self.assertLess(time.monotonic() - begin, 10)
+        events.close()
         connection.close()
 
     def test_a_port_in_use(self):

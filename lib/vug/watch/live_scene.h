@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,6 +41,18 @@ struct PictureStages {
       nullptr;
 };
 
+/// A look at a scene from an eye that its text does not have.
+struct View {
+  Vec3d eye{0, 0, 5}, target{0, 0, 0};
+  double fov = 1.2;   ///< Radians, as the `fov` of a perspective camera.
+  bool clay = false;  ///< Grey surfaces, lit from the eye, without a medium.
+  int width = 320, height = 180;
+  int spp = 4;
+};
+
+/// The eye of the scene's camera, and a target in the middle of its picture.
+View view_of(const render::Camera& camera, int width, int height);
+
 /// The last version without errors, its products and its picture. The picture has the bytes of
 /// `vug render` of the same text, after any sequence of changes. Not thread-safe.
 class LiveScene {
@@ -60,6 +73,14 @@ class LiveScene {
   /// Renders the last version without errors, one view or both views of a stereo camera. Throws as
   /// picture::render_picture does; after an error, the products that were made are kept.
   std::vector<picture::RenderResult> render(const PictureStages& stages = {});
+  /// A small picture of the last version, denoised and metered: a PNG. Keeps trees and learned
+  /// light for the next look, so that its bytes depend on the looks before. The version keeps
+  /// `progress`. Error(cancelled).
+  std::string look(const View& view,
+                   std::shared_ptr<Progress> progress = std::make_shared<Progress>());
+  /// The view and the name of the camera of the last picture; empty without a camera in the text.
+  View view() const;
+  std::string camera_name() const;
   bool has_version() const { return version_ != nullptr; }
   const loading::Loaded& loaded() const;
   building::Builder& builder();
@@ -73,6 +94,8 @@ class LiveScene {
   LiveOptions options_;
   loading::SceneSource source_;
   render::Session session_;
+  render::Session looks_{render::Learning::kept};
+  std::map<mesh::MeshPtr, mesh::MeshPtr> clay_meshes_;  ///< Meshes without colours.
   std::unique_ptr<Version> version_;
   render::SessionCounters before_;  ///< At the last load.
   Diagnostics problems_;

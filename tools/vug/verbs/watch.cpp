@@ -78,9 +78,11 @@ int run_watch(Options options) {
   live.build = [&](const loading::Loaded& loaded) { return render.work.build_options(loaded); };
   watch::LiveScene scene(render.scene.scene, std::move(live));
 
+  LookRequests looks;
   std::optional<PageServer> page;
   if (!options.no_page && !options.loop.once) {
-    page.emplace(options.port, std::filesystem::path(render.scene.scene).filename().string());
+    page.emplace(options.port, std::filesystem::path(render.scene.scene).filename().string(),
+                 [&](const watch::View& view) { return looks.ask(view); });
     fmt::print(stderr, "page: {}\n", page->url());
   }
   Progress& stop = terminal_progress(render.work.bar_mode());
@@ -104,7 +106,8 @@ int run_watch(Options options) {
     write(options, picture);
     if (page)
       page->show_picture(read_text(picture::png_path(render.output)),
-                         {picture.complete, picture.seconds, work_text(picture.work)});
+                         {picture.complete, picture.seconds, work_text(picture.work),
+                          scene.camera_name(), scene.view()});
     clear_progress_bar();
     if (picture.complete) {
       fmt::print("{}\n", render.output);
@@ -115,7 +118,7 @@ int run_watch(Options options) {
                  picture.complete ? "picture" : "unfinished picture", picture.seconds,
                  work_text(picture.work));
   };
-  const bool sound = run_watch_loop(scene, options.loop, events, new_progress, stop);
+  const bool sound = run_watch_loop(scene, options.loop, events, new_progress, looks, stop);
   return options.loop.once && !sound ? kUnusable : kDone;
 }
 

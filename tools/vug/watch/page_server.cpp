@@ -9,7 +9,9 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <thread>
 
@@ -27,13 +29,42 @@ std::string random_token() {
 }
 
 void add_headers(httplib::Response& response) {
-  response.set_header("Content-Security-Policy",
-                      "default-src 'none'; img-src 'self'; script-src 'self'; style-src 'self'; "
-                      "connect-src 'self'; base-uri 'none'; form-action 'none'; "
-                      "frame-ancestors 'none'");
+  response.set_header(
+      "Content-Security-Policy",
+      "default-src 'none'; img-src 'self' blob:; script-src 'self'; style-src 'self'; "
+      "connect-src 'self'; base-uri 'none'; form-action 'none'; "
+      "frame-ancestors 'none'");
   response.set_header("X-Content-Type-Options", "nosniff");
   response.set_header("Referrer-Policy", "no-referrer");
   response.set_header("Cache-Control", "no-store");
+}
+
+Json list_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
+
+/// The view of a request for a look; nothing if it is invalid.
+std::optional<watch::View> view_of(const httplib::Request& request) {
+  bool valid = true;
+  const auto number = [&](const char* name, double low, double high) {
+    const std::string text = request.get_param_value(name);
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    valid = valid && !text.empty() && *end == '\0' && value >= low && value <= high;
+    return value;
+  };
+  const auto point = [&](const std::string& name) {
+    const auto axis = [&](char letter) { return number((name + letter).c_str(), -1e7, 1e7); };
+    const double x = axis('x'), y = axis('y'), z = axis('z');
+    return Vec3d(x, y, z);
+  };
+  watch::View view;
+  view.eye = point("e");
+  view.target = point("t");
+  view.fov = number("fov", 0.01, 3);
+  view.width = static_cast<int>(number("w", 16, 960));
+  view.height = static_cast<int>(number("h", 16, 960));
+  view.clay = request.get_param_value("clay") == "1";
+  valid = valid && (view.eye - view.target).length() > 1e-6;
+  return valid ? std::optional(view) : std::nullopt;
 }
 
 std::string json_text(const Json& json) {
@@ -43,7 +74,7 @@ std::string json_text(const Json& json) {
 }  // namespace
 
 struct PageServer::State {
-  explicit State(std::string name) : title(std::move(name)) {}
+  State(std::string name, Look make) : title(std::move(name)), look(std::move(make)) {}
 
   /// All that the page shows, with the number of the picture, which its address contains.
   std::string json() const {
@@ -52,6 +83,10 @@ struct PageServer::State {
                       {"complete", status.complete},
                       {"seconds", status.seconds},
                       {"work", status.work},
+                      {"camera", status.camera},
+                      {"eye", list_of(status.view.eye)},
+                      {"target", list_of(status.view.target)},
+                      {"fov", status.view.fov},
                       {"problems", problems}});
   }
   /// Sends the state to a browser whenever it has changed, until the browser or the server ends.
@@ -72,6 +107,7 @@ struct PageServer::State {
   }
 
   const std::string title;
+  const Look look;
   std::mutex mutex;
   std::condition_variable changed;
   bool ended = false;
@@ -84,8 +120,8 @@ struct PageServer::State {
   std::thread thread;
 };
 
-PageServer::PageServer(int port, std::string title)
-    : state_(std::make_unique<State>(std::move(title))) {
+PageServer::PageServer(int port, std::string title, Look look)
+    : state_(std::make_unique<State>(std::move(title), std::move(look))) {
   State& state = *state_;
   httplib::Server& server = state.server;
   const char* const address = "127.0.0.1";
@@ -124,6 +160,15 @@ PageServer::PageServer(int port, std::string title)
     else
       response.set_content(state.png, "image/png");
   });
+  server.Get(root + "look.png",
+             [&state](const httplib::Request& request, httplib::Response& response) {
+               const std::optional<watch::View> view = view_of(request);
+               const std::string png = view ? state.look(*view) : "";
+               if (png.empty())
+                 response.status = view ? 503 : 404;
+               else
+                 response.set_content(png, "image/png");
+             });
   server.Get(root + "state.json", [&state](const httplib::Request&, httplib::Response& response) {
     const std::lock_guard lock(state.mutex);
     response.set_content(state.json(), "application/json");

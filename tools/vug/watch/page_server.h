@@ -3,7 +3,9 @@
 #pragma once
 
 #include <vug/base/diagnostics.h>
+#include <vug/watch/live_scene.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -14,7 +16,12 @@ struct PageStatus {
   bool complete = false;
   double seconds = 0;  ///< Since the change was noticed.
   std::string work;    ///< A sentence about what was built and kept.
+  std::string camera;  ///< Its name; empty if the text has none.
+  watch::View view;    ///< The view of the camera.
 };
+
+/// The PNG of a view, on the thread of a request; empty if it was superseded.
+using Look = std::function<std::string(const watch::View&)>;
 
 /// Serves the page on the loopback address only. Its address contains a random token, and a request
 /// without it, for another host name (a name that an attacker points to this machine) or with
@@ -23,7 +30,7 @@ struct PageStatus {
 class PageServer {
  public:
   /// `port` 0: any free one. Error(io) if the port cannot be used.
-  PageServer(int port, std::string title);
+  PageServer(int port, std::string title, Look look);
   ~PageServer();
   PageServer(const PageServer&) = delete;
   PageServer& operator=(const PageServer&) = delete;

@@ -44,11 +44,31 @@ class ChangeThread {
     const std::lock_guard lock(mutex_);
     return changed_.has_value();
   }
-  /// Waits for a change and returns when it was noticed; nothing if the loop must end.
-  std::optional<Clock::time_point> wait() {
-    std::unique_lock lock(mutex_);
-    while (!changed_ && !stop_.cancelled()) woken_.wait_for(lock, kStep);
-    if (stop_.cancelled()) return std::nullopt;
+  /// Another thread wants a look: cancels the work.
+  void interrupt() {
+    const std::lock_guard lock(mutex_);
+    if (work_ && !looking_) work_->cancel();
+    woken_.notify_all();
+  }
+  /// While `looking`, only changes cancel the work.
+  void set_looking(bool looking) {
+    const std::lock_guard lock(mutex_);
+    looking_ = looking;
+  }
+  /// Waits at most `time` for a change, until `is_awake` or the end. `is_awake` may take locks.
+  template <class IsAwake>
+  void wait(milliseconds time, const IsAwake& is_awake) {
+    constexpr milliseconds kTurn{20};
+    const Clock::time_point end = Clock::now() + time;
+    while (!is_awake() && !stop_.cancelled() && Clock::now() < end) {
+      std::unique_lock lock(mutex_);
+      if (changed_) return;
+      woken_.wait_for(lock, kTurn);
+    }
+  }
+  /// When the last change was noticed; nothing if there is none.
+  std::optional<Clock::time_point> take_change() {
+    const std::lock_guard lock(mutex_);
     return std::exchange(changed_, std::nullopt);
   }
 
@@ -81,6 +101,7 @@ class ChangeThread {
   std::condition_variable woken_;
   std::vector<std::filesystem::path> files_;
   std::shared_ptr<Progress> work_;
+  bool looking_ = false;
   std::optional<Clock::time_point> changed_;
   std::thread thread_;
 };
@@ -89,23 +110,24 @@ class ChangeThread {
 
 bool run_watch_loop(watch::LiveScene& scene, const WatchOptions& options, const WatchEvents& events,
                     const std::function<std::shared_ptr<Progress>()>& new_progress,
-                    const Progress& stop) {
+                    LookRequests& looks, const Progress& stop) {
   ChangeThread changes(options.polling, stop);
+  looks.on_request([&] { changes.interrupt(); });
+  const std::shared_ptr<void> closing(nullptr, [&](void*) { looks.close(); });
   bool sound = false;
-  for (std::optional<Clock::time_point> begin = Clock::now(); begin; begin = changes.wait()) {
+  /// Loads and renders; false if a look or a change came first.
+  const auto render = [&](Clock::time_point begin) {
     const auto seconds = [&] {
-      return std::chrono::duration<double>(Clock::now() - *begin).count();
+      return std::chrono::duration<double>(Clock::now() - begin).count();
     };
     const std::shared_ptr<Progress> progress = new_progress();
     changes.set_work(progress);
+    if (looks.has_request() && scene.has_version()) return false;
     try {
       sound = scene.load(progress);
       changes.watch(scene.files());
       events.problems(scene.problems(), scene.report());
-      if (!sound) {
-        if (options.once) return false;
-        continue;
-      }
+      if (!sound) return true;
       const auto unfinished = [&](const image::Image& image, const picture::PictureOutput& output) {
         const render::PartialRenderHeader header;
         picture::PictureOutput plain = output;
@@ -116,8 +138,7 @@ bool run_watch_loop(watch::LiveScene& scene, const WatchOptions& options, const 
       const std::vector<picture::RenderResult> rendered = scene.render({unfinished});
       events.picture({picture::picture_views(rendered), true, seconds(), scene.work()});
     } catch (const Error& error) {
-      const bool is_new = changes.has_change() || stop.cancelled();
-      if (error.code() == ErrorCode::cancelled && is_new) continue;
+      if (error.code() == ErrorCode::cancelled && progress->cancelled()) return false;
       if (options.once) throw;
       sound = false;
       Diagnostics problems;
@@ -126,7 +147,38 @@ bool run_watch_loop(watch::LiveScene& scene, const WatchOptions& options, const 
                                                     : error.located_message() + "\n");
       changes.watch(scene.files());
     }
+    return true;
+  };
+  const auto look = [&] {
+    const auto progress = std::make_shared<Progress>();
+    changes.set_looking(true);
+    changes.set_work(progress);
+    try {
+      looks.answer([&](const watch::View& view) {
+        return scene.has_version() ? scene.look(view, progress) : std::string();
+      });
+    } catch (const Error&) {  // the browser asks again; errors of the scene have been reported
+    }
+    changes.set_looking(false);
+  };
+  constexpr milliseconds kLooking{400};  // after the last look, the picture continues
+  constexpr milliseconds kLong{3600000};
+  Clock::time_point begin = Clock::now();
+  while (!stop.cancelled()) {
+    bool complete = render(begin);
     if (options.once) return sound;
+    while (!stop.cancelled()) {
+      if (const auto changed = changes.take_change()) {
+        begin = *changed;
+        break;
+      }
+      if (looks.has_request()) {
+        look();
+        continue;
+      }
+      changes.wait(complete ? kLong : kLooking, [&] { return looks.has_request(); });
+      if (!complete && !looks.has_request()) break;
+    }
   }
   return sound;
 }

@@ -2,6 +2,8 @@
 // Renders a scene again and again, whenever one of its files is saved, until it is stopped.
 #pragma once
 
+#include "watch/look_requests.h"
+
 #include <vug/watch/live_scene.h>
 
 #include <functional>
@@ -31,10 +33,11 @@ struct WatchOptions {
 };
 
 /// Loads and renders the scene, and again after each change; a change cancels the picture that is
-/// being rendered. Returns false if the last version has errors. Ends once `stop` is cancelled,
-/// within a tenth of a second as far as the work can be cancelled.
+/// being rendered, and so does a look, after which it continues. Returns false if the last version
+/// has errors. Ends once `stop` is cancelled, within a tenth of a second as far as the work can be
+/// cancelled.
 bool run_watch_loop(watch::LiveScene& scene, const WatchOptions& options, const WatchEvents& events,
                     const std::function<std::shared_ptr<Progress>()>& new_progress,
-                    const Progress& stop);
+                    LookRequests& looks, const Progress& stop);
 
 }  // namespace vug::cli
