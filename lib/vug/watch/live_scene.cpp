@@ -129,8 +129,8 @@ std::string LiveScene::look(const View& view, std::shared_ptr<Progress> progress
                       {"noise", 0},
                       {"deep", false},
                       {"layers", List{"beauty"}},
-                      {"denoise", true},
-                      {"exposure", Value::Name{"auto"}}};
+                      {"denoise", true}};
+  if (view.clay) options.settings.emplace_back("exposure", Value::Name{"auto"});
   picture::PicturePlan plan = picture::plan_picture(version_->loaded.shot, options);
   plan.render.settings.crop = {};
   plan.render.settings.camera = render::make_camera(

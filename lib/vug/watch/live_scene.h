@@ -73,7 +73,7 @@ class LiveScene {
   /// Renders the last version without errors, one view or both views of a stereo camera. Throws as
   /// picture::render_picture does; after an error, the products that were made are kept.
   std::vector<picture::RenderResult> render(const PictureStages& stages = {});
-  /// A small picture of the last version, denoised and metered: a PNG. Keeps trees and learned
+  /// A small picture of the last version, denoised: a PNG. Clay is metered. Keeps trees and learned
   /// light for the next look, so that its bytes depend on the looks before. The version keeps
   /// `progress`. Error(cancelled).
   std::string look(const View& view,
