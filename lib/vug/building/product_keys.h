@@ -12,7 +12,7 @@ namespace vug::building {
 /// code that alters bytes of its products, or their files; tests/unit/building/epoch_test.cpp
 /// fails otherwise. A change of fields alters level sets and meshes.
 inline const store::ProductKind kLevelSetKind{"level_set", 2};
-inline const store::ProductKind kMeshKind{"mesh", 2};
+inline const store::ProductKind kMeshKind{"mesh", 3};
 
 /// The key of the level set of the plan's field, or of `source` if the plan voxelises a mesh.
 store::Key level_set_key(const shot::VolumePlan& plan, const mesh::Mesh* source = nullptr);

@@ -33,15 +33,17 @@ void for_each_block(const field::Field& field, const std::vector<Vec3d>& points,
   starts.push_back(keys.size());
   parallel_for(starts.size() - 1, [&](size_t block) {
     progress.check();
-    Box3d box;
     std::vector<uint32_t> indices;
     indices.reserve(starts[block + 1] - starts[block]);
-    for (size_t i = starts[block]; i < starts[block + 1]; ++i) {
-      indices.push_back(keys[i].second);
-      box.extendBy(points[indices.back()]);
-    }
-    const double radius = 0.5 * box.size().length() + options.margin;
-    const field::Field local = field.restricted({box.center(), radius * (1 + 1e-9)}).field;
+    for (size_t i = starts[block]; i < starts[block + 1]; ++i) indices.push_back(keys[i].second);
+    // The cube, not a box around its points: an equal cube has an equal field.
+    Vec3d centre;
+    for (int axis = 0; axis < 3; ++axis)
+      centre[axis] =
+          options.edge *
+          (static_cast<double>(keys[starts[block]].first[static_cast<size_t>(axis)]) + 0.5);
+    const double radius = 0.5 * std::sqrt(3.0) * options.edge + options.margin;
+    const field::Field local = field.restricted({centre, radius * (1 + 1e-9)}).field;
     body(indices, local);
     progress.advance(indices.size());
   });

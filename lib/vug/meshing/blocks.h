@@ -23,7 +23,8 @@ using BlockBody =
 
 /// Calls body(indices, field) once for each group of points, with groups in parallel and indices
 /// ascending; `field` equals the given field within `margin` of each point. The body writes only
-/// the data of its indices. Groups do not depend on the number of threads.
+/// the data of its indices. Groups and fields do not depend on the number of threads, nor a group
+/// on points outside of its cube.
 void for_each_block(const field::Field& field, const std::vector<Vec3d>& points,
                     const BlockOptions& options, const BlockBody& body, Progress& progress);
 

@@ -47,7 +47,7 @@ struct SampledSurface {
 
   static FaceMesh mesh_on_surface(const volume::LevelSet& level_set, const field::Field& exact,
                                   Progress& progress) {
-    FaceMesh mesh = face_mesh(volume::polygons_of(level_set));
+    FaceMesh mesh = face_mesh(volume::polygons_of(level_set), level_set.voxel());
     progress.begin("points on the surface", 2 * mesh.points.size());
     PolygonizeOptions options;
     options.creases = false;

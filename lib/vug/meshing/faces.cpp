@@ -1,16 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/parallel.h>
+#include <vug/base/parallel_sort.h>
 #include <vug/meshing/faces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
 
 namespace vug::meshing {
 namespace {
 
+/// A point in canonical order. The positions order the points of one cell.
+struct OrderedPoint {
+  std::array<int64_t, 3> cell{};
+  std::array<float, 3> position{};
+  uint32_t index = 0;
+  auto operator<=>(const OrderedPoint&) const = default;
+};
+
+std::vector<OrderedPoint> ordered(const std::vector<Vec3f>& points, double voxel) {
+  std::vector<OrderedPoint> out(points.size());
+  parallel_for(
+      points.size(),
+      [&](size_t i) {
+        for (int axis = 0; axis < 3; ++axis) {
+          const auto at = static_cast<size_t>(axis);
+          out[i].position[at] = points[i][axis];
+          out[i].cell[at] =
+              static_cast<int64_t>(std::floor(static_cast<double>(points[i][axis]) / voxel));
+        }
+        out[i].index = static_cast<uint32_t>(i);
+      },
+      4096);
+  parallel_sort(out.begin(), out.end());
+  return out;
+}
+
+/// `renamed`: the new index of each point.
 template <size_t N>
-void add(FaceMesh& mesh, const std::array<uint32_t, N>& polygon) {
+void add(FaceMesh& mesh, const std::array<uint32_t, N>& polygon,
+         const std::vector<uint32_t>& renamed) {
   Face face;
   face.size = 0;
   for (size_t k = 0; k < N; ++k)
-    if (polygon[k] != polygon[(k + 1) % N]) face.corners[face.size++] = polygon[k];
-  if (face.size >= 3) mesh.faces.push_back(face);
+    if (polygon[k] != polygon[(k + 1) % N]) face.corners[face.size++] = renamed[polygon[k]];
+  if (face.size < 3) return;
+  const auto end = face.corners.begin() + face.size;
+  std::rotate(face.corners.begin(), std::min_element(face.corners.begin(), end), end);
+  mesh.faces.push_back(face);
 }
 
 }  // namespace
@@ -21,13 +58,18 @@ Vec3d FaceMesh::centre(const Face& face) const {
   return sum / face.size;
 }
 
-FaceMesh face_mesh(const volume::Polygons& polygons) {
+FaceMesh face_mesh(const volume::Polygons& polygons, double voxel) {
   FaceMesh mesh;
   mesh.points.reserve(polygons.points.size());
-  for (const Vec3f& p : polygons.points) mesh.points.emplace_back(p);
+  std::vector<uint32_t> renamed(polygons.points.size());
+  for (const OrderedPoint& point : ordered(polygons.points, voxel)) {
+    renamed[point.index] = static_cast<uint32_t>(mesh.points.size());
+    mesh.points.emplace_back(polygons.points[point.index]);
+  }
   mesh.faces.reserve(polygons.quads.size() + polygons.triangles.size());
-  for (const auto& quad : polygons.quads) add(mesh, quad);
-  for (const auto& triangle : polygons.triangles) add(mesh, triangle);
+  for (const auto& quad : polygons.quads) add(mesh, quad, renamed);
+  for (const auto& triangle : polygons.triangles) add(mesh, triangle, renamed);
+  parallel_sort(mesh.faces.begin(), mesh.faces.end());
   mesh.first.assign(mesh.points.size() + 1, 0);
   for (const Face& face : mesh.faces)
     for (uint32_t k = 0; k < face.size; ++k) ++mesh.first[face.corners[k] + 1];

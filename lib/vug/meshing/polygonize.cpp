@@ -56,7 +56,7 @@ PolishReport make_report(const FaceMesh& raw, const MoveResult& polished,
 PolygonizeResult polygonize(const volume::LevelSet& level_set, const field::Field* exact,
                             const PolygonizeOptions& options, Progress& progress) {
   const double voxel = level_set.voxel();
-  const FaceMesh raw = face_mesh(volume::polygons_of(level_set, {0, options.adaptivity}));
+  const FaceMesh raw = face_mesh(volume::polygons_of(level_set, {0, options.adaptivity}), voxel);
   const bool has_work = exact && options.polish && !raw.points.empty();
   progress.begin(has_work ? "polishing the mesh" : "diagonals and normals of the mesh",
                  3 * raw.points.size() + raw.faces.size());

@@ -41,8 +41,10 @@ struct PolygonizeResult {
 /// vertices stay where OpenVDB places them and normals come from the triangles. Fields are
 /// evaluated in single precision if that locates the surface to 1e-3 voxel, otherwise in double
 /// precision. The mesh is closed where the level set is, oriented outwards, and has the same bytes
-/// for any number of threads. The level set does not contain walls thinner than one or two
-/// voxels and the tips of edges sharper than about 60 degrees. Throws Error(cancelled).
+/// for any number of threads. Its vertices are in the order of the lattice's cells, and triangles
+/// in the order of their vertices, so that parts of a surface that are meshed separately agree. The
+/// level set does not contain walls thinner than one or two voxels and the tips of edges sharper
+/// than about 60 degrees. Throws Error(cancelled).
 PolygonizeResult polygonize(const volume::LevelSet& level_set, const field::Field* exact,
                             const PolygonizeOptions& options = {},
                             Progress& progress = Progress::none());
