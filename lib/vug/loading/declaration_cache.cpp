@@ -126,7 +126,8 @@ void DeclarationCache::Recording::keep(const Value& value,
 }
 
 void DeclarationCache::Recording::keep_loop() const {
-  if (state_) keep(Value(true), cache_.reading_.shot.snapshot());
+  // A loop that is known keeps its number, and so do the declarations that use it.
+  if (state_ && !cache_.is_current(name_)) keep(Value(true), cache_.reading_.shot.snapshot());
 }
 
 }  // namespace vug::loading

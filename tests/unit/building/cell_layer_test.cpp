@@ -231,7 +231,7 @@ TEST(CellLayer, ADisplacedSurfaceBecomesALevelSetAgain) {
 
 TEST(CellLayer, AMeshWithHolesBoundsNoSolid) {
   const shot::Shot shot = shot_of(
-      "cells skin on wall { spacing 10cm  holes true  run corrosion(share: 4%, loss: 100%) }\n"
+      "cells skin on wall { spacing 10cm  holes true  run corrosion(share: 30%, loss: 100%) }\n"
       "volume worn on skin {}");
   Builder builder(shot);
   try {
