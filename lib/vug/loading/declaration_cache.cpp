@@ -14,11 +14,13 @@ DeclarationCache::DeclarationCache(ReadContext& context)
   Hasher texts;
   for (const auto& source : context.document.sources)
     texts.add_value(source->text.size()).add(source->text);
-  whole_ = texts.finish();
   for (const scene::Declaration& each : context.document.declarations)
     extents_[{each.kind, each.name}] = each.extent;
   for (const scene::Grammar& each : context.document.grammars)
     extents_[{"grammar", each.name}] = each.extent;
+  for (const auto& [name, extent] : extents_)  // with the files that they name
+    if (const std::optional<Digest> known = inputs(name)) texts.add_value(*known);
+  whole_ = texts.finish();
 }
 
 std::optional<Digest> DeclarationCache::inputs(const DeclarationName& name) const {
@@ -43,7 +45,7 @@ Value DeclarationCache::reuse(StaticCache::Entry& entry, const DeclarationName& 
     reading_.resolver.declared(used.first, used.second, entry.extent, reading_.diagnostics);
   ++cache_->reused;
   const SourceLocation& now = extents_[{name.first, scene::name_without_index(name.second)}];
-  shot::move_lines(entry.shot, entry.extent, now.line - entry.extent.line);
+  shot::move_lines(entry.shot, entry.extent, now.line - entry.extent.line, moved_);
   entry.extent = now;
   shot::Shot& shot = reading_.shot;
   shot.add(entry.shot);

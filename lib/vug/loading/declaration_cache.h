@@ -9,13 +9,15 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace vug::loading {
 
 /// A value is taken from LoadOptions::static_cache if its text has the same digest and all
 /// declarations that it uses are taken as well, so that plans that refer to each other stay the
 /// identical objects. Declarations with a warning, and those that read others which they do not
-/// mention, are taken only if the whole text is the same.
+/// mention, are taken only if the whole text and the files
+/// that it names are the same.
 class DeclarationCache {
  public:
   explicit DeclarationCache(ReadContext& context);
@@ -63,9 +65,10 @@ class DeclarationCache {
   StaticCache* cache_;
   ReadContext& reading_;
   std::optional<scene::StatementDigests> digests_;
-  Digest whole_;  ///< The digest of all texts.
+  Digest whole_;  ///< The digest of all texts and of the files that they name.
   std::map<scene::DeclarationName, SourceLocation> extents_;
   std::map<scene::DeclarationName, bool> current_;
+  std::set<const SourceLocation*> moved_;  ///< See shot::move_lines.
   shot::Shot::Snapshot snapshot_;  ///< After the additions of the last evaluated declaration.
 };
 

@@ -2,13 +2,10 @@
 #include <vug/shot/cells_plan.h>
 #include <vug/shot/move_lines.h>
 
-#include <set>
-
 namespace vug::shot {
 
-void move_lines(Shot& shot, const SourceLocation& extent, int by) {
-  if (by == 0) return;
-  std::set<const SourceLocation*> moved;  // shared plans occur several times
+void move_lines(Shot& shot, const SourceLocation& extent, int by,
+                std::set<const SourceLocation*>& moved) {
   const auto move = [&](SourceLocation& where) {
     const bool inside =
         where.file == extent.file && where.line >= extent.line && where.line <= extent.end_line;

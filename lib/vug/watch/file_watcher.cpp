@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <thread>
 
 namespace vug::watch {
@@ -50,8 +51,11 @@ void FileWatcher::watch(const std::vector<std::filesystem::path>& files) {
                                               IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM |
                                                   IN_CREATE | IN_DELETE | IN_ATTRIB);
   }
+  // Two names of one folder have the same number.
+  std::set<int> needed;
+  for (const auto& [folder, number] : folders) needed.insert(number);
   for (const auto& [folder, number] : folders_)
-    if (number >= 0 && !folders.count(folder)) inotify_rm_watch(events_, number);
+    if (number >= 0 && !needed.count(number)) inotify_rm_watch(events_, number);
   known_ = std::move(known), folders_ = std::move(folders);
 }
 

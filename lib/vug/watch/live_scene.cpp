@@ -9,8 +9,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vug::watch {
+namespace {
+
+/// When a file was written; the earliest time if it does not exist.
+std::filesystem::file_time_type time_of(const std::filesystem::path& file) {
+  std::error_code code;
+  const auto time = std::filesystem::last_write_time(file, code);
+  return code ? std::filesystem::file_time_type::min() : time;
+}
+
+}  // namespace
 
 struct LiveScene::Version {
   Version(loading::Loaded from, const LiveOptions& options, std::shared_ptr<Progress> work)
@@ -30,20 +41,31 @@ LiveScene::LiveScene(std::filesystem::path file, LiveOptions options)
       options_(std::move(options)),
       source_("", file_.string(), options_.load) {
   options_.picture.source = &source_;
+  files_ = {file_};
 }
 
 LiveScene::~LiveScene() = default;
 
 bool LiveScene::load(std::shared_ptr<Progress> progress) {
   source_.set_text(read_text(file_));
+  for (auto& [file, known] : network_files_)
+    if (const auto now = time_of(file); std::exchange(known, now) != now) source_.forget_values();
   loading::Loaded loaded = source_.at(options_.load.frame);
-  if (!loaded.diagnostics.all().empty() && source_.reused() > 0)  // reused values repeat none
+  // Reused values do not repeat their warnings: those of the last text may apply to this one.
+  const bool any = !loaded.diagnostics.all().empty() || !problems_.all().empty();
+  if (any && source_.reused() > 0)
     problems_ = loading::load_text(source_.text(), file_.string(), options_.load).diagnostics;
   else
     problems_ = loaded.diagnostics;
   report_ = loaded.report(problems_);
   files_ = loading::file_dependencies(loaded);
-  if (std::find(files_.begin(), files_.end(), file_) == files_.end()) files_.push_back(file_);
+  for (const std::filesystem::path& file : loaded.provenance.network_files())
+    network_files_.try_emplace(file, time_of(file));
+  const auto add = [&](const std::filesystem::path& file) {
+    if (std::find(files_.begin(), files_.end(), file) == files_.end()) files_.push_back(file);
+  };
+  add(file_);
+  for (const auto& [file, time] : network_files_) add(file);
   if (!loaded.usable()) return false;
   auto next = std::make_unique<Version>(std::move(loaded), options_, std::move(progress));
   next->kept = source_.reused();

@@ -101,6 +101,8 @@ class LiveScene {
   Diagnostics problems_;
   std::string report_;
   std::vector<std::filesystem::path> files_;
+  /// The files of networks that were read, which a text need not name: surveys include others.
+  std::map<std::filesystem::path, std::filesystem::file_time_type> network_files_;
 };
 
 }  // namespace vug::watch

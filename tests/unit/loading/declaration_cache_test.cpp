@@ -102,6 +102,20 @@ TEST(DeclarationCache, CommentsAndNewLinesMoveTheLocations) {
   EXPECT_EQ(moved.shot.cameras[0].where, fresh.shot.cameras[0].where);
 }
 
+/// A volume moves with its own declaration, and not again with the mesh on it.
+TEST(DeclarationCache, SharedPlansMoveOnce) {
+  for (size_t lines = 1; lines < 12; ++lines) {
+    Versions versions;
+    versions.load(kTwoRocks);
+    const std::string text = std::string(lines, '\n') + kTwoRocks;
+    const Loaded moved = versions.load(text), fresh = load_text(text, "scene.vug");
+    EXPECT_GT(versions.reused(), 0u);
+    ASSERT_EQ(moved.shot.volumes.size(), fresh.shot.volumes.size());
+    for (size_t i = 0; i < fresh.shot.volumes.size(); ++i)
+      EXPECT_EQ(moved.shot.volumes[i]->where, fresh.shot.volumes[i]->where) << lines;
+  }
+}
+
 TEST(DeclarationCache, OrderAndNamesAreThoseOfANewEvaluation) {
   Versions versions;
   versions.load(kTwoRocks);
@@ -160,6 +174,30 @@ TEST(DeclarationCache, FilesCount) {
   const Loaded next = load_text(text, name, options);
   for (const shot::MeshPtr& each : next.shot.meshes)
     EXPECT_EQ(std::count(first.shot.meshes.begin(), first.shot.meshes.end(), each), 0);
+}
+
+/// `place` is taken only from an equal text, to which the placed file belongs.
+TEST(DeclarationCache, PlacedScenesCount) {
+  const ScratchFolder folder("vug_cache_test");
+  const auto write_post = [&](const std::string& height) {
+    write_text(folder.file("post.vug"), "volume post = level_set(box(size: (0.2, " + height +
+                                            ", 0.2)), voxel: 10cm)\nmesh post on post { }\n"
+                                            "object post on post { }\n");
+  };
+  const std::string text = "place posts { of scene(\"post.vug\") at [(0, 0, 0), (2, 0, 0)] }\n";
+  const std::string name = folder.file("scene.vug").string();
+  StaticCache cache;
+  LoadOptions options;
+  options.static_cache = &cache;
+  write_post("1");
+  const Loaded first = load_text(text, name, options);
+  ASSERT_TRUE(first.usable()) << first.report();
+  EXPECT_EQ(load_text(text, name, options).shot.text_digest, first.shot.text_digest);
+  EXPECT_GT(cache.reused, 0u);
+  write_post("1.25");
+  const Loaded next = load_text(text, name, options);
+  EXPECT_EQ(cache.reused, 0u);
+  EXPECT_FALSE(next.shot.text_digest == first.shot.text_digest);
 }
 
 }  // namespace

@@ -192,6 +192,12 @@ TEST_F(LiveScenes, AnErrorKeepsTheLastVersion) {
   EXPECT_EQ(again.samples, 0u);
 }
 
+TEST_F(LiveScenes, AMissingFileIsWatched) {
+  EXPECT_EQ(scene_.files(), std::vector{file_});
+  EXPECT_THROW(scene_.load(std::make_shared<Progress>()), Error);
+  EXPECT_EQ(scene_.files(), std::vector{file_});
+}
+
 TEST_F(LiveScenes, CancelledWorkContinues) {
   Text text;
   save(text);

@@ -40,10 +40,6 @@ class ChangeThread {
     work_ = std::move(work);
     if (changed_ || stop_.cancelled()) work_->cancel();
   }
-  bool has_change() {
-    const std::lock_guard lock(mutex_);
-    return changed_.has_value();
-  }
   /// Another thread wants a look: cancels the work.
   void interrupt() {
     const std::lock_guard lock(mutex_);
@@ -112,6 +108,7 @@ bool run_watch_loop(watch::LiveScene& scene, const WatchOptions& options, const 
                     const std::function<std::shared_ptr<Progress>()>& new_progress,
                     LookRequests& looks, const Progress& stop) {
   ChangeThread changes(options.polling, stop);
+  changes.watch(scene.files());
   looks.on_request([&] { changes.interrupt(); });
   const std::shared_ptr<void> closing(nullptr, [&](void*) { looks.close(); });
   bool sound = false;
@@ -165,8 +162,8 @@ bool run_watch_loop(watch::LiveScene& scene, const WatchOptions& options, const 
   constexpr milliseconds kLong{3600000};
   Clock::time_point begin = Clock::now();
   while (!stop.cancelled()) {
-    bool complete = render(begin);
-    if (options.once) return sound;
+    const bool complete = render(begin);
+    if (options.once && complete) return sound;
     while (!stop.cancelled()) {
       if (const auto changed = changes.take_change()) {
         begin = *changed;
