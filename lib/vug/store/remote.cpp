@@ -22,7 +22,8 @@ constexpr int kFound = 200, kRefused = 400;
 
 Remote::Remote(const std::string& url, std::function<void(const std::string&)> on_warning)
     : on_warning_(std::move(on_warning)) {
-  static const std::regex form(R"((https?://[^/?#@\s]+)(/[^?#\s]*)?)");
+  static const std::regex form(
+      R"((https?://(?:\[[0-9a-fA-F:]+\]|[^/?#@:\s]+)(?::\d{1,5})?)(/[^?#\s]*)?)");
   std::smatch parts;
   if (!std::regex_match(url, parts, form))
     throw Error(

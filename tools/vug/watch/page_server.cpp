@@ -48,8 +48,9 @@ std::optional<watch::View> view_of(const httplib::Request& request) {
     const std::string text = request.get_param_value(name);
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    valid = valid && !text.empty() && *end == '\0' && value >= low && value <= high;
-    return value;
+    const bool usable = !text.empty() && *end == '\0' && value >= low && value <= high;
+    valid = valid && usable;
+    return usable ? value : low;  // any one that fits into an int
   };
   const auto point = [&](const std::string& name) {
     const auto axis = [&](char letter) { return number((name + letter).c_str(), -1e7, 1e7); };

@@ -122,6 +122,10 @@ bool PreparedScene::Geometry::add(const Object& object, uint32_t number, const G
     traced.flat = object.flat;
   } else {
     const mesh::Mesh& mesh = *object.mesh;
+    if (mesh.triangles.empty()) {  // without an entry in `gradients_`, as nothing keeps the mesh
+      mesh::validate(mesh, fmt::format("object '{}'", object.name));
+      return false;
+    }
     auto& gradients = gradients_[&mesh];
     if (!gradients && before)  // a mesh that was valid
       if (const auto known = before->gradients_.find(&mesh); known != before->gradients_.end())
@@ -130,7 +134,6 @@ bool PreparedScene::Geometry::add(const Object& object, uint32_t number, const G
       mesh::validate(mesh, fmt::format("object '{}'", object.name));
       gradients = std::make_shared<const AttributeGradients>(mesh);
     }
-    if (mesh.triangles.empty()) return false;
     traced.mesh = object.mesh;
     if (!object.flat && !mesh.normals.empty()) traced.normals = mesh.normals.data();
     if (const auto* colour = mesh::find_attribute(mesh, mesh::kColour, 3))
