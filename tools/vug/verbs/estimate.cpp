@@ -161,7 +161,7 @@ Verb estimate_verb() {
             app.add_option("--frames", options->frames, "Frames of a sequence, A..B or A..BxSTEP")
                 ->excludes("--frame");
             app.add_option("--cores", options->budget.cores,
-                           "Cores of each machine; default those of this machine")
+                           "Cores of each machine; default: those of this machine")
                 ->check(integer_in(1, 1024));
             app.add_option("--machines", options->budget.machines, "Machines of the farm")
                 ->check(integer_in(1, 100000))
