@@ -9,7 +9,6 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
 #include <vug/base/pluralize.h>
-#include <vug/loading/dependencies.h>
 #include <vug/picture/picture_file.h>
 
 #include <cstdio>
@@ -46,6 +45,13 @@ std::string work_text(const watch::Work& work) {
                    {work.trees.built, "tree"}}),
       counts_text({{work.declarations_kept, "declaration"}, {work.trees.reused, "tree"}}),
       counts_text({{work.samples, "sample"}}));
+}
+
+/// The files that `write` may write.
+std::vector<std::filesystem::path> output_files(const Options& options) {
+  const std::filesystem::path output = options.render.output;
+  if (output.extension() != ".exr") return {output};
+  return {output, picture::png_path(output), picture::deep_path(output)};
 }
 
 /// Writes the complete picture, and its unfinished stages as a PNG.
@@ -91,18 +97,19 @@ int run_watch(Options options) {
       report_stage(render.work.bar_mode(), stage, fraction);
     });
   };
-  bool checked = false;  // the output against the input
+  bool checked = false;  // the outputs against the inputs, which ends the command
   WatchEvents events;
   events.problems = [&](const Diagnostics& problems, const std::string& report) {
     clear_progress_bar();
     if (page) page->show_problems(problems);
     fmt::print(stderr, "{}", report);
     if (!checked && scene.has_version()) {
-      require_outputs({render.output}, loading::file_dependencies(scene.loaded()));
+      require_outputs(output_files(options), scene.files());
       checked = true;
     }
   };
   events.picture = [&](const WatchedPicture& picture) {
+    require_outputs(output_files(options), scene.files());  // an edit may name other files
     write(options, picture);
     if (page)
       page->show_picture(read_text(picture::png_path(render.output)),
