@@ -73,18 +73,21 @@ bool Remote::get(const std::string& name, const fs::path& target) {
 
 void Remote::put(const std::string& name, const fs::path& source) {
   if (!reachable_ || !writable_) return;
+  std::error_code gone;  // Another process may have removed the file since.
+  const uintmax_t bytes = fs::file_size(source, gone);
+  if (gone) return;
   std::ifstream in(source, std::ios::binary);
   std::vector<char> part(1 << 16);
   const httplib::Result result = connect()->Put(
-      path_ + name, fs::file_size(source),
+      path_ + name, bytes,
       [&](size_t, size_t length, httplib::DataSink& sink) {
         in.read(part.data(), static_cast<std::streamsize>(std::min(length, part.size())));
         return in.gcount() > 0 && sink.write(part.data(), static_cast<size_t>(in.gcount()));
       },
       "application/octet-stream");
-  if (!result)
+  if (!result && result.error() != httplib::Error::Canceled)  // The file ended too early.
     fails(to_string(result.error()));
-  else if (result->status >= kRefused)
+  else if (result && result->status >= kRefused)
     writable_ = false;
 }
 
