@@ -48,7 +48,7 @@ std::string work_text(const watch::Work& work) {
 }
 
 /// The files that `write` may write.
-std::vector<std::filesystem::path> output_files(const Options& options) {
+std::vector<std::filesystem::path> watched_outputs(const Options& options) {
   const std::filesystem::path output = options.render.output;
   if (output.extension() != ".exr") return {output};
   return {output, picture::png_path(output), picture::deep_path(output)};
@@ -104,12 +104,12 @@ int run_watch(Options options) {
     if (page) page->show_problems(problems);
     fmt::print(stderr, "{}", report);
     if (!checked && scene.has_version()) {
-      require_outputs(output_files(options), scene.files());
+      require_outputs(watched_outputs(options), scene.files());
       checked = true;
     }
   };
   events.picture = [&](const WatchedPicture& picture) {
-    require_outputs(output_files(options), scene.files());  // an edit may name other files
+    require_outputs(watched_outputs(options), scene.files());  // an edit may name other files
     write(options, picture);
     if (page)
       page->show_picture(read_text(picture::png_path(render.output)),
