@@ -59,7 +59,18 @@ void FileWatcher::watch(const std::vector<std::filesystem::path>& files) {
   known_ = std::move(known), folders_ = std::move(folders);
 }
 
+bool FileWatcher::has_events_of_all() const {
+  return events_ >= 0 && std::none_of(folders_.begin(), folders_.end(),
+                                      [](const auto& each) { return each.second < 0; });
+}
+
+bool FileWatcher::is_due() const {
+  return has_event_ || Clock::now() - looked_ >= (has_events_of_all() ? kLook : kPoll);
+}
+
 bool FileWatcher::look() {
+  has_event_ = false;
+  looked_ = Clock::now();
   bool changed = false;
   for (auto& [file, stamp] : known_) {
     const Stamp now = stamp_of(file);
@@ -70,11 +81,10 @@ bool FileWatcher::look() {
 }
 
 void FileWatcher::wait_for_event(milliseconds time) {
-  const bool all = events_ >= 0 && std::none_of(folders_.begin(), folders_.end(),
-                                                [](const auto& each) { return each.second < 0; });
-  if (!all) return std::this_thread::sleep_for(std::min(time, kPoll));
+  if (!has_events_of_all()) return std::this_thread::sleep_for(std::min(time, kPoll));
   pollfd waiting{events_, POLLIN, 0};
   if (poll(&waiting, 1, static_cast<int>(std::min(time, kLook).count())) <= 0) return;
+  has_event_ = true;
   std::array<char, 4096> ignored{};
   while (read(events_, ignored.data(), ignored.size()) > 0) {
   }
@@ -82,7 +92,7 @@ void FileWatcher::wait_for_event(milliseconds time) {
 
 bool FileWatcher::wait(milliseconds time, milliseconds quiet) {
   const Clock::time_point end = Clock::now() + time;
-  while (!look()) {
+  while (!is_due() || !look()) {
     const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now());
     if (left.count() <= 0) return false;
     wait_for_event(left);

@@ -40,11 +40,17 @@ class FileWatcher {
     bool operator==(const Stamp&) const = default;
   };
   static Stamp stamp_of(const std::filesystem::path& file);
+  /// Whether the system reports the changes in all folders.
+  bool has_events_of_all() const;
+  /// Whether it is time to look: after an event, or a while after the last look.
+  bool is_due() const;
   /// Whether a file differs from its known state, which becomes the current one.
   bool look();
   void wait_for_event(std::chrono::milliseconds time);
 
   int events_ = -1;                               ///< The descriptor of inotify; -1: none.
+  bool has_event_ = false;                        ///< Since the last look.
+  std::chrono::steady_clock::time_point looked_;  ///< The time of the last look.
   std::map<std::filesystem::path, int> folders_;  ///< With the number of their watch.
   std::map<std::filesystem::path, Stamp> known_;
 };
