@@ -20,6 +20,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr size_t kThreads = 32;
+
 /// 128 random bits.
 std::string random_token() {
   std::random_device random;
@@ -126,6 +128,8 @@ PageServer::PageServer(int port, std::string title, Look look)
   State& state = *state_;
   httplib::Server& server = state.server;
   const char* const address = "127.0.0.1";
+  // The events of each open page occupy a thread.
+  server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
   server.set_socket_options([](socket_t socket) {  // the port is not shared with other processes
     const int yes = 1;
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
