@@ -35,6 +35,11 @@ std::optional<Digest> digest_of_file(const fs::path& file) {
   return in.bad() ? std::nullopt : std::optional(hasher.finish());
 }
 
+bool is_intact(const fs::path& file, const std::string& hex) {
+  const auto content = digest_of_file(file);
+  return content && content->hex() == hex;
+}
+
 std::optional<std::string> read_sealed(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;

@@ -24,6 +24,9 @@ std::filesystem::path file_of(const std::filesystem::path& folder, const char* f
 /// The digest of a file's content; nothing if it cannot be read.
 std::optional<Digest> digest_of_file(const std::filesystem::path& file);
 
+/// Whether a file's content has the digest; false for a file that cannot be read.
+bool is_intact(const std::filesystem::path& file, const std::string& hex);
+
 /// The content of a small file whose last line is a digest of the rest; nothing if it is absent or
 /// damaged.
 std::optional<std::string> read_sealed(const std::filesystem::path& file);

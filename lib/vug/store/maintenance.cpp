@@ -111,10 +111,8 @@ VerifyReport verify(const fs::path& folder) {
     if (!intact) discard(file.path);
     ++(intact ? out.intact : out.damaged);
   };
-  for (const File& file : files_below(folder / kObjects)) {
-    const auto content = digest_of_file(file.path);
-    count(file, content && content->hex() == file.path.stem());
-  }
+  for (const File& file : files_below(folder / kObjects))
+    count(file, is_intact(file.path, file.path.stem()));
   for (const File& file : files_below(folder / kActions)) count(file, action_in(file).has_value());
   for (const File& file : files_below(folder / kNames))
     count(file, read_sealed(file.path).has_value());

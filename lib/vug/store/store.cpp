@@ -77,7 +77,7 @@ bool Store::contains(const Key& key) const {
 
 std::optional<Entry> Store::find(const Key& key) {
   std::optional<Entry> out = find_here(key);
-  return out || !fetch(key) ? out : find_here(key);
+  return out ? out : fetch(key);
 }
 
 std::optional<Entry> Store::find_here(const Key& key) {
@@ -87,8 +87,7 @@ std::optional<Entry> Store::find_here(const Key& key) {
   const auto action = action_of(folder(), key.digest().hex());
   if (!action) return discard(file), std::nullopt;
   const fs::path object = file_of(folder(), kObjects, action->object);
-  const auto content = digest_of_file(object);
-  if (!content || content->hex() != object.stem()) {
+  if (!is_intact(object, object.stem())) {
     discard(object), discard(file);
     return std::nullopt;
   }
@@ -97,8 +96,8 @@ std::optional<Entry> Store::find_here(const Key& key) {
 }
 
 /// Copies a product from the server.
-bool Store::fetch(const Key& key) {
-  if (!remote_ || !writable_) return false;
+std::optional<Entry> Store::fetch(const Key& key) {
+  if (!remote_ || !writable_) return std::nullopt;
   const std::string hex = key.digest().hex();
   const fs::path action_file = temporary_file(folder(), "");
   const auto fetched_action = [&]() -> std::optional<Action> {
@@ -107,23 +106,23 @@ bool Store::fetch(const Key& key) {
     const auto action = text ? parse_action(*text) : std::nullopt;
     return action && action->key == hex && is_object_name(action->object) ? action : std::nullopt;
   };
-  const auto fetched_object = [&](const std::string& object) {
-    const fs::path target = file_of(folder(), kObjects, object);
-    std::error_code ignored;
-    if (fs::exists(target, ignored)) return true;
+  const auto fetch_object = [&](const std::string& name, const fs::path& target) {
+    if (is_intact(target, target.stem())) return touch(target), true;
     const fs::path temporary = temporary_file(folder(), target.extension());
-    const bool found = remote_->get(name_of(kObjects, object), temporary);
-    const auto content = found ? digest_of_file(temporary) : std::nullopt;
-    if (!content || content->hex() != target.stem()) return discard(temporary), false;
+    const bool found = remote_->get(name_of(kObjects, name), temporary);
+    if (!found || !is_intact(temporary, target.stem())) return discard(temporary), false;
     if (!move_into_place(temporary, target).empty()) return false;
-    trim_shard(folder(), object, max_bytes());
+    trim_shard(folder(), name, max_bytes());
     return true;
   };
-  const auto action = fetched_action();
-  if (action && fetched_object(action->object))
-    return move_into_place(action_file, file_of(folder(), kActions, hex)).empty();
+  if (const auto action = fetched_action()) {
+    const fs::path object = file_of(folder(), kObjects, action->object);
+    if (fetch_object(action->object, object) &&
+        move_into_place(action_file, file_of(folder(), kActions, hex)).empty())
+      return Entry{object, action->seconds};
+  }
   discard(action_file);
-  return false;
+  return std::nullopt;
 }
 
 /// Copies a product to the server; the object first, so that no action lacks it.

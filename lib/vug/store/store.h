@@ -78,7 +78,7 @@ class Store {
  private:
   void warn(const std::string& why);
   std::optional<Entry> find_here(const Key& key);
-  bool fetch(const Key& key);
+  std::optional<Entry> fetch(const Key& key);
   void send(const std::string& key, const std::string& object);
 
   StoreOptions options_;

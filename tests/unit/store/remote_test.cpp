@@ -126,16 +126,22 @@ TEST_F(RemoteStore, StaysInItsFolder) {
   keep(first);
   const fs::path outside = scratch.path() / "outside.txt";
   write_text(outside, "mine");
-  // An action with a correct seal whose object leads elsewhere.
-  for (auto& [name, content] : server.files) {
-    if (name.find("/actions/") == std::string::npos) continue;
-    std::string text = content.substr(0, content.size() - 33);
-    text.replace(text.find(".txt") - 32, 36, "../outside.txt");
-    content = text + vug::digest(text).hex() + "\n";
+  const std::string intact = vug::digest("rock").hex() + ".txt";
+  server.files["/cave/objects/../../" + intact] = "rock";
+  // Actions with a correct seal whose object leads elsewhere: to a file, and to a new one.
+  for (const std::string& object : {std::string("../outside.txt"), "../" + intact}) {
+    for (auto& [name, content] : server.files) {
+      if (name.find("/actions/") == std::string::npos) continue;
+      std::string text = content.substr(0, content.size() - 33);
+      const size_t begin = text.find(" text ") + 6;
+      text.replace(begin, text.find(' ', begin) - begin, object);
+      content = text + vug::digest(text).hex() + "\n";
+    }
+    Store second = store("b");
+    EXPECT_EQ(text_in(second), "absent") << object;
   }
-  Store second = store("b");
-  EXPECT_EQ(text_in(second), "absent");
   EXPECT_TRUE(fs::exists(outside)) << "files whose digest is wrong are removed";
+  EXPECT_FALSE(fs::exists(scratch.path() / intact));
 }
 
 TEST_F(RemoteStore, OnlyReadsAServerThatRefusesFiles) {
