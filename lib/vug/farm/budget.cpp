@@ -8,11 +8,11 @@
 namespace vug::farm {
 namespace {
 
-// Of a .vdb file with Blosc compression, measured for level sets of caves (docs/performance.md).
+// Of a .vdb file with Blosc compression; 4.1 were measured for karst/maze at 10 cm.
 constexpr double kBytesPerVoxel = 4.25;
-// One vertex (position, normal) for two triangles of three indices.
+// Of a .ply file: half a vertex (position, normal), and three indices.
 constexpr double kBytesPerTriangle = 24;
-// Half a film pixel with AOVs as float channels, after ZIP compression.
+// Of an .exr file with the usual AOVs; 27 to 41 were measured for the karst scenes.
 constexpr double kBytesPerPixel = 35;
 constexpr double kHour = 3600, kGigabyte = 1e9;
 

@@ -16,8 +16,7 @@ namespace vug::loading {
 /// A value is taken from LoadOptions::static_cache if its text has the same digest and all
 /// declarations that it uses are taken as well, so that plans that refer to each other stay the
 /// identical objects. Declarations with a warning, and those that read others which they do not
-/// mention, are taken only if the whole text and the files
-/// that it names are the same.
+/// mention, are taken only if the whole text and the files that it names are the same.
 class DeclarationCache {
  public:
   explicit DeclarationCache(ReadContext& context);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/cell.h>
 #include <vug/base/parallel.h>
 #include <vug/base/parallel_sort.h>
 #include <vug/meshing/blocks.h>
 
-#include <array>
 #include <cmath>
 #include <utility>
 
 namespace vug::meshing {
 namespace {
 
-using Key = std::pair<std::array<int64_t, 3>, uint32_t>;
+using Key = std::pair<Cell, uint32_t>;
 
 }  // namespace
 
@@ -20,10 +20,7 @@ void for_each_block(const field::Field& field, const std::vector<Vec3d>& points,
   parallel_for(
       points.size(),
       [&](size_t i) {
-        for (int axis = 0; axis < 3; ++axis)
-          keys[i].first[static_cast<size_t>(axis)] =
-              static_cast<int64_t>(std::floor(points[i][axis] / options.edge));
-        keys[i].second = static_cast<uint32_t>(i);
+        keys[i] = {cell_at(points[i], options.edge), static_cast<uint32_t>(i)};
       },
       4096);
   parallel_sort(keys.begin(), keys.end());

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/cell.h>
 #include <vug/base/parallel.h>
 #include <vug/base/parallel_sort.h>
 #include <vug/meshing/faces.h>
 
 #include <algorithm>
-#include <cmath>
 #include <compare>
 
 namespace vug::meshing {
@@ -12,7 +12,7 @@ namespace {
 
 /// A point in canonical order. The positions order the points of one cell.
 struct OrderedPoint {
-  std::array<int64_t, 3> cell{};
+  Cell cell{};
   std::array<float, 3> position{};
   uint32_t index = 0;
   auto operator<=>(const OrderedPoint&) const = default;
@@ -23,13 +23,8 @@ std::vector<OrderedPoint> ordered(const std::vector<Vec3f>& points, double voxel
   parallel_for(
       points.size(),
       [&](size_t i) {
-        for (int axis = 0; axis < 3; ++axis) {
-          const auto at = static_cast<size_t>(axis);
-          out[i].position[at] = points[i][axis];
-          out[i].cell[at] =
-              static_cast<int64_t>(std::floor(static_cast<double>(points[i][axis]) / voxel));
-        }
-        out[i].index = static_cast<uint32_t>(i);
+        const Vec3f& p = points[i];
+        out[i] = {cell_at(Vec3d(p), voxel), {p.x, p.y, p.z}, static_cast<uint32_t>(i)};
       },
       4096);
   parallel_sort(out.begin(), out.end());

@@ -7,23 +7,12 @@
 namespace vug::render {
 namespace {
 
-bool same_instance(const InstanceTransformPtr& a, const InstanceTransformPtr& b) {
-  if (a == b) return true;
-  const auto same = [](const Affine& one, const Affine& other) {
-    return one.x == other.x && one.y == other.y && one.z == other.z && one.origin == other.origin;
-  };
-  return a && b &&
-         std::equal(a->keyframes().begin(), a->keyframes().end(), b->keyframes().begin(),
-                    b->keyframes().end(), same);
-}
-
 bool same_object(const Object& a, const Object& b) {
   return a.name == b.name && a.mesh == b.mesh && a.material == b.material && a.flat == b.flat &&
          a.emission == b.emission && a.light_group == b.light_group &&
          a.material_name == b.material_name && a.solid == b.solid &&
-         same_instance(a.instance, b.instance) &&
-         a.world_space_material == b.world_space_material && a.surface == b.surface &&
-         a.color == b.color && a.elements == b.elements;
+         are_equal(a.instance, b.instance) && a.world_space_material == b.world_space_material &&
+         a.surface == b.surface && a.color == b.color && a.elements == b.elements;
 }
 
 /// Whether only the cameras may differ.

@@ -17,7 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-/// The time between two looks at all files without an event, and if there are no events at all.
+/// Files are looked at after this time if no event is reported, and if the system reports none.
 constexpr milliseconds kLook{1000}, kPoll{100};
 
 }  // namespace

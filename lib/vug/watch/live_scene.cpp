@@ -77,8 +77,6 @@ bool LiveScene::load(std::shared_ptr<Progress> progress) {
 
 const loading::Loaded& LiveScene::loaded() const { return version_->loaded; }
 
-building::Builder& LiveScene::builder() { return version_->builder; }
-
 std::vector<picture::RenderResult> LiveScene::render(const PictureStages& stages) {
   picture::RenderOptions options;
   options.session = &session_;

@@ -83,7 +83,6 @@ class LiveScene {
   std::string camera_name() const;
   bool has_version() const { return version_ != nullptr; }
   const loading::Loaded& loaded() const;
-  building::Builder& builder();
   /// The work since the last call of `load` that returned true.
   Work work() const;
 

@@ -28,9 +28,7 @@ struct Options {
 std::string counts_text(const std::vector<std::pair<size_t, const char*>>& counts) {
   std::string text;
   for (const auto& [count, what] : counts)
-    if (count > 0)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count,
-                          count == 1 ? what : plural_of(what));
+    if (count > 0) text += (text.empty() ? "" : ", ") + pluralize(count, what);
   return text.empty() ? "nothing" : text;
 }
 

@@ -33,15 +33,8 @@ Box3f box_of(const volume::SurfaceBricks& surface) {
 }
 
 bool PreparedScene::Geometry::Embree::Item::operator==(const Item& other) const {
-  const auto same = [](const Affine& a, const Affine& b) {
-    return a.x == b.x && a.y == b.y && a.z == b.z && a.origin == b.origin;
-  };
-  if (mesh != other.mesh || surface != other.surface || filtered != other.filtered ||
-      id != other.id || !instance != !other.instance)
-    return false;
-  if (instance == other.instance) return true;
-  const std::vector<Affine>&from = instance->keyframes(), &to = other.instance->keyframes();
-  return std::equal(from.begin(), from.end(), to.begin(), to.end(), same);
+  return mesh == other.mesh && surface == other.surface && filtered == other.filtered &&
+         id == other.id && are_equal(instance, other.instance);
 }
 
 PreparedScene::Geometry::Embree::Embree(std::vector<Item> items, const Embree* before,

@@ -15,6 +15,8 @@ struct Affine {
   Vec3f x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};  ///< Images of the axes.
   Vec3f origin{0, 0, 0};
 
+  bool operator==(const Affine&) const = default;
+
   Affine() = default;
   explicit Affine(const Transform& t)
       : x(t.column(0)), y(t.column(1)), z(t.column(2)), origin(t.origin()) {}
@@ -73,5 +75,10 @@ class InstanceTransform {
   float mean_scale_ = 1, error_scale_ = 1, origin_extent_ = 0;
 };
 using InstanceTransformPtr = std::shared_ptr<const InstanceTransform>;
+
+/// Whether both are null, or move a mesh to the same places.
+inline bool are_equal(const InstanceTransformPtr& a, const InstanceTransformPtr& b) {
+  return a == b || (a && b && a->keyframes() == b->keyframes());
+}
 
 }  // namespace vug::render
