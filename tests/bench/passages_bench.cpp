@@ -2,8 +2,9 @@
 // Legs of passages as a level set, compared with a thousand spheres (union_bench.cpp) by the
 // processor time for each active voxel. Each row is a process of its own: its first round pays for
 // new pages of memory, the fastest of the following ones reuses them. --voxel METRES sets the
-// voxels of the passages (0.5: ten thousand legs; fewer legs at smaller voxels, so that the number
-// of active voxels is that of the spheres), --rounds N the number of rounds after the first (3).
+// voxels of the passages (0.5), --legs N their number (at 0.5 m ten thousand; at smaller voxels so
+// many that the number of active voxels is that of the spheres), --rounds N the number of rounds
+// after the first (3).
 #include "arguments.h"
 
 #include <vug/base/rng.h>
@@ -108,6 +109,7 @@ bool measure_alone(const MakeField& make, double voxel, int rounds, Times& out) 
 
 struct Options {
   double voxel = 0.5;
+  int legs = 0;  // 0: as many as have the active voxels of the spheres.
   int rounds = 3;
 };
 
@@ -118,6 +120,7 @@ bool parse(int argc, char** argv, Options& options) {
     const bool good =
         i + 1 < argc &&
         (name == "--voxel"    ? bench::read_number(argv[i + 1], 0.05, 1.0, options.voxel)
+         : name == "--legs"   ? bench::read_number(argv[i + 1], 1, 1000000, options.legs)
          : name == "--rounds" ? bench::read_number(argv[i + 1], 1, 1000, options.rounds)
                               : false);
     if (!good) return false;
@@ -131,10 +134,13 @@ int main(int argc, char** argv) {
   Options options;
   if (!parse(argc, argv, options)) {
     fmt::print(stderr,
-               "usage: bench_passages [--voxel METRES (0.05 to 1)] [--rounds N (1 to 1000)]\n");
+               "usage: bench_passages [--voxel METRES (0.05 to 1)] [--legs N (1 to 1000000)] "
+               "[--rounds N (1 to 1000)]\n");
     return 2;
   }
-  const int legs = static_cast<int>(std::lround(40000 * options.voxel * options.voxel));
+  const int legs = options.legs > 0
+                       ? options.legs
+                       : static_cast<int>(std::lround(40000 * options.voxel * options.voxel));
   const auto passages_of = [&](bool smooth) {
     passages::PassageOptions tubes;
     tubes.rules = {};

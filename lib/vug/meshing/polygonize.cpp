@@ -84,6 +84,7 @@ PolygonizeResult polygonize(const volume::LevelSet& level_set, const field::Fiel
         result.mesh.normals[v] = Vec3f(found[v].normal);
   }
   result.mesh = mesh::without_unused_vertices(result.mesh);
+  if (options.keys) result.keys = lattice_keys(raw, voxel);
   progress.end();
   return result;
 }

@@ -9,7 +9,10 @@
 #include <vug/base/progress.h>
 #include <vug/field/field.h>
 #include <vug/mesh/mesh.h>
+#include <vug/meshing/lattice_keys.h>
 #include <vug/volume/level_set.h>
+
+#include <optional>
 
 namespace vug::meshing {
 
@@ -21,6 +24,7 @@ struct PolygonizeOptions {
                              ///< it is on a crease.
   double max_move = 1;  ///< Maximum displacement of a vertex in voxels; creases add up to 0.25.
   bool normals = true;  ///< Exact gradients; on creases the mean normal of the adjacent triangles.
+  bool keys = false;    ///< Return the places of vertices and triangles in the canonical order.
 };
 
 /// Quality of the polished mesh. Lengths are in voxels.
@@ -35,6 +39,7 @@ struct PolishReport {
 struct PolygonizeResult {
   mesh::Mesh mesh;
   PolishReport report;
+  std::optional<LatticeKeys> keys;
 };
 
 /// `exact` is the field that the level set samples, on the lattice through the origin. Without it

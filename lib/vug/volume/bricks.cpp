@@ -2,6 +2,7 @@
 #include <vug/base/error.h>
 #include <vug/base/parallel.h>
 #include <vug/volume/bricks.h>
+#include <vug/volume/crop.h>
 #include <vug/volume/openvdb_values.h>
 
 #include <openvdb/tools/Composite.h>
@@ -98,6 +99,12 @@ LevelSet joined(const std::vector<LevelSet>& tiles) {
     openvdb::tools::csgUnion(*grid, *part, false);
   }
   openvdb::tools::prune(grid->tree());
+  return LevelSet(wrap(grid));
+}
+
+LevelSet cropped(const LevelSet& level_set, const LatticeBox& box) {
+  const auto grid = floats(level_set).deepCopy();
+  crop(*grid, box);
   return LevelSet(wrap(grid));
 }
 

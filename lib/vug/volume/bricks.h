@@ -4,6 +4,7 @@
 #pragma once
 
 #include <vug/volume/level_set.h>
+#include <vug/volume/voxelize.h>
 
 #include <array>
 #include <map>
@@ -24,5 +25,8 @@ std::map<BrickOrigin, Digest> brick_digests(const LevelSet& level_set);
 /// The level set that consists of tiles of one lattice, which have no voxel in common. Throws
 /// Error(bad_input) if there are none, or if their voxels or bands differ.
 LevelSet joined(const std::vector<LevelSet>& tiles);
+
+/// The part in a box of whole blocks; voxels outside of it are outside of the solid.
+LevelSet cropped(const LevelSet& level_set, const LatticeBox& box);
 
 }  // namespace vug::volume

@@ -9,10 +9,12 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/parallel.h>
 #include <vug/building/cells_checkpoint.h>
+#include <vug/delivery/tiles.h>
 #include <vug/delivery/write_products.h>
 #include <vug/loading/dependencies.h>
 #include <vug/picture/frame_sequence.h>
 
+#include <charconv>
 #include <cstdio>
 #include <memory>
 
@@ -26,8 +28,40 @@ struct BuildOptions {
   std::string frames;
   std::string checkpoint;
   bool explain = false;
+  bool in_tiles = false;
+  int tile_edge = 0;  // In voxels.
+  std::vector<std::string> only;
   building::CheckpointOptions keep;
 };
+
+Vec3i parse_tile(const std::string& text) {
+  Vec3i out;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [stop, error] = std::from_chars(at, end, out[axis]);
+    const bool last = axis == 2;
+    if (error != std::errc() || (last ? stop != end : stop == end || *stop != ','))
+      throw Error(ErrorCode::bad_input, fmt::format("'{}' does not name a tile", text), {},
+                  "give its three numbers as in index.json: --tile 0,-1,2");
+    at = stop + (last ? 0 : 1);
+  }
+  return out;
+}
+
+void build_tiles(const BuildOptions& options, building::Builder& builder,
+                 const loading::Loaded& loaded, int edge) {
+  delivery::TileOptions tiles{edge, {}};
+  for (const std::string& text : options.only) tiles.only.push_back(parse_tile(text));
+  if (loaded.shot.volumes.empty())
+    throw Error(ErrorCode::bad_input,
+                fmt::format("'{}' declares no volume to divide into tiles", options.scene.scene),
+                {}, "add, for instance: volume rock = level_set(..., voxel: 5cm)");
+  require_outputs({delivery::tile_folder(loaded.shot, options.folder) / "index.json"},
+                  loading::file_dependencies(loaded));
+  for (const auto& path : delivery::write_tiles(builder, options.folder, tiles))
+    fmt::print("{}\n", path.string());
+}
 
 /// Writes the products of the loaded scene. `frame` is empty unless a sequence is built.
 void build_one(const BuildOptions& options, building::Builder& builder,
@@ -42,6 +76,21 @@ void build_one(const BuildOptions& options, building::Builder& builder,
   require_outputs(outputs, loading::file_dependencies(loaded));
   for (const auto& path : delivery::write_products(builder, options.folder, frame))
     fmt::print("{}\n", path.string());
+}
+
+/// Scenes that do not fit into the memory are built in tiles if that is possible.
+void build_whole_or_tiles(const BuildOptions& options, building::Builder& builder,
+                          const loading::Loaded& loaded) {
+  if (options.in_tiles) return build_tiles(options, builder, loaded, options.tile_edge);
+  try {
+    build_one(options, builder, loaded, "");
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::too_large || !delivery::obstacle_to_tiles(loaded.shot).empty())
+      throw;
+    clear_progress_bar();
+    fmt::print(stderr, "{}\nThe scene is built in tiles instead, as with --tiles.\n", error.what());
+    build_tiles(options, builder, loaded, delivery::TileOptions().edge);
+  }
 }
 
 int build_frames(const BuildOptions& options, Progress& progress) {
@@ -86,7 +135,7 @@ int run_build(BuildOptions options) {
   if (!options.checkpoint.empty())
     build.checkpoint = std::make_shared<building::CellsCheckpoint>(options.keep, loaded.shot);
   building::Builder builder(loaded.shot, build, progress);
-  build_one(options, builder, loaded, "");
+  build_whole_or_tiles(options, builder, loaded);
   std::fflush(stdout);
   if (build.checkpoint) build.checkpoint->remove();
   options.work.summarise(builder);
@@ -116,8 +165,20 @@ Verb build_verb() {
         app.add_flag("--explain", options->explain,
                      "Report for each level set and mesh whether it was built or reused, and why")
             ->excludes("--frames");
+        auto* tiles = app.add_flag("--tiles{1024}", options->tile_edge,
+                                   "Build in tiles of that many voxels, one after the other, which "
+                                   "needs the memory of one tile; automatic if the memory does not "
+                                   "suffice for the whole. Writes a folder NAME.tiles")
+                          ->excludes("--frames")
+                          ->excludes(checkpoint);
+        app.add_option("--tile", options->only,
+                       "Only the tile with these numbers, I,J,K; may be repeated")
+            ->needs(tiles)
+            ->expected(1)
+            ->take_all();
         options->work.add_to(app);
-        return [options] {
+        return [options, tiles] {
+          options->in_tiles = tiles->count() > 0;
           return with_threads(options->work.threads, [&] { return run_build(*options); });
         };
       }};

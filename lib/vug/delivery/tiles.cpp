@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/base/atomic_file.h>
+#include <vug/base/error.h>
+#include <vug/building/memory_estimate.h>
+#include <vug/building/rock_weights.h>
+#include <vug/building/tile_surface.h>
+#include <vug/delivery/tiles.h>
+#include <vug/delivery/write_products.h>
+#include <vug/field/deferred.h>
+#include <vug/mesh/format.h>
+#include <vug/meshing/tile_pieces.h>
+#include <vug/shot/queries.h>
+#include <vug/volume/bricks.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vug::delivery {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Path = std::filesystem::path;
+using volume::LatticeBox;
+
+LatticeBox lattice_box(const Vec3i& tile, int edge) {
+  return {tile * edge, tile * edge + Vec3i(edge - 1)};
+}
+
+LatticeBox with_mesh_apron(const LatticeBox& box) {
+  static_assert(meshing::kMeshApron % 8 == 0);
+  return {box.min - Vec3i(meshing::kMeshApron), box.max + Vec3i(meshing::kMeshApron)};
+}
+
+std::string tile_name(const std::string& product, const Vec3i& tile) {
+  return fmt::format("{}_{}_{}_{}", product, tile.x, tile.y, tile.z);
+}
+
+Json numbers(const Vec3i& v) { return Json::array({v.x, v.y, v.z}); }
+Json numbers(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
+
+/// A mesh whose tiles are being written.
+struct TiledMesh {
+  const shot::MeshPlan& plan;
+  meshing::TilePieces pieces = {};
+  std::vector<Path> files = {};
+  Json tiles = Json::array();
+};
+
+/// Writes the tiles of one volume and of the meshes on it.
+class VolumeTiles {
+ public:
+  VolumeTiles(building::Builder& builder, const shot::VolumePlan& plan, Path folder,
+              const TileOptions& options)
+      : builder_(builder),
+        plan_(plan),
+        folder_(std::move(folder)),
+        options_(options),
+        voxelize_(building::voxelize_options(plan, builder.memory_budget())) {
+    for (const shot::MeshPtr& mesh : shot::declared_meshes(builder.shot())) {
+      if (mesh->volume.get() != &plan) continue;
+      meshes_.push_back({*mesh});
+      warn_of_differences(*mesh);
+    }
+  }
+
+  /// Returns the parts of the index: the volume, and its meshes.
+  std::pair<Json, Json> run() {
+    field::compute_deferred(plan_.field, builder_.progress(), builder_.memory_budget());
+    field_ = volume::field_in_region(plan_.field, voxelize_);
+    if (!field_.bounds().isEmpty()) {
+      const auto [low, high] = extent();
+      visit(field_, low, high);
+    }
+    Json volume = {{"name", plan_.name},
+                   {"voxel", plan_.voxel},
+                   {"half_width", plan_.half_width},
+                   {"tiles", std::move(tiles_)},
+                   {"inside", std::move(inside_)}};
+    Json meshes = Json::array();
+    for (TiledMesh& mesh : meshes_) meshes.push_back(finish(mesh));
+    return {std::move(volume), std::move(meshes)};
+  }
+
+  const std::vector<Path>& written() const { return written_; }
+
+ private:
+  /// What the tiles of a mesh lack that depends on more than their surroundings.
+  void warn_of_differences(const shot::MeshPlan& mesh) const {
+    if (mesh.adaptivity > 0)
+      builder_.warn(plan_.where,
+                    fmt::format("the tiles of the mesh '{}' keep all polygons", mesh.name),
+                    "its 'adaptivity' merges flat regions only if the mesh is built as a whole");
+    if (mesh.paint)
+      builder_.warn(plan_.where,
+                    fmt::format("the tiles of the mesh '{}' have no colours", mesh.name),
+                    "its 'paint' is evaluated by the renderer, or if the mesh is built as a whole");
+  }
+
+  /// The first and the last tile along each axis that the band can reach.
+  std::pair<Vec3i, Vec3i> extent() const {
+    const double size = options_.edge * plan_.voxel, band = (plan_.half_width + 1) * plan_.voxel;
+    Vec3i low, high;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double first = std::floor((field_.bounds().min[axis] - band) / size),
+                   last = std::floor((field_.bounds().max[axis] + band) / size);
+      constexpr double kMost = 2e9;
+      if (!(std::max(std::fabs(first), std::fabs(last)) * options_.edge < kMost))
+        throw Error(
+            ErrorCode::bad_input,
+            fmt::format("the volume '{}' extends beyond 2^31 voxels from the origin", plan_.name),
+            plan_.where, "use a larger voxel or move the solid to the origin");
+      low[axis] = static_cast<int>(first);
+      high[axis] = static_cast<int>(last);
+    }
+    return {low, high};
+  }
+
+  bool is_wanted(const Vec3i& low, const Vec3i& high) const {
+    const auto within = [&](const Vec3i& tile) {
+      for (int axis = 0; axis < 3; ++axis)
+        if (tile[axis] < low[axis] || tile[axis] > high[axis]) return false;
+      return true;
+    };
+    return options_.only.empty() || std::any_of(options_.only.begin(), options_.only.end(), within);
+  }
+
+  /// Visits the tiles from `low` to `high` in halves, so that empty space costs little.
+  void visit(const field::Field& outer, const Vec3i& low, const Vec3i& high) {
+    builder_.progress().check();
+    if (!is_wanted(low, high)) return;
+    const double size = options_.edge * plan_.voxel;
+    const Vec3d from = Vec3d(low) * size, to = Vec3d(high + Vec3i(1)) * size;
+    const double limit = (plan_.half_width + 2) * plan_.voxel * std::max(1.0, field_.lipschitz());
+    const auto part = outer.restricted_near({(from + to) * 0.5, (to - from).length() * 0.5}, limit);
+    if (part.range.lo > limit) return;
+    if (part.range.hi < -limit) return add_inside(low, high);
+    if (low == high) return write(low);
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+      if (high[i] - low[i] > high[axis] - low[axis]) axis = i;
+    Vec3i middle = high, next = low;
+    middle[axis] = low[axis] + (high[axis] - low[axis]) / 2;
+    next[axis] = middle[axis] + 1;
+    visit(part.field, low, middle);
+    visit(part.field, next, high);
+  }
+
+  void add_inside(const Vec3i& low, const Vec3i& high) {
+    inside_.push_back({{"from", numbers(low)}, {"to", numbers(high)}});
+  }
+
+  void write(const Vec3i& tile) {
+    const LatticeBox box = lattice_box(tile, options_.edge);
+    const Progress::Product product(builder_.progress(), tile_name(plan_.name, tile));
+    volume::VoxelizeOptions options = voxelize_;
+    options.tile = meshes_.empty() ? box : with_mesh_apron(box);
+    const volume::LevelSet around = volume::voxelize(plan_.field, options, builder_.progress());
+    const volume::LevelSet own = meshes_.empty() ? around : volume::cropped(around, box);
+    const volume::Statistics statistics = own.statistics();
+    if (statistics.active_voxels == 0) {
+      if (own.holds_solid()) add_inside(tile, tile);
+    } else {
+      const Path file = folder_ / (tile_name(plan_.name, tile) + ".vdb");
+      write_volume(file, tile, own);
+      tiles_.push_back({{"tile", numbers(tile)},
+                        {"file", file.filename().string()},
+                        {"active_voxels", statistics.active_voxels},
+                        {"content", own.content().hex()}});
+    }
+    for (TiledMesh& mesh : meshes_) write_mesh(mesh, tile, box, around);
+  }
+
+  void write_volume(const Path& file, const Vec3i& tile, const volume::LevelSet& own) {
+    const volume::Metadata notes = {{"vug:tile", fmt::format("{},{},{}", tile.x, tile.y, tile.z)},
+                                    {"vug:tile_edge", static_cast<int64_t>(options_.edge)}};
+    std::vector<volume::Grid> grids = {volume_grid(plan_, own).with(notes)};
+    if (!plan_.fog)
+      for (volume::Grid& grid : building::rock_grids(plan_, own, "", builder_.memory_budget()))
+        grids.push_back(grid.with(notes));
+    volume::write(file, grids, write_options(builder_.shot()));
+    written_.push_back(file);
+  }
+
+  void write_mesh(TiledMesh& mesh, const Vec3i& tile, const LatticeBox& box,
+                  const volume::LevelSet& around) {
+    shot::MeshPlan plan = mesh.plan;
+    plan.polish = plan.polish && !builder_.shot().draft;
+    meshing::TileMesh made =
+        building::make_tile_mesh(plan, around, field_, box, builder_.progress());
+    if (made.mesh.triangles.empty()) return;
+    if (plan.smallest_piece > 0) mesh.pieces.add(made, box);
+    meshing::add_key_attribute(made, box);
+    const Path file = folder_ / fmt::format("{}.{}", tile_name(plan.name, tile), plan.format);
+    mesh::write_mesh(made.mesh, file, mesh_comments(builder_.shot()));
+    written_.push_back(file);
+    mesh.files.push_back(file);
+    mesh.tiles.push_back(described(made.mesh, tile, file));
+  }
+
+  static Json described(const mesh::Mesh& mesh, const Json& tile, const Path& file) {
+    const Box3d bounds = mesh::bounds(mesh);
+    return {{"tile", tile},
+            {"file", file.filename().string()},
+            {"vertices", mesh.positions.size()},
+            {"triangles", mesh.triangles.size()},
+            {"bounds", {{"min", numbers(bounds.min)}, {"max", numbers(bounds.max)}}}};
+  }
+  static Json described(const mesh::Mesh& mesh, const Vec3i& tile, const Path& file) {
+    return described(mesh, numbers(tile), file);
+  }
+
+  /// Removes small pieces from the files of the mesh, and returns its part of the index.
+  Json finish(TiledMesh& mesh) {
+    size_t removed = 0;
+    if (mesh.plan.smallest_piece > 0 && options_.only.empty()) {
+      const meshing::TilePieces::Large large = mesh.pieces.large(mesh.plan.smallest_piece);
+      removed = large.removed;
+      for (size_t i = 0; i < mesh.files.size(); ++i) {
+        const std::vector<char>& remains = large.remains[i];
+        if (std::find(remains.begin(), remains.end(), 0) == remains.end()) continue;
+        const mesh::Mesh kept = meshing::remaining(mesh::read_mesh(mesh.files[i]), remains);
+        mesh::write_mesh(kept, mesh.files[i], mesh_comments(builder_.shot()));
+        mesh.tiles[i] = described(kept, Json(mesh.tiles[i]["tile"]), mesh.files[i]);
+      }
+    }
+    return {{"name", mesh.plan.name},
+            {"volume", plan_.name},
+            {"pieces_removed", removed},
+            {"tiles", std::move(mesh.tiles)}};
+  }
+
+  building::Builder& builder_;
+  const shot::VolumePlan& plan_;
+  Path folder_;
+  const TileOptions& options_;
+  volume::VoxelizeOptions voxelize_;
+  field::Field field_;  ///< With the faces of the region.
+  std::vector<TiledMesh> meshes_;
+  Json tiles_ = Json::array(), inside_ = Json::array();
+  std::vector<Path> written_;
+};
+
+/// Writes the meshes that are not the surface of a volume, such as stems and models, as a whole.
+void write_whole_meshes(building::Builder& builder, const Path& folder, Json& meshes,
+                        std::vector<Path>& written) {
+  for (const shot::MeshPtr& plan : shot::declared_meshes(builder.shot())) {
+    if (plan->volume) continue;
+    const Path file = folder / fmt::format("{}.{}", plan->name, plan->format);
+    mesh::write_mesh(*builder.mesh(plan), file, mesh_comments(builder.shot()));
+    meshes.push_back({{"name", plan->name}, {"file", file.filename().string()}});
+    written.push_back(file);
+  }
+}
+
+void check(const shot::Shot& shot, const TileOptions& options) {
+  constexpr int kSmallest = 64, kLargest = 1 << 14;
+  if (options.edge < kSmallest || options.edge > kLargest || options.edge % 8 != 0)
+    throw Error(
+        ErrorCode::bad_input, fmt::format("tiles cannot have an edge of {} voxels", options.edge),
+        {}, fmt::format("give a multiple of 8 from {} to {}, such as 1024", kSmallest, kLargest));
+  if (const std::string obstacle = obstacle_to_tiles(shot); !obstacle.empty())
+    throw Error(ErrorCode::bad_input, obstacle, {}, "build this scene without --tiles");
+  for (const shot::MeshPtr& mesh : shot::declared_meshes(shot))
+    if (!options.only.empty() && mesh->smallest_piece > 0)
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("the small pieces of the mesh '{}' are only known when all tiles are",
+                              mesh->name),
+                  {}, "build all tiles, or set smallest_piece 0");
+}
+
+}  // namespace
+
+std::string obstacle_to_tiles(const shot::Shot& shot) {
+  for (const shot::VolumePtr& volume : shot.volumes) {
+    if (volume->source_mesh)
+      return fmt::format("the volume '{}' is made of a mesh, which cannot be divided into tiles",
+                         volume->name);
+    if (volume->distance == shot::DistanceValues::exact)
+      return fmt::format("the exact distances of the volume '{}' need the whole surface",
+                         volume->name);
+  }
+  for (const shot::MeshPtr& mesh : shot::declared_meshes(shot))
+    if (mesh->volume && mesh->smallest_piece > 0 && mesh->format != "ply")
+      return fmt::format(
+          "the small pieces of the mesh '{}' can only be removed from tiles of format ply",
+          mesh->name);
+  if (!shot::declared_cells(shot).empty()) return "cells grow across tiles";
+  return "";
+}
+
+Path tile_folder(const shot::Shot& shot, const Path& folder) {
+  return folder / (shot.name + ".tiles");
+}
+
+std::vector<Path> write_tiles(building::Builder& builder, const Path& folder,
+                              const TileOptions& options) {
+  const shot::Shot& shot = builder.shot();
+  check(shot, options);
+  const Path target = tile_folder(shot, folder), index = target / "index.json";
+  require_writable(index);
+  std::vector<Path> written;
+  Json volumes = Json::array(), meshes = Json::array();
+  for (const shot::VolumePtr& plan : shot.volumes) {
+    VolumeTiles tiles(builder, *plan, target, options);
+    auto [volume, own] = tiles.run();
+    volumes.push_back(std::move(volume));
+    for (Json& mesh : own) meshes.push_back(std::move(mesh));
+    written.insert(written.end(), tiles.written().begin(), tiles.written().end());
+  }
+  if (!options.only.empty()) {
+    if (written.empty())
+      throw Error(ErrorCode::bad_input, "the surface does not cross these tiles", {},
+                  "see the tiles in index.json, which is written with all of them");
+    return written;
+  }
+  write_whole_meshes(builder, target, meshes, written);
+  const Json content = {{"format", "vug-tiles"}, {"version", 1},          {"name", shot.name},
+                        {"seed", shot.seed},     {"recipe", shot.recipe}, {"edge", options.edge},
+                        {"volumes", volumes},    {"meshes", meshes}};
+  write_text(index, content.dump(1) + "\n");
+  written.push_back(index);
+  return written;
+}
+
+}  // namespace vug::delivery
