@@ -163,9 +163,11 @@ MoveResult apply_moves_without_flips(const FaceMesh& raw, const std::vector<Targ
   MoveSolver solver(raw, targets, voxel);
   std::vector<uint32_t> folded = solver.all_folded(exact);
   for (int round = 0; round < kRounds && !folded.empty(); ++round) {
-    progress.check();
     std::vector<uint32_t> next;
-    for (const uint32_t f : folded) solver.repair(f, exact, next);
+    for (const uint32_t f : folded) {
+      progress.check();  // A round can take seconds, because each repair restricts the field.
+      solver.repair(f, exact, next);
+    }
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
     folded = std::move(next);

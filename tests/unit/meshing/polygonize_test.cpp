@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 namespace vug::meshing {
 namespace {
 
@@ -133,6 +135,65 @@ TEST(Polygonize, StopsWhenCancelled) {
   Progress progress;
   progress.cancel();
   EXPECT_THROW(polygonize(level_set, &ball, {}, progress), Error);
+}
+
+/// A field that counts the repairs of folded polygons, which restrict it to balls of 8 voxels, and
+/// cancels the work during the first one.
+class CancelsRepair : public field::EvaluationModes<CancelsRepair> {
+ public:
+  CancelsRepair(field::NodePtr child, double voxel, Progress* progress)
+      : EvaluationModes(child->traits()),
+        child_(std::move(child)),
+        voxel_(voxel),
+        progress_(progress) {}
+  template <class T>
+  T at(const field::Point<T>& p) const {
+    return child_->eval(p);
+  }
+  template <class T>
+  void fill(const field::Point<field::Pack>* points, int count, T* out,
+            field::Scratch& scratch) const {
+    child_->eval(points, count, out, scratch);
+  }
+  field::Restriction restrict_to(const field::Ball& ball) const override {
+    if (std::fabs(ball.radius - 8 * voxel_) < 1e-9) {
+      ++repairs;
+      if (progress_) progress_->cancel();
+    }
+    return child_->restrict_to(ball);
+  }
+  std::string name() const override { return "cancels"; }
+
+  mutable std::atomic<int> repairs = 0;
+
+ protected:
+  void add_to(Digester& digester) const override { digester(child_); }
+
+ private:
+  field::NodePtr child_;
+  double voxel_;
+  Progress* progress_;
+};
+
+TEST(Polygonize, ACancelledRepairStopsAtThePolygon) {
+  constexpr double kVoxel = 0.1;
+  const field::Field ball = field::make("sphere", {{"radius", 0.8}});
+  const field::Noise fbm = field::make_noise("fbm", {{"scale", 0.3}, {"octaves", 5}});
+  const field::Field rock = field::make(
+      "displace",
+      {{"field", field::as_value(ball)}, {"noise", field::as_value(fbm)}, {"amount", 0.3}});
+  volume::VoxelizeOptions voxels;
+  voxels.voxel = kVoxel;
+  const volume::LevelSet level_set = volume::voxelize(rock, voxels);
+  const auto whole = std::make_shared<CancelsRepair>(rock.node(), kVoxel, nullptr);
+  const field::Field uncancelled(whole);
+  polygonize(level_set, &uncancelled);
+  ASSERT_GT(whole->repairs, 20) << "the rock is too smooth for this test";
+  Progress progress;
+  const auto cancelling = std::make_shared<CancelsRepair>(rock.node(), kVoxel, &progress);
+  const field::Field cancelled(cancelling);
+  EXPECT_THROW(polygonize(level_set, &cancelled, {}, progress), Error);
+  EXPECT_EQ(cancelling->repairs, 1);
 }
 
 }  // namespace
