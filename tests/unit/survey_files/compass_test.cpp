@@ -3,6 +3,7 @@
 
 #include <vug/base/atomic_file.h>
 #include <vug/base/scratch_folder.h>
+#include <vug/survey/adjust.h>
 
 #include <cmath>
 
@@ -55,6 +56,21 @@ TEST(Compass, BacksightsAreAveraged) {
   EXPECT_TRUE(survey.legs[1].leg.splay);
   // With T, the walls belong to the station TO.
   EXPECT_EQ(survey.stations[static_cast<size_t>(survey.tubes[0][0].station)].name, "A2");
+}
+
+// As in Compass, where the last shot of a loop is one whose stations are both known.
+TEST(Compass, RepeatedShotsCloseLoopsAtTheirMean) {
+  const auto shots = std::get<Observations>(read_bytes(
+      "dat", dat("A1 A2 10.0 90 0 1 1 1 1\nA1 A2 10.4 92 2 1 1 1 1\nA2 A1 10.2 271 -1 1 1 1 1\n"
+                 "A2 A3 20 0 0 1 1 1 1\n")));
+  ASSERT_EQ(shots.legs.size(), 4U);
+  const Vec3d mean = (shots.legs[0].vector + shots.legs[1].vector - shots.legs[2].vector) / 3.0;
+  Diagnostics warnings;
+  const Survey survey = adjust(shots, warnings);
+  EXPECT_LT((survey.stations[1].position - survey.stations[0].position - mean).length(), 4e-3);
+  EXPECT_EQ(survey.legs.size(), 4U);
+  EXPECT_EQ(survey.misclosures.size(), 3U);
+  EXPECT_TRUE(warnings.all().empty());
 }
 
 TEST(Compass, PlotsHaveLegsWallsAndFlags) {
