@@ -17,9 +17,28 @@ bool is_item_sign(const Token& token) {
 /// Clause keywords, which may start a line and are never a shape after "~ NAME".
 constexpr const char* kClauseWords[] = {"label", "blend"};
 
+/// The other clauses of loading/item_clauses.cpp, which may also be names of shapes.
+constexpr const char* kOtherClauses[] = {"overlap", "reach",  "pieces", "piece_label", "slope",
+                                         "azimuth", "within", "apart",  "name",        "connect"};
+
 bool is_clause_word(const Token& token) {
   return std::any_of(std::begin(kClauseWords), std::end(kClauseWords),
                      [&](const char* word) { return token.is_name(word); });
+}
+
+bool is_clause_name(const Token& token) {
+  return is_clause_word(token) ||
+         std::any_of(std::begin(kOtherClauses), std::end(kOtherClauses),
+                     [&](const char* word) { return token.is_name(word); });
+}
+
+/// Whether a clause with its value starts here: "~ rock name "hall"", but not "~ MP name label +X".
+bool at_clause(const Cursor& cursor) {
+  if (is_clause_word(cursor.peek())) return true;
+  const Token& value = cursor.peek(1);
+  return is_clause_name(cursor.peek()) && ExprParser::starts(value) && !is_clause_name(value) &&
+         !(value.is("(") && value.touches) &&
+         !((value.is("+") || value.is("-")) && !cursor.peek(2).touches);
 }
 
 std::vector<std::string> listed(const std::set<std::string>& names) {
@@ -242,7 +261,7 @@ void GrammarParser::morph_amount(Item& item) {
   const ExprPtr value = exprs_.tight();
   const Token& next = cursor_.peek();
   const bool shape_follows =
-      next.is("(") || (next.kind == TokenKind::name && !is_clause_word(next) &&
+      next.is("(") || (next.kind == TokenKind::name && !at_clause(cursor_) &&
                        !(value->kind == ExprKind::name && heads_.count(std::string(next.text))));
   if (value->kind == ExprKind::name && !shape_follows)
     item.shape = value;
@@ -262,8 +281,9 @@ void GrammarParser::clauses(Item& item) {
     const bool sign = (value.is("+") || value.is("-")) && !cursor_.peek(1).touches;
     const bool symbol = value.kind == TokenKind::name && heads_.count(std::string(value.text));
     if (!ExprParser::starts(value) || sign || symbol) {
-      if (is_clause_word(key)) cursor_.fail(key, fmt::format("'{}' has no value", key.text));
+      if (is_clause_name(key)) cursor_.fail(key, fmt::format("'{}' has no value", key.text));
       std::vector<std::string> known(std::begin(kClauseWords), std::end(kClauseWords));
+      known.insert(known.end(), std::begin(kOtherClauses), std::end(kOtherClauses));
       known.insert(known.end(), heads_.begin(), heads_.end());
       cursor_.fail(
           key,

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace vug::scene {
@@ -19,8 +20,12 @@ std::string Evaluator::name_hint(const std::string& name) const {
       dot != std::string::npos && !document_.find_module(name.substr(0, name.rfind('.'))))
     return fmt::format("'{0}' is not a module; write {0}[0] for the first component of a vector",
                        name.substr(0, dot));
-  if (nearest_name(name, names) != name)
-    return did_you_mean(name, names, did_you_mean(name, resolver_.known_calls()));
+  if (nearest_name(name, names) != name) {
+    const std::vector<std::string> calls = resolver_.known_calls();
+    if (std::find(calls.begin(), calls.end(), name) != calls.end())
+      return fmt::format("'{0}' is a kind: call it as {0}(...)", name);
+    return did_you_mean(name, names, did_you_mean(name, calls));
+  }
   for (const Declaration& made : document_.declarations)  // it exists, but has another kind
     if (made.name == name && made.target && made.target->kind == ExprKind::name)
       return fmt::format("'{}' is declared by '{}' on '{}'", name, made.kind, made.target->text);

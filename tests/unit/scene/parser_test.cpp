@@ -99,6 +99,13 @@ TEST(Grammars, MorphAmounts) {
   EXPECT_EQ(amount("~ rock label +X"), "- rock");
   EXPECT_EQ(amount("~ rock"), "- rock");
   EXPECT_EQ(amount("~ rock A"), "- rock");
+  for (const char* clause :
+       {"overlap 10%", "reach whole", "pieces 2", "piece_label +X", "slope -5deg", "azimuth [5deg]",
+        "within lot", "apart 2m", "name \"hall\"", "connect [\"a\", \"b\"]"})
+    EXPECT_EQ(amount(std::string("~ rock ") + clause), "- rock") << clause;
+  EXPECT_EQ(amount("~ MP name label +X"), "MP name");
+  EXPECT_EQ(amount("~ MP apart name \"hall\""), "MP apart");
+  EXPECT_EQ(amount("~ MP slope(2m)").substr(0, 8), "MP slope");
   EXPECT_EQ(amount("~ (MP / 2) (rock)"), "(MP / 2) rock");
   EXPECT_NE(amount("~ 30%..60% f(1)").find("0.3ratio .."), std::string::npos);
   EXPECT_EQ(amount("~ f(1) label random").substr(0, 3), "- f");
