@@ -86,6 +86,22 @@ std::string shape_name(const field::Node& node) {
                                                             : node.name();
 }
 
+std::string hint_for_shape(const Value& given) {
+  if (ValueTraits<shot::NetworkPtr>::read(given))
+    return "write passages(of: ...) for the air of a network";
+  if (given.get<Number>() || given.get<std::string>())
+    return "if it belongs to a clause, write brackets, e.g. name (\"hall \" + n)";
+  return "";
+}
+
+/// A name that occurs more than once, or null.
+const scene::Entry* repeated(const std::vector<scene::Entry>& entries) {
+  std::set<std::string> keys;
+  for (const scene::Entry& entry : entries)
+    if (!keys.insert(entry.key).second) return &entry;
+  return nullptr;
+}
+
 std::vector<sgm::Piece> Binder::pieces(const scene::Item& item, int count,
                                        const scene::Scope& scope, RandomKey key) {
   std::vector<sgm::Piece> out;
@@ -94,7 +110,8 @@ std::vector<sgm::Piece> Binder::pieces(const scene::Item& item, int count,
     const auto fields = ValueTraits<std::vector<field::Field>>::read(shape);
     if (!fields || fields->empty())
       values_.fail(item.shape->where,
-                   fmt::format("a solid is needed here, not {}", shape.type_name()));
+                   fmt::format("a solid is needed here, not {}", shape.type_name()),
+                   hint_for_shape(shape));
     for (const field::Field& f : *fields) out.push_back({shape_name(*f.node()), f});
   }
   return out;
@@ -112,8 +129,19 @@ grammar::Content Binder::step(const scene::Item& item, const scene::Rule& rule,
   if (placed) step.frame = *placed;
   for (const scene::Entry& option : source_.options)
     if (is_clause(option.key)) read_clause(option, site.key, scope, values_, clauses);
+  if (const scene::Entry* again = repeated(item.clauses))
+    values_.fail(again->where, fmt::format("the item has two clauses '{}'", again->key),
+                 "remove one of them");
+  const bool connects =
+      std::any_of(item.clauses.begin(), item.clauses.end(),
+                  [](const scene::Entry& clause) { return clause.key == kConnectClause; });
   for (const scene::Entry& clause : item.clauses) {
-    if (placed && is_about_gluing(clause.key))
+    if (connects && !applies_to_connecting(clause.key))
+      values_.fail(
+          clause.where,
+          fmt::format("'{}' has no effect on a shape that connects two places", clause.key),
+          fmt::format("remove it, or remove '{}'", kConnectClause));
+    if (placed && !connects && !applies_to_placed(clause.key))
       values_.fail(
           clause.where,
           fmt::format("'{}' has no effect on a shape that is placed on a network", clause.key),
@@ -137,6 +165,10 @@ grammar::Content Binder::step(const scene::Item& item, const scene::Rule& rule,
   grammar::Content content;
   content.text = fmt::format(
       "{} {}{}", item.op, item.op == "~" ? fmt::format("{:.0f}% ", 100 * step.amount) : "", names);
+  if (!step.name.empty()) content.text += fmt::format(" name \"{}\"", step.name);
+  if (step.connect)
+    content.text +=
+        fmt::format(" connect [\"{}\", \"{}\"]", step.connect->first, step.connect->second);
   content.payload = std::move(step);
   return content;
 }
@@ -178,9 +210,14 @@ void Binder::read_network() {
     if (option.key != scene::kDressOption) continue;
     const Value given = values_.value(*option.values.at(0), key_.at(scene::kDressOption), {});
     const auto network = ValueTraits<shot::NetworkPtr>::read(given);
+    const auto* unknown = given.get<Value::Name>();
     if (!network)
-      values_.fail(option.extent, fmt::format("'{}' expects a network, not {}", scene::kDressOption,
-                                              given.type_name()));
+      values_.fail(
+          option.extent,
+          fmt::format("'{}' expects a network, not {}", scene::kDressOption, given.type_name()),
+          unknown ? did_you_mean(unknown->text, resolver_.known_names(),
+                                 fmt::format("declare it with 'network {} = ...'", unknown->text))
+                  : "");
     network_ = *network;
   }
   refuse_elements(source_.axiom);
@@ -288,11 +325,20 @@ int64_t Binder::limit(const std::string& option, int64_t fallback) {
 }
 
 sgm::Options Binder::options() {
+  if (const scene::Entry* again = repeated(source_.options))
+    values_.fail(again->where, fmt::format("the grammar has two options '{}'", again->key),
+                 "remove one of them");
   const std::vector<std::string> known = option_names();
   for (const scene::Entry& option : source_.options)
     if (std::find(known.begin(), known.end(), option.key) == known.end())
       values_.fail(option.where, fmt::format("a grammar has no option '{}'", option.key),
                    suggestion(option.key, known));
+    else if (option.key == kConnectClause)
+      values_.fail(option.where,
+                   fmt::format("'{}' is not an option of a grammar, because all its shapes would "
+                               "connect the same places",
+                               kConnectClause),
+                   "write it after a shape");
   sgm::Options out;
   for (const scene::Entry& option : source_.options) {
     if (option.key != "geology") continue;

@@ -19,10 +19,16 @@ struct Given {
 
   /// Reports an unsuitable value unless `fits`.
   void expect(bool fits, const char* what) const {
-    const auto* number = value.get<Number>();
     if (!fits)
-      values.fail(entry.extent, fmt::format("'{}' expects {}, not {}", entry.key, what,
-                                            number ? to_string(value) : value.type_name()));
+      values.fail(entry.extent,
+                  fmt::format("'{}' expects {}, not {}", entry.key, what, description()));
+  }
+  /// The value as in messages: numbers in the units of texts, other values by their types.
+  std::string description() const {
+    if (const auto* number = value.get<Number>()) return shortest_text(*number);
+    if (const auto* text = value.get<std::string>(); text && text->empty()) return "an empty text";
+    if (const auto* list = value.get<List>(); list && list->empty()) return "an empty list";
+    return value.type_name();
   }
   /// A number of that dimension in a range.
   double number(Dimension dimension, double low, double high, const char* what) const {
@@ -77,31 +83,48 @@ ParamInfo overlap_info() {
   return info;
 }
 
+/// The names of two places.
+std::pair<std::string, std::string> two_names(const Given& given) {
+  constexpr const char* kWhat = "the names of two places, such as [\"hall\", \"lake\"]";
+  const auto names = ValueTraits<std::vector<std::string>>::read(given.value);
+  given.expect(names && names->size() == 2 && !names->front().empty() && !names->back().empty(),
+               kWhat);
+  return {names->front(), names->back()};
+}
+
+/// The shapes that a clause has an effect on.
+enum class Applies {
+  to_all,
+  when_glued,     ///< Not on shapes that are placed on a network or connect two places.
+  unless_placed,  ///< Not on shapes that are placed on a network.
+};
+
 struct Clause {
   ParamInfo info;
-  bool about_gluing;
+  Applies applies;
   void (*read)(const Given& given, ItemClauses& out);
 };
 
 const std::vector<Clause>& clauses() {
   static const std::vector<Clause> all = {
       {choice_info("label", sgm::label_names(), "random", "side to which a shape is attached"),
-       true, [](const Given& g, ItemClauses& out) { out.step.label = label(g); }},
-      {option_info("blend", "blend", "blend between a shape and the existing solid"), false,
+       Applies::when_glued, [](const Given& g, ItemClauses& out) { out.step.label = label(g); }},
+      {option_info("blend", "blend", "blend between a shape and the existing solid"),
+       Applies::to_all,
        [](const Given& g, ItemClauses& out) {
          const auto blend = ValueTraits<field::Blend>::read(g.value);
          g.expect(blend.has_value(), "a blend such as smooth(10cm)");
          out.step.blend = *blend;
        }},
-      {overlap_info(), true,
+      {overlap_info(), Applies::when_glued,
        [](const Given& g, ItemClauses& out) {
          out.step.overlap = g.number(Dimension::ratio, 0, 1, "a share between 0% and 100%");
        }},
-      {choice_info("reach", {"local", "whole"}, "local", "range of the effect of a shape"), false,
-       [](const Given& g, ItemClauses& out) { out.step.reach = reach(g); }},
+      {choice_info("reach", {"local", "whole"}, "local", "range of the effect of a shape"),
+       Applies::to_all, [](const Given& g, ItemClauses& out) { out.step.reach = reach(g); }},
       {whole_info("pieces", 0, 1000, "1",
                   "number of shapes joined before they are attached; 0 counts as 1"),
-       false,
+       Applies::to_all,
        [](const Given& g, ItemClauses& out) {
          constexpr const char* kWhat = "a whole number between 0 and 1000";
          const double count = g.number(Dimension::none, 0, 1000, kWhat);
@@ -110,34 +133,41 @@ const std::vector<Clause>& clauses() {
        }},
       {choice_info("piece_label", sgm::label_names(), "random",
                    "side to which each piece is attached"),
-       false, [](const Given& g, ItemClauses& out) { out.step.piece_label = label(g); }},
+       Applies::to_all, [](const Given& g, ItemClauses& out) { out.step.piece_label = label(g); }},
       {option_info("slope", "angle",
                    "inclination of the direction in which a shape continues the solid"),
-       true,
+       Applies::when_glued,
        [](const Given& g, ItemClauses& out) {
          out.step.heading.slope =
              g.number(Dimension::angle, -kPi / 2, kPi / 2, "an angle between -90deg and 90deg");
        }},
       {option_info("azimuth", "angle or list",
                    "compass directions of joints, of which a shape follows the nearest"),
-       true, [](const Given& g, ItemClauses& out) { out.step.heading.azimuths = azimuths(g); }},
-      {option_info("within", "field", "solid that must contain the middle of each shape"), true,
+       Applies::when_glued,
+       [](const Given& g, ItemClauses& out) { out.step.heading.azimuths = azimuths(g); }},
+      {option_info("within", "field", "solid that must contain the middle of each shape"),
+       Applies::unless_placed,
        [](const Given& g, ItemClauses& out) {
          const auto* solid = g.value.object<field::Field>();
          g.expect(solid != nullptr, "a solid");
          out.step.limits.within = *solid;
        }},
-      {option_info("apart", "length", "least distance to shapes that are not neighbours"), true,
+      {option_info("apart", "length", "least distance to shapes that are not neighbours"),
+       Applies::unless_placed,
        [](const Given& g, ItemClauses& out) {
          out.step.limits.apart =
              g.number(Dimension::length, 0, kInfinity, "a length of at least 0");
        }},
-      {option_info("name", "text", "name of the place of a shape, for locator(...)"), false,
+      {option_info("name", "text", "name of the place of a shape, for locator(...)"),
+       Applies::to_all,
        [](const Given& g, ItemClauses& out) {
          const auto* text = g.value.get<std::string>();
          g.expect(text && !text->empty(), "a text such as \"hall\"");
          out.step.name = *text;
        }},
+      {option_info(kConnectClause, "list of texts",
+                   "names of two places between which a shape extends; only after a shape"),
+       Applies::to_all, [](const Given& g, ItemClauses& out) { out.step.connect = two_names(g); }},
   };
   return all;
 }
@@ -170,9 +200,14 @@ std::vector<ParamInfo> clause_infos() {
 
 bool is_clause(const std::string& name) { return find_clause(name) != nullptr; }
 
-bool is_about_gluing(const std::string& clause) {
+bool applies_to_placed(const std::string& clause) {
   const Clause* found = find_clause(clause);
-  return found && found->about_gluing;
+  return !found || found->applies == Applies::to_all;
+}
+
+bool applies_to_connecting(const std::string& clause) {
+  const Clause* found = find_clause(clause);
+  return !found || found->applies != Applies::when_glued;
 }
 
 void read_clause(const scene::Entry& clause, RandomKey key, const scene::Scope& scope,

@@ -7,21 +7,27 @@
 
 namespace vug::loading {
 
+/// The clause of a shape that connects two places.
+inline constexpr const char* kConnectClause = "connect";
+
 /// The values of all clauses; `step` has no pieces yet.
 struct ItemClauses {
   sgm::ProductionStep step;
   int pieces = 1;
 };
 
-/// All clauses. Every one is an option of the grammar, too.
+/// All clauses. Every one but `connect` is an option of the grammar, too.
 std::vector<ParamInfo> clause_infos();
 
 /// Whether there is a clause of that name.
 bool is_clause(const std::string& name);
 
-/// Whether a clause describes how a shape is glued to another one, which has no meaning for a shape
-/// that is placed on a network.
-bool is_about_gluing(const std::string& clause);
+/// Whether a clause has an effect on a shape that is placed on a network: it does not describe how
+/// a shape is glued to another one.
+bool applies_to_placed(const std::string& clause);
+
+/// Whether a clause has an effect on a shape that connects two places.
+bool applies_to_connecting(const std::string& clause);
 
 /// Reads one clause. Reports unknown names and unsuitable values.
 void read_clause(const scene::Entry& clause, RandomKey key, const scene::Scope& scope,

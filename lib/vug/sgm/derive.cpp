@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace vug::sgm {
 
 DerivationResult interpret(grammar::Tree tree, const Options& options, Progress& progress) {
   Growth growth(options);
   DerivationResult out;
   const std::vector<int> leaves = tree.leaves();
+  std::vector<std::pair<int, std::string>> ineffective;  // Leaves with the reason.
   progress.begin("growing", leaves.size());
   for (const int leaf : leaves) {
     progress.check();
@@ -23,7 +26,11 @@ DerivationResult interpret(grammar::Tree tree, const Options& options, Progress&
       continue;
     }
     try {
-      growth.apply(*step, node.key.at("placement"), leaf);
+      const Placement& placement = growth.apply(*step, node.key.at("placement"), leaf);
+      if (!placement.effective)
+        ineffective.emplace_back(
+            leaf,
+            fmt::format(" ({}: {})", placement.refused ? "left out" : "no effect", placement.note));
     } catch (Error& e) {
       throw e.within("growing " + tree.path(leaf));
     }
@@ -31,6 +38,8 @@ DerivationResult interpret(grammar::Tree tree, const Options& options, Progress&
     progress.advance();
   }
   progress.end();
+  for (const auto& [leaf, reason] : ineffective)
+    tree.nodes[static_cast<size_t>(leaf)].symbol.content.text += reason;
   out.field = growth.field();
   out.bonds = growth.free_bonds();
   out.operations = growth.placements();

@@ -27,7 +27,8 @@ struct DerivationResult {
 };
 
 /// Performs the steps that the tree's leaves carry as payload (ProductionStep) in order. Other
-/// leaves are unexpanded symbols and cause a warning, unless they carry a place (Transform).
+/// leaves are unexpanded symbols and cause a warning, unless they carry a place (Transform). The
+/// texts of leaves without effect get the reason: "+ sphere (left out: ...)".
 DerivationResult interpret(grammar::Tree tree, const Options& options = {},
                            Progress& progress = Progress::none());
 

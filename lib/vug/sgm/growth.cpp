@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/sgm/connection.h>
 #include <vug/sgm/glue.h>
 #include <vug/sgm/growth.h>
 #include <vug/sgm/probe.h>
@@ -7,6 +8,8 @@
 
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
@@ -78,7 +81,8 @@ Growth::Growth(Options options) : options_(std::move(options)) { options_.geolog
 const Placement& Growth::apply(const ProductionStep& step, RandomKey key, int node) {
   if (step.pieces.empty())
     throw Error(ErrorCode::bad_input, "a production needs a shape", step.where);
-  const bool single_placed = step.frame && step.pieces.size() == 1;  // it needs no bonds
+  const bool single_placed =  // it needs no bonds
+      (step.frame || step.connect) && step.pieces.size() == 1;
   Shape shape = single_placed ? Shape{step.pieces[0].name, step.pieces[0].field, {}}
                               : joined(step, options_, key.at("pieces"));
 
@@ -92,7 +96,10 @@ const Placement& Growth::apply(const ProductionStep& step, RandomKey key, int no
   if (shape.field.bounds().isEmpty()) {
     placement.effective = false;
     placement.note = "the shape is empty";
+  } else if (step.connect) {
+    connect(step, shape, placement);
   } else if (step.frame) {
+    placement.map = *step.frame;
     place(step, transformed(shape, *step.frame), placement);
   } else if (!started_) {
     start(std::move(shape), placement);
@@ -117,7 +124,6 @@ void Growth::start(Shape shape, Placement& placement) {
 }
 
 void Growth::place(const ProductionStep& step, const Shape& shape, Placement& placement) {
-  placement.map = *step.frame;
   placement.field = shape.field;
   if (!started_) {
     start(shape, placement);
@@ -142,6 +148,50 @@ void Growth::place(const ProductionStep& step, const Shape& shape, Placement& pl
     placement.note = "nothing would remain";
 }
 
+int Growth::last_named(const std::string& name, size_t before) const {
+  for (size_t i = before; i-- > 0;)
+    if (placements_[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+void Growth::connect(const ProductionStep& step, const Shape& shape, Placement& placement) {
+  placement.effective = false;
+  const auto& [first, second] = *step.connect;
+  const int to = last_named(second, placements_.size());
+  const size_t before = first == second && to >= 0 ? static_cast<size_t>(to) : placements_.size();
+  const int from = last_named(first, before);
+  for (const auto& [found, name] : {std::pair(from, first), std::pair(to, second)}) {
+    if (found < 0) {
+      placement.note = fmt::format("{} earlier shape has the name '{}'",
+                                   first == second && to >= 0 ? "only one" : "no", name);
+      return;
+    }
+    const Placement& end = placements_[static_cast<size_t>(found)];
+    if (end.effective) continue;
+    placement.refused = end.refused;
+    placement.note =
+        fmt::format("the shape '{}' {}", name, end.refused ? "was left out" : "has no effect");
+    return;
+  }
+  const Vec3d a = placements_[static_cast<size_t>(from)].middle(),
+              b = placements_[static_cast<size_t>(to)].middle();
+  const double length = (b - a).length();
+  if (!is_finite(shape.field.bounds()) || !(length > 0)) {
+    placement.note = length > 0 ? "the shape is infinite" : "both places are the same point";
+    return;
+  }
+  const Transform frame = frame_between(a, b);
+  placement.map = frame * Transform::translation(-shape.field.bounds().center());
+  placement.owner = from;
+  placement.other_end = to;
+  placement.effective = true;
+  placement.field = field::transformed(elongated(shape.field, length), frame);
+  if (is_refused(step, placement))
+    placement.effective = false;
+  else
+    place(step, {shape.name, placement.field, {}}, placement);
+}
+
 void Growth::flush() {
   std::vector<Field> shapes = std::exchange(waiting_.shapes, {});
   if (shapes.empty()) return;
@@ -164,7 +214,7 @@ bool Growth::is_refused(const ProductionStep& step, Placement& placement) const 
   const Limits& limits = step.limits;
   if (limits.within && limits.within->value(placement.middle()) > 0)
     placement.note = "its middle would be outside of 'within'";
-  else if (is_too_near(placement.field, {placements_, boxes_}, placement.owner, limits.apart))
+  else if (is_too_near(placement, {placements_, boxes_}, limits.apart))
     placement.note = "it would be too near to another shape";
   else
     return false;

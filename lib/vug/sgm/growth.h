@@ -38,6 +38,7 @@ struct Placement {
   double press = 0;    ///< Distance by which it was pressed in after the label was made, metres.
   Vec3d heading{0.0};  ///< The direction in which it continues the base, a unit vector; 0: none.
   int owner = -1;      ///< Index of the placement to which it was glued; -1: none.
+  int other_end = -1;  ///< The placement that a connecting shape joins to `owner`; -1: none.
   bool glued = false;  ///< base_bond and shape_bond made a label (before pressing).
   Bond base_bond, shape_bond;  ///< Both are consumed. Undefined unless glued.
   int base_bond_id = -1;       ///< Unique number of the base's bond.
@@ -62,7 +63,10 @@ struct Placement {
 /// unchanged. A production that breaks its step's limits is recorded with a note only.
 ///
 /// Steps with a frame are not glued: their shapes are placed, and get and consume no bonds. They
-/// take effect together, before the next glued production.
+/// take effect together, before the next glued production. So are steps that connect two places:
+/// their shapes extend from the middle of the last placement with the first name to that with the
+/// second; if the names are equal, from the last but one to the last. They are refused if one of
+/// these was refused, and not effective without these.
 class Growth {
  public:
   explicit Growth(Options options = {});
@@ -80,6 +84,9 @@ class Growth {
   void start(Shape shape, Placement& placement);
   void glue(const ProductionStep& step, Shape shape, RandomKey key, Placement& placement);
   void place(const ProductionStep& step, const Shape& shape, Placement& placement);
+  void connect(const ProductionStep& step, const Shape& shape, Placement& placement);
+  /// Index of the last placement of a name before index `before`; -1: none.
+  int last_named(const std::string& name, size_t before) const;
   /// Performs the productions that wait for others of the same operation and blend.
   void flush();
   /// Whether the step's limits exclude the placement.

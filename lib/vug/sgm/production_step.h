@@ -7,6 +7,8 @@
 #include <vug/sgm/heading.h>
 #include <vug/sgm/shape.h>
 
+#include <utility>
+
 namespace vug::sgm {
 
 enum class Operation { unite, subtract, intersect, morph };
@@ -48,9 +50,11 @@ struct ProductionStep {
   /// The place of the shape, from its own space to the base's, e.g. a leg of a network; empty: it
   /// is glued to the base.
   std::optional<Transform> frame;
-  std::string name;      ///< The name of the place where the shape is; empty: none.
-  Heading heading;       ///< Turns a glued shape.
-  Limits limits;         ///< Where a glued shape may be.
+  std::string name;  ///< The name of the place where the shape is; empty: none.
+  Heading heading;   ///< Turns a glued shape.
+  Limits limits;     ///< Where a glued or connecting shape may be.
+  /// The names of the two places that the shape connects, instead of being glued or placed.
+  std::optional<std::pair<std::string, std::string>> connect;
   SourceLocation where;  ///< Source location for messages.
 };
 

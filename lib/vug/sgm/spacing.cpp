@@ -42,17 +42,18 @@ int owner_at(const PlacedShapes& placed, const Vec3d& point, double tolerance) {
   return owner;
 }
 
-bool is_too_near(const field::Field& shape, const PlacedShapes& placed, int owner, double apart) {
-  if (!(apart > 0) || !is_finite(shape.bounds())) return false;
-  const std::vector<Vec3d> points = test_points(shape);
+bool is_too_near(const Placement& shape, const PlacedShapes& placed, double apart) {
+  if (!(apart > 0) || !is_finite(shape.field.bounds())) return false;
+  const std::vector<Vec3d> points = test_points(shape.field);
   Box3d box;
   for (const Vec3d& point : points) box.extendBy(point);
   const auto& all = placed.placements;
-  const int grandparent = owner < 0 ? -1 : all[static_cast<size_t>(owner)].owner;
   return placed.boxes.any_meeting(grown(box, apart), [&](int index) {
     const Placement& other = all[static_cast<size_t>(index)];
-    if (index == owner || index == grandparent || (owner >= 0 && other.owner == owner))
-      return false;
+    for (const int owner : {shape.owner, shape.other_end})
+      if (owner >= 0 && (index == owner || index == all[static_cast<size_t>(owner)].owner ||
+                         other.owner == owner || other.other_end == owner))
+        return false;
     return std::any_of(points.begin(), points.end(),
                        [&](const Vec3d& point) { return other.field.value(point) < apart; });
   });

@@ -21,7 +21,7 @@ int owner_at(const PlacedShapes& placed, const Vec3d& point, double tolerance);
 
 /// Whether the middle of the shape, or one of 26 points of its surface, is nearer than `apart`
 /// metres to an earlier shape other than the owner of its bond, the owner's own owner and the
-/// shapes that are glued to the owner.
-bool is_too_near(const field::Field& shape, const PlacedShapes& placed, int owner, double apart);
+/// shapes that are glued to the owner. The ends of a connecting shape are both owners.
+bool is_too_near(const Placement& shape, const PlacedShapes& placed, double apart);
 
 }  // namespace vug::sgm

@@ -81,8 +81,38 @@ TEST(Dressing, EveryElementIsASymbol) {
   ASSERT_EQ(scene.report(), "");
   // Legs of 8.3 and 7.3 m are not dressed.
   EXPECT_EQ(leaves_of(scene),
-            "+ passages; Leg 1; Leg 2; - box; - box; + sphere; + cylinder; + cylinder; ");
+            "+ passages; Leg 1; Leg 2; - box; - box; + sphere name \"hall\"; + cylinder; + "
+            "cylinder; ");
   EXPECT_EQ(Vec3d(scene.shot.cameras.at(0).camera->position()), Vec3d(8, 0, 2));
+}
+
+TEST(Dressing, ConnectsPlacedShapes) {
+  const Loaded scene = scene_of(
+      "grammar dressed {\n  dress plan\n"
+      "  axiom + passages(of: plan)\n"
+      "  Junction -> + sphere(2m) name \"hall\"\n"
+      "  Sump -> + sphere(1m) name \"lake\"  + sphere(50cm) connect [\"hall\", \"lake\"] name "
+      "\"duct\"\n"
+      "}\n"
+      "camera main { eye locator(of: dressed, name: \"duct\")  target (0, 0, 0) }\n"
+      "volume v = level_set(dressed, voxel: 50cm)\n");
+  ASSERT_EQ(scene.report(), "");
+  const Vec3d middle = 0.5 * (Vec3d(8, -1, 2) + Vec3d(14, -4, 9));
+  EXPECT_LT((Vec3d(scene.shot.cameras.at(0).camera->position()) - middle).length(), 1e-6);
+}
+
+TEST(Dressing, TheTreeShowsNamesAndShapesThatAreLeftOut) {
+  const Loaded scene = scene_of(
+      "grammar rooms {\n"
+      "  axiom + sphere(1m).translate((1, 0, 0)) name \"a\"\n"
+      "        + sphere(2m) within sphere(1m).translate((90, 0, 0))\n"
+      "        + box().rotate(angle: 5deg) label +X name \"b\" + sphere(20cm) connect [\"a\", "
+      "\"b\"]\n"
+      "}\nvolume v = level_set(rooms, voxel: 50cm)\n");
+  ASSERT_EQ(scene.report(), "");
+  EXPECT_EQ(leaves_of(scene),
+            "+ sphere name \"a\"; + sphere (left out: its middle would be outside of 'within'); + "
+            "box name \"b\"; + sphere connect [\"a\", \"b\"]; ");
 }
 
 TEST(Dressing, ReportsFaults) {
@@ -103,11 +133,34 @@ TEST(Dressing, ReportsFaults) {
       "'End' stands for an element of the network, which a grammar cannot add");
   has(problem("dress 3m\nLeg -> + sphere(1m)\n"), "'dress' expects a network, not a length");
   has(problem("Leg -> + sphere(1m)\n"), "grammar 'dressed' has no axiom");
-  has(problem("axiom + sphere(1m) slope 100deg\n"), "'slope' expects an angle between");
+  has(problem("axiom + sphere(1m) slope 100deg\n"),
+      "'slope' expects an angle between -90deg and 90deg, not 100deg");
+  has(problem("axiom + sphere(1m) slope\n"), "'slope' has no value");
+  has(problem("axiom + sphere(1m) slope 0deg slope 5deg\n"),
+      "t.vug:5:31: error: the item has two clauses 'slope'");
+  has(problem("slope 0deg\nslope 5deg\naxiom + sphere(1m)\n"),
+      "t.vug:6:1: error: the grammar has two options 'slope'");
+  has(problem("axiom + sphere(1m) name \"a\" + 1\n"),
+      "hint: if it belongs to a clause, write brackets, e.g. name (\"hall \" + n)");
+  has(problem("axiom + plan\n"), "hint: write passages(of: ...) for the air of a network");
+  has(problem("axiom + passages(of: karst)\n"), "hint: 'karst' is a kind: call it as karst(...)");
+  has(problem("dress plam\nLeg -> + sphere(1m)\n"), "hint: did you mean 'plan'?");
   has(problem("axiom + sphere(1m) azimuth [1m]\n"), "'azimuth' expects an angle such as 35deg");
   has(problem("axiom + sphere(1m) apart -1m\n"), "'apart' expects a length of at least 0");
   has(problem("axiom + sphere(1m) name 3\n"), "'name' expects a text such as");
+  has(problem("axiom + sphere(1m) name \"\"\n"), "such as \"hall\", not an empty text");
+  has(problem("axiom + sphere(1m) azimuth []\n"), "or a list of them, not an empty list");
   has(problem("axiom + sphere(1m) within 3m\n"), "'within' expects a solid");
+  for (const char* value :
+       {"3m", "\"a\"", "[\"a\"]", "[\"a\", \"b\", \"c\"]", "[\"a\", 2]", "[\"a\", \"\"]", "plan"})
+    has(problem(std::string("axiom + sphere(1m) connect ") + value + "\n"),
+        "t.vug:5:20: error: 'connect' expects the names of two places, such as");
+  has(problem("axiom + sphere(1m) label +X connect [\"a\", \"b\"]\n"),
+      "'label' has no effect on a shape that connects two places");
+  has(problem("axiom + sphere(1m)\nconnect [\"a\", \"b\"]\n"),
+      "t.vug:6:1: error: 'connect' is not an option of a grammar");
+  has(problem("axiom + sphere(1m) name \"a\" + sphere(1m) connect [\"a\", \"b\"]\n"),
+      "warning: union with 'sphere' has no effect: no earlier shape has the name 'b'");
   has(scene_of("camera main { eye locator(of: sphere(1m), name: \"a\")  target (0, 0, 0) }\n")
           .report(),
       "the solid has no shape with the name 'a'");

@@ -118,6 +118,146 @@ TEST(Dressing, ShapesKeepApartFromAllButTheirNeighbours) {
   EXPECT_TRUE(growth.apply(glued, RandomKey(4)).effective) << "its own neighbour does not count";
 }
 
+/// A base of a sphere, and spheres of radius 1 m named "a" at 9 m and "b" at the point.
+Growth with_ends(const Vec3d& b) {
+  Growth growth;
+  growth.apply(step_of("sphere"), RandomKey(1));
+  for (const auto& [name, at] : {std::pair("a", Vec3d(9, 0, 0)), std::pair("b", b)}) {
+    ProductionStep end = step_of("sphere");
+    end.frame = Transform::translation(at);
+    end.name = name;
+    growth.apply(end, RandomKey(2));
+  }
+  return growth;
+}
+
+ProductionStep connecting(const char* kind, const char* from, const char* to) {
+  ProductionStep step = step_of(kind);
+  step.connect = {from, to};
+  return step;
+}
+
+TEST(Connections, ExtendFromOneMiddleToTheOther) {
+  const Vec3d a(9, 0, 0), b(9, 4, -9);
+  Growth growth = with_ends(b);
+  const Placement& tube = growth.apply(connecting("sphere", "a", "b"), RandomKey(3));
+  ASSERT_TRUE(tube.effective) << tube.note;
+  EXPECT_NEAR((tube.middle() - 0.5 * (a + b)).length(), 0, 1e-9);
+  const double radius = 1;  // of a sphere without parameters
+  const Vec3d along = (b - a).normalized(), across = along.cross({1, 0, 0}).normalized();
+  for (int i = -4; i <= 24; ++i) {
+    const double at = i / 20.0 * (b - a).length();
+    const double past = std::max({0.0, -at, at - (b - a).length()});
+    for (const double off : {0.0, 0.7, 1.5}) {
+      const double exact = std::hypot(past, off) - radius;
+      EXPECT_NEAR(tube.field.value(a + along * at + across * off), exact, 1e-5) << i << " " << off;
+    }
+    EXPECT_EQ(growth.field().value(a + along * at) < 0, past < radius) << "it is in the base";
+  }
+}
+
+TEST(Connections, KeepXAlongAndYUp) {
+  Growth growth = with_ends({9, 0, 12});
+  ProductionStep step = connecting("box", "a", "b");
+  step.pieces = {{"box", field::make("box", {{"size", Vec3d(1, 4, 2)}})}};
+  const Placement& wall = growth.apply(step, RandomKey(3));
+  ASSERT_TRUE(wall.effective);
+  EXPECT_NEAR(wall.field.bounds().min.z, -0.5, 1e-4);
+  EXPECT_NEAR(wall.field.bounds().max.z, 12.5, 1e-4);
+  EXPECT_NEAR(wall.field.bounds().max.y, 2, 1e-4);
+  EXPECT_NEAR(wall.field.bounds().max.x, 10, 1e-4);
+}
+
+TEST(Connections, ValuesAreBoundsThatPrune) {
+  Growth growth = with_ends({14, 9, 3});
+  const Placement& found = growth.apply(connecting("torus", "a", "b"), RandomKey(3));
+  const field::Field tube = found.field;
+  RandomStream random(RandomKey(7));
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3d p(random.uniform(4, 20), random.uniform(-5, 14), random.uniform(-6, 9));
+    const Vec3d q =
+        p + 0.5 * Vec3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    const double value = tube.value(p);
+    EXPECT_LE(std::fabs(value - tube.value(q)), (p - q).length() * (1 + 1e-6));
+    const double radius = random.uniform(0.1, 2);
+    const auto restricted = tube.restricted({p, radius});
+    EXPECT_LE(restricted.range.lo, value + 1e-6);
+    EXPECT_GE(restricted.range.hi, value - 1e-6);
+    EXPECT_NEAR(restricted.field.value(p), value, 1e-6);
+    EXPECT_TRUE(value > 0 || tube.bounds().intersects(p));
+  }
+}
+
+TEST(Connections, OfVerticalPlacesStandUpright) {
+  Growth growth = with_ends({9, 8, 0});
+  const Placement& shaft = growth.apply(connecting("sphere", "a", "b"), RandomKey(3));
+  ASSERT_TRUE(shaft.effective);
+  EXPECT_LT(shaft.field.value({9, 4, 0}), 0);
+}
+
+TEST(Connections, TakeTheLastPlaceOfAName) {
+  Growth growth = with_ends({9, 0, 9});
+  ProductionStep again = step_of("sphere");
+  again.frame = Transform::translation({20, 0, 0});
+  again.name = "a";
+  growth.apply(again, RandomKey(4));
+  EXPECT_NEAR(growth.apply(connecting("sphere", "a", "b"), RandomKey(5)).middle().x, 14.5, 1e-9);
+  // Equal names: the last but one and the last.
+  EXPECT_NEAR(growth.apply(connecting("sphere", "a", "a"), RandomKey(6)).middle().x, 14.5, 1e-9);
+}
+
+TEST(Connections, WithoutPlacesWarn) {
+  Growth growth = with_ends({9, 0, 9});
+  const auto note = [&](const ProductionStep& step) {
+    const Placement& placement = growth.apply(step, RandomKey(3));
+    EXPECT_FALSE(placement.effective);
+    EXPECT_FALSE(placement.refused);
+    return placement.note;
+  };
+  EXPECT_EQ(note(connecting("sphere", "a", "lake")), "no earlier shape has the name 'lake'");
+  EXPECT_EQ(note(connecting("sphere", "b", "b")), "only one earlier shape has the name 'b'");
+  EXPECT_EQ(note(connecting("half_space", "a", "b")), "the shape is infinite");
+  EXPECT_EQ(growth.diagnostics().all().size(), 3U);
+  Growth same = with_ends({9, 0, 0});
+  EXPECT_EQ(same.apply(connecting("sphere", "a", "b"), RandomKey(3)).note,
+            "both places are the same point");
+}
+
+TEST(Connections, AreLeftOutWithTheirEnds) {
+  Growth growth = with_ends({9, 0, 9});
+  ProductionStep outside = step_of("sphere");
+  outside.limits.within = field::make("sphere");
+  outside.name = "b";
+  ASSERT_TRUE(growth.apply(outside, RandomKey(3)).refused);
+  EXPECT_TRUE(growth.apply(connecting("sphere", "a", "b"), RandomKey(4)).refused)
+      << "the earlier shape 'b' is another one";
+  EXPECT_TRUE(growth.diagnostics().all().empty());
+}
+
+TEST(Connections, HaveLimits) {
+  Growth growth = with_ends({9, 0, 9});
+  ProductionStep near = connecting("sphere", "a", "b");
+  near.limits.apart = 1;
+  EXPECT_TRUE(growth.apply(near, RandomKey(3)).effective) << "its ends do not count";
+  ProductionStep blocking = step_of("sphere");
+  blocking.frame = Transform::translation({10.5, 0, 4.5});
+  growth.apply(blocking, RandomKey(4));
+  EXPECT_TRUE(growth.apply(near, RandomKey(5)).refused) << "a third shape is in the way";
+  near.limits = {field::make("sphere"), 0};
+  EXPECT_TRUE(growth.apply(near, RandomKey(6)).refused) << "its middle is outside of 'within'";
+}
+
+TEST(Connections, CutAsWell) {
+  Growth growth = with_ends({9, 0, 9});
+  growth.apply(connecting("sphere", "a", "b"), RandomKey(3));
+  ASSERT_LT(growth.field().value({9, 0, 4.5}), 0);
+  ProductionStep hole = connecting("sphere", "a", "b");
+  hole.operation = Operation::subtract;
+  hole.pieces = {{"sphere", field::make("sphere", {{"radius", 0.5}})}};
+  EXPECT_TRUE(growth.apply(hole, RandomKey(4)).effective);
+  EXPECT_NEAR(growth.field().value({9, 0, 4.5}), 0.5, 1e-5);
+}
+
 TEST(Dressing, PlacesBelongToTheResultOnly) {
   const field::Field plain = field::make("sphere");
   const field::Field named = with_places(plain, {{"hall", {1, 2, 3}}});
