@@ -14,7 +14,9 @@ namespace vug::scout {
 namespace {
 
 constexpr int kWidth = 48, kHeight = 27;
-constexpr double kNothing = 50;  // metres
+// A view of a whole cave from outside is further away than one in a cave.
+constexpr double kNothing = 50;         // metres
+constexpr double kNothingBySize = 1.5;  // diagonals of the scene
 constexpr double kBlack = 0.02, kBurnt = 8, kBurntShare = 0.02;
 
 /// The luminances of the pixels that show a surface; 0 if there is none.
@@ -37,10 +39,12 @@ std::vector<PreflightFinding> preflight(const render::PreparedRender& prepared,
   const auto nearest =
       std::min_element(view.pixels.begin(), view.pixels.end(),
                        [](const Seen& a, const Seen& b) { return a.distance < b.distance; });
-  if (static_cast<double>(nearest->distance) > kNothing) {
+  const double size = static_cast<double>(world.bounds().size().length());
+  const double limit = std::max(kNothing, kNothingBySize * size);
+  if (static_cast<double>(nearest->distance) > limit) {
     const Vec3f middle = world.bounds().center();
     found.push_back(
-        {false, fmt::format("the camera sees nothing within {:.0f} m", kNothing),
+        {false, fmt::format("the camera sees nothing within {:.0f} m", limit),
          fmt::format("the scene is around ({:.3g}, {:.3g}, {:.3g}): move the eye closer "
                      "to it, or make it the target",
                      middle.x, middle.y, middle.z)});

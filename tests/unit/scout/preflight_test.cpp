@@ -59,6 +59,19 @@ TEST(Preflight, ACameraThatLooksAwaySeesNothing) {
       << far;
 }
 
+TEST(Preflight, AViewOfALargeModelFromOutsideIsFine) {
+  const auto seen_from = [](const std::string& eye) {
+    return findings(
+        "volume model = level_set(box(size: (120, 20, 60)), voxel: 4m)\n"
+        "mesh wall on model {}\nobject cave on wall {}\nlight dome = sky()\n"
+        "camera main { eye " +
+        eye + "  target (0, 0, 0) }\n");
+  };
+  EXPECT_EQ(seen_from("(30, 80, 140)"), "");
+  EXPECT_NE(seen_from("(300, 800, 1400)").find("the camera sees nothing within"),
+            std::string::npos);
+}
+
 TEST(Preflight, TheInspectionDoesNotChangeThePicture) {
   const loading::Loaded loaded = loading::load_text(hall(kCamera + kLamp), "t.vug");
   building::Builder builder(loaded.shot);
