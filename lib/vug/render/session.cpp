@@ -66,6 +66,8 @@ void Session::set_options(const Options& options) {
     if (prepared_) prepared_->options.threads = options.threads;
     return;
   }
+  if (options_.integrator != options.integrator || options_.openings != options.openings)
+    learned_.reset();
   options_ = options;
   discard_picture();
 }

@@ -15,8 +15,9 @@ namespace vug::render {
 enum class Learning {
   /// Only what a new render would find as well: the picture has the bytes of render::render.
   exact,
-  /// Guiding and automatic portals of the last camera: while the objects, lights and medium are the
-  /// same, a new camera starts at once. The expected picture is the same, its bytes are not.
+  /// Guiding and automatic portals of the last camera: while the objects, lights, medium and
+  /// integrator are the same, a new camera starts at once. The expected picture is the same, its
+  /// bytes are not.
   kept,
 };
 

@@ -186,6 +186,10 @@ TEST(Session, KeepsWhatItLearnedOnRequest) {
   kept.set_lights({Room::lamp(0.3)});
   kept.proceed(1);
   EXPECT_EQ(kept.counters().trainings, 2u) << "what was learned belongs to the lights";
+  o.integrator = make_integrator("path", {{"guide", Value::Name{"on"}}, {"max_bounces", 2}});
+  kept.set_options(o);
+  kept.proceed(1);
+  EXPECT_EQ(kept.counters().trainings, 3u) << "and to the integrator";
 }
 
 }  // namespace

@@ -147,22 +147,24 @@ TEST_F(LiveScenes, EveryEditGivesThePictureOfANewRender) {
 TEST_F(LiveScenes, ALookHasItsOwnEyeAndKeepsThePicture) {
   Text text;
   save(text);
-  View view = scene_.view();
+  ViewRequest look;
+  viewport::View& view = look.view;
+  view = scene_.view();
   EXPECT_EQ(scene_.camera_name(), "main");
   EXPECT_NEAR((view.eye - Vec3d(0, 1, 4)).length(), 0, 1e-6);
   const Vec3d there = (view.target - view.eye).normalized();
   EXPECT_NEAR((there - Vec3d(0, -1, -4).normalized()).length(), 0, 1e-5);
   EXPECT_NEAR(view.fov, kPi / 3, 1e-4);
-  view.width = 32, view.height = 18;
-  const std::string own = scene_.look(view);
-  View other = view;
-  other.eye.x = 2;
+  look.width = 32, look.height = 18;
+  const std::string own = scene_.look(look);
+  ViewRequest other = look;
+  other.view.eye.x = 2;
   EXPECT_NE(scene_.look(other), own);
   EXPECT_EQ(save(text).samples, 0u) << "the picture is still known";
 }
 
 TEST_F(LiveScenes, ClayHasNoMaterialsAndLights) {
-  View view{.eye = {0, 1, 4}, .clay = true, .width = 32, .height = 18};
+  ViewRequest look{.view = {{0, 1, 4}}, .mode = viewport::Mode::clay, .width = 32, .height = 18};
   Text text;
   std::vector<std::string> clay;
   for (const char* albedo : {"0.5", "0.1"}) {
@@ -171,12 +173,12 @@ TEST_F(LiveScenes, ClayHasNoMaterialsAndLights) {
     LiveScene scene(file_, {});
     write_text(file_, text.text());
     ASSERT_TRUE(scene.load(std::make_shared<Progress>()));
-    clay.push_back(scene.look(view));
+    clay.push_back(scene.look(look));
   }
   EXPECT_EQ(clay[0], clay[1]);
-  view.eye.x = 1;
+  look.view.eye.x = 1;
   ASSERT_TRUE(scene_.load(std::make_shared<Progress>()));
-  EXPECT_NE(scene_.look(view), clay[0]);
+  EXPECT_NE(scene_.look(look), clay[0]);
 }
 
 TEST_F(LiveScenes, AnErrorKeepsTheLastVersion) {

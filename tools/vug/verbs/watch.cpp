@@ -86,7 +86,7 @@ int run_watch(Options options) {
   std::optional<PageServer> page;
   if (!options.no_page && !options.loop.once) {
     page.emplace(options.port, std::filesystem::path(render.scene.scene).filename().string(),
-                 [&](const watch::View& view) { return looks.ask(view); });
+                 [&](const watch::ViewRequest& look) { return looks.ask(look); });
     fmt::print(stderr, "page: {}\n", page->url());
   }
   Progress& stop = terminal_progress(render.work.bar_mode());

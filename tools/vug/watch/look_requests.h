@@ -24,13 +24,13 @@ class LookRequests {
   }
   /// Asks for a look and waits for the PNG; empty if a later request, an edit or the end of the
   /// program came first.
-  std::string ask(const watch::View& view) {
+  std::string ask(const watch::ViewRequest& look) {
     std::future<std::string> png;
     {
       const std::lock_guard lock(mutex_);
       if (closed_) return "";
       if (pending_) pending_->png.set_value("");
-      pending_.emplace(Request{view, {}});
+      pending_.emplace(Request{look, {}});
       png = pending_->png.get_future();
       if (notify_) notify_();
     }
@@ -40,9 +40,9 @@ class LookRequests {
     const std::lock_guard lock(mutex_);
     return pending_.has_value();
   }
-  /// Answers the request, if there is one, with the text that `look` returns.
+  /// Answers the request, if there is one, with the text that `render` returns.
   template <class Look>
-  void answer(const Look& look) {
+  void answer(const Look& render) {
     std::optional<Request> request;
     {
       const std::lock_guard lock(mutex_);
@@ -51,7 +51,7 @@ class LookRequests {
     if (!request) return;
     std::string png;
     try {
-      png = look(request->view);
+      png = render(request->look);
     } catch (...) {
       request->png.set_value("");
       throw;
@@ -69,7 +69,7 @@ class LookRequests {
 
  private:
   struct Request {
-    watch::View view;
+    watch::ViewRequest look;
     std::promise<std::string> png;
   };
   std::mutex mutex_;

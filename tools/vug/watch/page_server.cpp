@@ -43,8 +43,8 @@ void add_headers(httplib::Response& response) {
 
 Json list_of(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
-/// The view of a request for a look; nothing if it is invalid.
-std::optional<watch::View> view_of(const httplib::Request& request) {
+/// The options of a request for a look; nothing if it is invalid.
+std::optional<watch::ViewRequest> look_options(const httplib::Request& request) {
   bool valid = true;
   const auto number = [&](const char* name, double low, double high) {
     const std::string text = request.get_param_value(name);
@@ -59,15 +59,16 @@ std::optional<watch::View> view_of(const httplib::Request& request) {
     const double x = axis('x'), y = axis('y'), z = axis('z');
     return Vec3d(x, y, z);
   };
-  watch::View view;
+  watch::ViewRequest look;
+  viewport::View& view = look.view;
   view.eye = point("e");
   view.target = point("t");
   view.fov = number("fov", 0.01, 3);
-  view.width = static_cast<int>(number("w", 16, 960));
-  view.height = static_cast<int>(number("h", 16, 960));
-  view.clay = request.get_param_value("clay") == "1";
+  look.width = static_cast<int>(number("w", 16, 960));
+  look.height = static_cast<int>(number("h", 16, 960));
+  if (request.get_param_value("clay") == "1") look.mode = viewport::Mode::clay;
   valid = valid && (view.eye - view.target).length() > 1e-6;
-  return valid ? std::optional(view) : std::nullopt;
+  return valid ? std::optional(look) : std::nullopt;
 }
 
 std::string json_text(const Json& json) {
@@ -167,10 +168,10 @@ PageServer::PageServer(int port, std::string title, Look look)
   });
   server.Get(root + "look.png",
              [&state](const httplib::Request& request, httplib::Response& response) {
-               const std::optional<watch::View> view = view_of(request);
-               const std::string png = view ? state.look(*view) : "";
+               const auto wanted = look_options(request);
+               const std::string png = wanted ? state.look(*wanted) : "";
                if (png.empty())
-                 response.status = view ? 503 : 404;
+                 response.status = wanted ? 503 : 404;
                else
                  response.set_content(png, "image/png");
              });

@@ -14,14 +14,14 @@ namespace vug::cli {
 /// What the page shows next to the picture.
 struct PageStatus {
   bool complete = false;
-  double seconds = 0;  ///< Since the change was noticed.
-  std::string work;    ///< A sentence about what was built and kept.
-  std::string camera;  ///< Its name; empty if the text has none.
-  watch::View view;    ///< The view of the camera.
+  double seconds = 0;   ///< Since the change was noticed.
+  std::string work;     ///< A sentence about what was built and kept.
+  std::string camera;   ///< Its name; empty if the text has none.
+  viewport::View view;  ///< The view of the camera.
 };
 
 /// The PNG of a view, on the thread of a request; empty if it was superseded.
-using Look = std::function<std::string(const watch::View&)>;
+using Look = std::function<std::string(const watch::ViewRequest&)>;
 
 /// Serves the page on the loopback address only. Its address contains a random token, and a request
 /// without it, for another host name (a name that an attacker points to this machine) or with

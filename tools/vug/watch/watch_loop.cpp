@@ -151,8 +151,8 @@ bool run_watch_loop(watch::LiveScene& scene, const WatchOptions& options, const 
     changes.set_looking(true);
     changes.set_work(progress);
     try {
-      looks.answer([&](const watch::View& view) {
-        return scene.has_version() ? scene.look(view, progress) : std::string();
+      looks.answer([&](const watch::ViewRequest& wanted) {
+        return scene.has_version() ? scene.look(wanted, progress) : std::string();
       });
     } catch (const Error&) {  // the browser asks again; errors of the scene have been reported
     }

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Renders previews of a scene step by step: a coarse picture at once, then finer ones.
+#pragma once
+
+#include <vug/render/session.h>
+#include <vug/viewport/pick.h>
+#include <vug/viewport/preview_modes.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace vug::viewport {
+
+/// The picture that a viewport shows. Immutable.
+struct Preview {
+  int width = 0, height = 0;  ///< Its pixels; fewer than the viewport while it is coarse.
+  std::vector<uint8_t> rgb;   ///< Display values (sRGB), row by row from the top.
+  Mode mode = Mode::clay;
+  View view;
+  int samples = 0;        ///< Per pixel.
+  bool complete = false;  ///< No finer one follows.
+  PickScene scene;
+};
+using PreviewPtr = std::shared_ptr<const Preview>;
+
+struct PreviewRequest {
+  std::optional<View> view;  ///< None: the camera of the text.
+  Mode mode = Mode::clay;
+  int width = 320, height = 180;
+
+  bool operator==(const PreviewRequest&) const = default;
+};
+
+/// A step of refinement.
+struct PreviewStep {
+  int divider = 1;  ///< The size of the picture is divided by it.
+  int samples = 1;
+  bool occlusion = false;
+
+  bool operator==(const PreviewStep&) const = default;
+};
+
+/// Trees are built once for a scene and shared by all modes and cameras. Not thread-safe; the work
+/// itself is parallel. The same steps give the same bytes for any number of threads.
+class PreviewRenderer {
+ public:
+  /// The next picture renders this scene.
+  void set_scene(PreviewScenePtr scene);
+  bool has_scene() const { return scene_ != nullptr; }
+
+  /// The steps for a request; the first one has a divider for which it takes about `first` seconds,
+  /// as far as earlier steps have shown.
+  std::vector<PreviewStep> steps(const PreviewRequest& request, double first = 0.05) const;
+  /// Throws as render::Session::proceed does; after Error(cancelled) it can be called again.
+  Preview render(const PreviewRequest& request, const PreviewStep& step, bool last,
+                 Progress& progress = Progress::none());
+
+  const render::SessionCounters& counters() const { return session_.counters(); }
+
+ private:
+  const render::CameraPtr& camera(const PreviewRequest& request);
+  render::Options options(const PreviewRequest& request, const PreviewStep& step) const;
+
+  PreviewScenePtr scene_;
+  render::Session session_{render::Learning::kept};
+  bool is_new_ = false;  ///< The session does not know the scene yet.
+  std::optional<View> camera_view_;
+  render::CameraPtr camera_;
+  double seconds_per_pixel_ = 0;  ///< Measured with one sample; 0: unknown.
+};
+
+}  // namespace vug::viewport

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/viewport/viewport.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace vug::viewport {
+namespace {
+
+/// The view with its target on the surface in the middle of the picture.
+View with_surface_target(const View& view, const PickScene& scene) {
+  const std::optional<Pick> middle = pick(scene, 0.5, 0.5);
+  if (!middle || middle->distance <= 0) return view;
+  View out = view;
+  out.target = view.eye + (view.target - view.eye).normalized() * middle->distance;
+  return out;
+}
+
+}  // namespace
+
+Viewport::Viewport(std::filesystem::path file, ViewportOptions options,
+                   std::function<void()> notify)
+    : file_(std::move(file)),
+      options_(std::move(options)),
+      notify_(std::move(notify)),
+      builder_([this] { build_texts(); }),
+      renderer_([this] { render_pictures(); }) {}
+
+Viewport::~Viewport() {
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+    build_->cancel();
+    render_->cancel();
+  }
+  changed_.notify_all();
+  builder_.join();
+  renderer_.join();
+}
+
+void Viewport::update(const std::function<void(ViewportStatus&)>& change) {
+  {
+    const std::lock_guard lock(mutex_);
+    change(status_);
+  }
+  changed_.notify_all();
+  if (notify_) notify_();
+}
+
+uint64_t Viewport::set_text(std::string text) {
+  uint64_t version = 0;
+  update([&](ViewportStatus& status) {
+    text_ = std::move(text);
+    version = ++status.wanted;
+    ++orders_;
+    build_->cancel();
+    status.building = true;
+    status.stopped = false;
+  });
+  return version;
+}
+
+void Viewport::refresh() {
+  update([&](ViewportStatus& status) {
+    if (status.wanted == 0) return;
+    ++orders_;
+    build_->cancel();
+    status.building = true;
+    status.stopped = false;
+  });
+}
+
+void Viewport::set_view(const std::optional<View>& view) {
+  request_.view = view;
+  request_picture();
+}
+
+void Viewport::set_mode(Mode mode) {
+  request_.mode = mode;
+  request_picture();
+}
+
+void Viewport::set_size(int width, int height) {
+  request_.width = std::max(1, width), request_.height = std::max(1, height);
+  request_picture();
+}
+
+void Viewport::request_picture() {
+  update([&](ViewportStatus& status) {
+    if (shown_ == request_ && requests_ > 0) return;
+    shown_ = request_;
+    ++requests_;
+    if (refining_) render_->cancel();
+    status.rendering = status.rendering || scene_ != nullptr;
+    status.stopped = false;
+  });
+}
+
+void Viewport::stop() {
+  update([&](ViewportStatus& status) {
+    if (!status.busy()) return;
+    build_->cancel();
+    render_->cancel();
+    status.stopped = true;
+  });
+}
+
+View Viewport::view() const {
+  if (request_.view) return *request_.view;
+  const std::lock_guard lock(mutex_);
+  return home_.value_or(View());
+}
+
+ViewportStatus Viewport::status() const {
+  const std::lock_guard lock(mutex_);
+  return status_;
+}
+
+void Viewport::wait() const {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] { return !status_.busy(); });
+}
+
+void Viewport::build_texts() {
+  Diagnostics warnings;  // of the products
+  const BuildOptionsOf with_warnings = [&](const loading::Loaded& loaded) {
+    building::BuildOptions out = options_.build ? options_.build(loaded) : building::BuildOptions();
+    out.on_warning = [&](const Diagnostics& found) { warnings.append(found); };
+    return out;
+  };
+  LiveText text(file_, options_.load, with_warnings);
+  uint64_t done = 0;
+  while (true) {
+    std::string content;
+    uint64_t version = 0;
+    std::shared_ptr<Progress> progress;
+    {
+      std::unique_lock lock(mutex_);
+      if (status_.stopped) done = orders_;
+      if (orders_ == done) status_.building = false;
+      changed_.notify_all();
+      changed_.wait(lock, [&] { return ended_ || orders_ != done; });
+      if (ended_) return;
+      if (status_.stopped) continue;
+      done = orders_, version = status_.wanted, content = text_;
+      progress = std::make_shared<Progress>([this](const std::string& stage, double fraction) {
+        update([&](ViewportStatus& status) { status.stage = stage, status.fraction = fraction; });
+      });
+      build_ = progress;
+    }
+    warnings = {};
+    Diagnostics problems;
+    std::string report;
+    const auto show_problems = [&](bool failed) {
+      update([&](ViewportStatus& status) {
+        status.problems = std::make_shared<const Diagnostics>(problems);
+        status.report = report;
+        status.checked = version;
+        if (failed) status.failed = version;
+      });
+    };
+    try {
+      const bool usable = text.load(std::move(content), progress, options_.check);
+      problems = text.problems();
+      report = text.report();
+      update([&](ViewportStatus& status) { ++status.counters.texts; });
+      show_problems(!usable);
+      if (!usable) continue;
+      progress->check();
+      auto scene = std::make_shared<PreviewScene>(build_preview(text, options_.picture));
+      scene->version = version;
+      problems.append(warnings);
+      report = text.loaded().report(problems);
+      show_problems(false);
+      update([&](ViewportStatus& status) {
+        ++status.counters.scenes;
+        status.counters.products += text.builder().counts().total();
+        scene_ = scene;
+        home_ = scene->home;
+        ++requests_;
+        if (refining_) render_->cancel();
+        status.rendering = true;
+      });
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::cancelled) {
+        update([&](ViewportStatus& status) { status.failed = version; });
+        continue;
+      }
+      problems.append(warnings);
+      problems.add(error, {file_.string(), 1, 1});
+      report = text.has_version() ? text.loaded().report(problems) : error.located_message() + "\n";
+      show_problems(true);
+    } catch (const std::exception& error) {
+      problems.error({file_.string(), 1, 1}, error.what(), "reduce the size of the scene");
+      show_problems(true);
+    }
+  }
+}
+
+void Viewport::publish(Preview picture, size_t trees) {
+  std::optional<View> home;
+  if (picture.view == picture.scene.scene->home)
+    home = with_surface_target(picture.view, picture.scene);
+  const auto shared = std::make_shared<const Preview>(std::move(picture));
+  update([&](ViewportStatus& status) {
+    status.picture = shared;
+    ++status.counters.pictures;
+    status.counters.trees = trees;
+    if (home && scene_ == shared->scene.scene) home_ = home;
+  });
+}
+
+void Viewport::render_pictures() {
+  PreviewRenderer renderer;
+  PreviewScenePtr known;
+  uint64_t done = 0;
+  while (true) {
+    PreviewRequest request;
+    PreviewScenePtr scene;
+    std::shared_ptr<Progress> progress;
+    {
+      std::unique_lock lock(mutex_);
+      refining_ = false;
+      if (status_.stopped) done = requests_;
+      if (requests_ == done || !scene_) status_.rendering = false;
+      changed_.notify_all();
+      changed_.wait(lock, [&] { return ended_ || (requests_ != done && scene_); });
+      if (ended_) return;
+      if (status_.stopped) continue;
+      done = requests_, request = shown_, scene = scene_;
+      render_ = progress = std::make_shared<Progress>();
+      status_.rendering = true;
+    }
+    if (notify_) notify_();
+    try {
+      if (scene != known) renderer.set_scene(known = scene);
+      const std::vector<PreviewStep> steps = renderer.steps(request);
+      for (size_t i = 0; i < steps.size(); ++i) {
+        publish(renderer.render(request, steps[i], i + 1 == steps.size(), *progress),
+                renderer.counters().trees.built);
+        const std::lock_guard lock(mutex_);
+        if (requests_ != done) break;  // the coarse picture is complete: now to the next request
+        refining_ = true;
+      }
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::cancelled) continue;
+      update([&](ViewportStatus& status) {
+        Diagnostics problems = *status.problems;
+        problems.add(error, {file_.string(), 1, 1});
+        status.problems = std::make_shared<const Diagnostics>(std::move(problems));
+        status.report += error.located_message() + "\n";
+      });
+    }
+  }
+}
+
+}  // namespace vug::viewport
