@@ -56,3 +56,5 @@ vug_family(fit      moves         move_kinds            MoveKind                
 vug_family(modeller edits         edit_kinds            EditKind                  edit         edit.h)
 vug_family(workbench commands     commands              Command                   command      command.h)
 vug_family(workbench queries      queries               Query                     query        query.h)
+vug_family(workbench scene_commands scene_commands      SceneCommand              scene_command scene_command.h)
+vug_family(workbench scene_queries scene_queries        SceneQuery                scene_query  scene_query.h)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/utf8.h>
 #include <vug/language/position.h>
 #include <vug/scene/text_at.h>
 
@@ -16,6 +17,15 @@ SourceLocation range_at(const std::string& file, const Position& position) {
 
 SourceLocation range_between(const std::string& file, const Position& begin, const Position& end) {
   return {file, begin.line, begin.column, end.line, end.column};
+}
+
+Position position_at(const std::string& text, size_t byte) {
+  byte = std::min(byte, text.size());
+  while (byte > 0 && byte < text.size() && is_utf8_tail(text[byte])) --byte;
+  const std::string_view before(text.data(), byte);
+  const size_t line = before.rfind('\n') + 1;  // 0 on the first line
+  return {1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
+          1 + utf8_count(before.substr(line))};
 }
 
 std::string apply(std::string text, std::vector<TextEdit> edits) {

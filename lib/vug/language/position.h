@@ -26,6 +26,9 @@ SourceLocation range_at(const std::string& file, const Position& position);
 /// The range between two positions of a file.
 SourceLocation range_between(const std::string& file, const Position& begin, const Position& end);
 
+/// The position before the character that contains a byte of a text with "\n" as line ends.
+Position position_at(const std::string& text, size_t byte);
+
 /// Replaces a range of a text; an empty range inserts.
 struct TextEdit {
   SourceLocation range;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/workbench/command.h>
 #include <vug/workbench/facade_bench.h>
-#include <vug/workbench/words.h>
 
 #include <fmt/format.h>
 
@@ -56,35 +55,19 @@ const std::vector<const Command*>& all_commands() {
 }
 
 const Command& find_command(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Command* each : all_commands()) {
-    if (each->name == name) return *each;
-    names.push_back(each->name);
-  }
-  throw Error(ErrorCode::bad_input, fmt::format("unknown command '{}'", name), {},
-              did_you_mean(name, names, "Ctrl+Shift+P lists all commands"));
+  return find_command_in(all_commands(), name);
 }
 
 const Command* run_command(FacadeBench& bench, const std::string& line) {
-  CommandCall call{split_words(line), ""};
-  if (call.words.empty()) return nullptr;
-  const Command& command = find_command(call.words.front());
-  call.words.erase(call.words.begin());
-  const size_t name_at = line.find(command.name);
-  call.rest = line.substr(name_at + command.name.size());
-  if (call.words.size() < command.required || call.words.size() > command.most)
-    throw Error(ErrorCode::bad_input, fmt::format("wrong number of arguments: '{}'", line), {},
-                fmt::format("{} {}", command.name, command.arguments));
-  if (command.unavailable)
-    if (const std::string why = command.unavailable(bench); !why.empty())
-      throw Error(ErrorCode::bad_input,
-                  fmt::format("'{}' is not available: {}", command.name, why));
-  if (is_edit(command.name))
-    run_edit(bench, command.name, call.rest);
+  CommandCall call;
+  const Command* command = parse_command<FacadeBench>(all_commands(), bench, line, call);
+  if (!command) return nullptr;
+  if (is_edit(command->name))
+    run_edit(bench, command->name, call.rest);
   else
-    command.run(bench, call);
-  if (command.changes && bench.journal) bench.journal(line);
-  return &command;
+    command->run(bench, call);
+  if (command->changes && bench.journal) bench.journal(line);
+  return command;
 }
 
 std::string without_document(const FacadeBench& bench) {

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/workbench/recovery.h>
+#include <vug/workbench/words.h>
 
 namespace vug::workbench {
 
-Recorder::Recorder(FacadeBench& bench, std::filesystem::path folder)
+template <class Bench>
+RecorderOf<Bench>::RecorderOf(Bench& bench, std::filesystem::path folder)
     : bench_(bench), folder_(std::move(folder)) {
   bench_.journal = [this](const std::string& line) {
     if (journal_) journal_->append(line);
   };
 }
 
-const Command* Recorder::run(const std::string& line) {
-  const Command* command = run_command(bench_, line);
+template <class Bench>
+const CommandOf<Bench>* RecorderOf<Bench>::run(const std::string& line) {
+  const CommandOf<Bench>* command = run_command(bench_, line);
   if (command && (command->opens || command->saves)) {
     if (!journal_) journal_ = std::make_unique<Journal>(folder_);
     journal_->restart({bench_.opening_line()});
@@ -19,7 +22,8 @@ const Command* Recorder::run(const std::string& line) {
   return command;
 }
 
-void Recorder::recover(const LostJournal& lost) {
+template <class Bench>
+void RecorderOf<Bench>::recover(const LostJournal& lost) {
   run_command(bench_, lost.lines.front());
   std::vector<std::string> done = {lost.lines.front()};
   // The lost journal stays until the new one contains its lines.
@@ -41,6 +45,14 @@ void Recorder::recover(const LostJournal& lost) {
   }
   adopt();
   std::filesystem::remove(lost.file, ignored);
+}
+
+template class RecorderOf<FacadeBench>;
+template class RecorderOf<SceneBench>;
+
+bool is_scene_journal(const LostJournal& lost) {
+  const std::vector<std::string> words = split_words(lost.lines.front());
+  return words.size() > 1 && std::filesystem::path(words[1]).extension() == ".vug";
 }
 
 std::filesystem::path rejected_file(const LostJournal& lost) {

@@ -37,7 +37,7 @@ std::vector<std::string> split_words(const std::string& line) {
     if (c == '"')
       in_quotes = !in_quotes;
     else if (in_quotes && c == '\\' && i + 1 < line.size())
-      out.back() += line[++i];
+      out.back() += line[++i] == 'n' ? '\n' : line[i];
     else
       out.back() += c;
   }
@@ -48,11 +48,14 @@ std::vector<std::string> split_words(const std::string& line) {
 }
 
 std::string quoted(const std::string& word) {
-  if (!word.empty() && word.find_first_of(" \t\r\"\\#") == std::string::npos) return word;
+  if (!word.empty() && word.find_first_of(" \t\r\n\"\\#") == std::string::npos) return word;
   std::string out = "\"";
   for (const char c : word) {
     if (c == '"' || c == '\\') out += '\\';
-    out += c;
+    if (c == '\n')
+      out += "\\n";
+    else
+      out += c;
   }
   return out + '"';
 }

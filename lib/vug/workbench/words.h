@@ -7,8 +7,9 @@
 
 namespace vug::workbench {
 
-/// Splits a line. Inside of quotes, \" and \\ are a quote and a backslash; # outside of quotes, at
-/// the start of a word, begins a comment. Error(bad_input) for a quote that is never closed.
+/// Splits a line. Inside of quotes, \", \\ and \n are a quote, a backslash and the end of a line; #
+/// outside of quotes, at the start of a word, begins a comment. Error(bad_input) for a quote that
+/// is never closed.
 std::vector<std::string> split_words(const std::string& line);
 
 /// The word with quotes if it needs them; the inverse of split_words.

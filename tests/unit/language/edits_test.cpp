@@ -67,6 +67,17 @@ TEST(Edits, EachParamOfEachSceneCanBeSetAndSetBack) {
   EXPECT_GT(edits, 100);
 }
 
+TEST(Edits, BytesHavePositions) {
+  const std::string text = "a\u00e4\n\n\u20acb";
+  for (size_t byte = 0; byte <= text.size(); ++byte) {
+    const Position at = position_at(text, byte);
+    EXPECT_LE(scene::byte_at(text, at.line, at.column), byte);
+    if (byte < text.size() && (text[byte] & 0xc0) == 0x80) continue;
+    EXPECT_EQ(scene::byte_at(text, at.line, at.column), byte);
+  }
+  EXPECT_EQ(position_at(text, text.size()), (Position{3, 3}));
+}
+
 TEST(Edits, InsertionsAtOnePositionKeepTheirOrder) {
   const SourceLocation at = range_at("", {1, 2});
   EXPECT_EQ(apply("ab\n", {{at, "1"}, {at, "2"}, {range_between("", {1, 2}, {1, 3}), "c"}}),

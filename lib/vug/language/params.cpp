@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vug/language/params.h>
+#include <vug/scene/evaluator.h>
+#include <vug/scene/resolver.h>
+#include <vug/scene/text_at.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vug::language {
+namespace {
+
+constexpr double kSliderSteps = 200;
+constexpr int kMaxDecimals = 9;
+
+/// A number as written: digits, then a unit.
+struct Literal {
+  double digits = 0;
+  std::string unit;
+};
+
+std::optional<Literal> literal_of(const std::string& text) {
+  if (!scene::read_number(text)) return std::nullopt;
+  // The longest beginning that is a number without a unit; "1e3" is one, the "e" of "1em" is not.
+  for (size_t length = text.size(); length > 0; --length) {
+    const auto number = scene::read_number(text.substr(0, length));
+    if (number && number->dimension == Dimension::none &&
+        text.find_first_of("0123456789", length) == std::string::npos && text[length - 1] != '%')
+      return Literal{number->value, text.substr(length)};
+  }
+  return std::nullopt;
+}
+
+bool is_whole_number(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("-0123456789") == std::string::npos;
+}
+
+/// The number with that many decimals at most, without zeros at its end.
+std::string with_decimals(double value, int decimals) {
+  std::string out = fmt::format("{:.{}f}", value, decimals);
+  if (out.find('.') != std::string::npos) {
+    out.erase(out.find_last_not_of('0') + 1);
+    if (out.back() == '.') out.pop_back();
+  }
+  return out == "-0" ? "0" : out;
+}
+
+double number_in(const Value& value) { return value.get<Number>()->value; }
+
+}  // namespace
+
+bool ParamSetting::has_slider() const {
+  return value.get<Number>() && low.get<Number>() && high.get<Number>() &&
+         number_in(low) < number_in(high);
+}
+
+double ParamSetting::fraction() const {
+  const double at = (number_in(value) - number_in(low)) / (number_in(high) - number_in(low));
+  return std::clamp(at, 0.0, 1.0);
+}
+
+std::vector<ParamSetting> params_of(const Analysis& analysis) {
+  scene::Resolver without_objects;
+  Diagnostics ignored;
+  scene::Evaluator evaluator(analysis.document, without_objects, ignored);
+  std::vector<ParamSetting> out;
+  const auto text_of_expression = [&](const scene::ExprPtr& expression) {
+    return std::string(scene::text_at(analysis.text, expression->extent));
+  };
+  for (const scene::ParamValue& each : evaluator.params()) {
+    const scene::Param& param = *each.param;
+    if (param.where.file != analysis.file || !param.value) continue;
+    ParamSetting setting{param.name,  param.doc,  text_of_expression(param.value),
+                         param.where, each.value, each.low,
+                         each.high,   "",         false};
+    if (param.low && param.high) {
+      const std::string low = text_of_expression(param.low), high = text_of_expression(param.high);
+      setting.range = low + ".." + high;
+      setting.whole =
+          is_whole_number(setting.text) && is_whole_number(low) && is_whole_number(high);
+    }
+    out.push_back(std::move(setting));
+  }
+  return out;
+}
+
+std::string slider_text(const ParamSetting& param, double fraction) {
+  const double low = number_in(param.low), high = number_in(param.high);
+  const double value = low + std::clamp(fraction, 0.0, 1.0) * (high - low);
+  if (param.whole) return with_decimals(std::round(value), 0);
+  const std::optional<Literal> literal = literal_of(param.text);
+  const Number* now = param.value.get<Number>();
+  // The size of the unit follows from the number as written and its value.
+  const std::optional<Number> unit =
+      literal ? scene::read_number("1" + literal->unit) : std::nullopt;
+  if (!unit || unit->dimension != now->dimension || !(unit->value > 0))
+    return quantity_text(value, now->dimension);
+  const double step = (high - low) / kSliderSteps / unit->value;
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 0, kMaxDecimals);
+  return with_decimals(value / unit->value, decimals) + literal->unit;
+}
+
+}  // namespace vug::language

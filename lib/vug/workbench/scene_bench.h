@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene bench: the complete state of the window that edits a scene text next to its picture.
+// Widgets show this state and run commands (workbench/scene_command.h); nothing here needs a
+// display.
+#pragma once
+
+#include <vug/language/params.h>
+#include <vug/language/workspace.h>
+#include <vug/viewport/viewport.h>
+#include <vug/workbench/scene_text.h>
+#include <vug/workbench/undo_stack.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vug::workbench {
+
+/// Used by one thread. Functions throw Error(bad_input) for work that is not possible, and then
+/// change nothing.
+class SceneBench {
+ public:
+  /// `notify` is called on other threads when the status of the viewport has changed.
+  explicit SceneBench(std::function<void()> notify = {}) : notify_(std::move(notify)) {}
+
+  // The document.
+  bool has_document() const { return stack_.has_value(); }
+  const UndoStack<SceneText>& stack() const;
+  const std::string& text() const { return *stack().current(); }
+  const std::filesystem::path& file() const { return file_; }
+  /// Whether the text differs from the saved one.
+  bool is_modified() const { return text() != *saved_; }
+  uint64_t revision() const { return revision_; }  ///< Increases with each change of the text.
+
+  /// Error(bad_input) if the file cannot be read. `text` replaces that of the file, unless it is
+  /// none.
+  void open(const std::filesystem::path& file, const std::optional<std::string>& text = {});
+  /// Keeps the line ends of the file. Error(io).
+  void save(const std::filesystem::path& file);
+  /// The command that opens this document with its present text.
+  std::string opening_line() const;
+
+  /// `step`: the name of the undo step. Changes with the same `merge`, which is not empty, are one
+  /// step; with the key "typing" only if they are adjacent.
+  void edit(const TextChange& change, const std::string& step, const std::string& merge = "");
+  bool undo();
+  bool redo();
+  /// The next change is a step of its own.
+  void end_step();
+
+  // The meaning of the text.
+  const language::Workspace& workspace() const { return workspace_; }
+  language::AnalysisPtr analysis() const;
+  const std::vector<language::ParamSetting>& params() const;
+  /// Error(bad_input) with the nearest name.
+  const language::ParamSetting& param(const std::string& name) const;
+  void set_param(const std::string& name, const std::string& value, const std::string& merge = "");
+  /// Writes the view of the viewport into the camera of the text, or adds a camera.
+  void write_view();
+
+  // The selected range of the text.
+  const SourceLocation& selection() const { return selection_; }
+  /// Increases with each `select`, so that editors follow.
+  uint64_t jumps() const { return jumps_; }
+  void select(const SourceLocation& range);
+
+  // The picture.
+  viewport::Viewport& viewport();
+  const viewport::Viewport& viewport() const;
+  viewport::ViewportStatus status() const;
+  /// Whether the viewport does not have the present text.
+  bool needs_build() const { return has_document() && built_ != revision_; }
+  /// Gives the present text to the viewport.
+  void build();
+  /// Whether the picture shows another text.
+  bool stale() const { return needs_build() || status().stale(); }
+  bool busy() const { return needs_build() || status().busy(); }
+  /// Selects the declaration of the object at a position of the picture, (0, 0) at the top left
+  /// corner; another pick of the same object selects its next declaration.
+  void pick(double x, double y);
+  const std::optional<viewport::Pick>& picked() const { return picked_; }
+  /// Selects a declaration of the picked object.
+  void select_declaration(size_t index);
+
+  /// Receives the line of each command that changes the document.
+  std::function<void(const std::string& line)> journal = {};
+
+ private:
+  void changed(const TextChange& change);
+  /// Journals the restored text as a change: a journal begins at the last save, which undo can
+  /// pass.
+  void restored(const std::string& before, const char* step);
+  /// Gives the text to a new viewport, whose relative paths begin at the file.
+  void attach(const std::filesystem::path& file);
+  void require_document() const;
+
+  std::function<void()> notify_;
+  std::optional<UndoStack<SceneText>> stack_;
+  SceneText saved_;
+  std::filesystem::path file_;
+  FileConventions conventions_;
+  uint64_t revision_ = 0, built_ = 0;
+  size_t typed_to_ = 0;  ///< End of the last change.
+  mutable language::Workspace workspace_;
+  mutable uint64_t analysed_ = 0;  ///< The revision of the workspace.
+  mutable std::vector<language::ParamSetting> params_;
+  mutable uint64_t params_revision_ = 0;
+  SourceLocation selection_;
+  uint64_t jumps_ = 0;
+  std::optional<viewport::Pick> picked_;
+  size_t picked_declaration_ = 0;
+  std::unique_ptr<viewport::Viewport> viewport_;
+};
+
+}  // namespace vug::workbench

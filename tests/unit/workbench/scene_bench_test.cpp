@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene bench: one undo stack for all changes, parameters in the text, picks, the journal.
+#include <vug/base/atomic_file.h>
+#include <vug/base/rng.h>
+#include <vug/base/scratch_folder.h>
+#include <vug/workbench/recovery.h>
+#include <vug/workbench/scene_query.h>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace vug::workbench {
+namespace {
+
+const std::string kText =
+    "# A ball.\n"
+    "param RADIUS = 50cm   in 10cm..90cm  \"radius\"  # not too large\n"
+    "volume ball = level_set(sphere(RADIUS), voxel: 5cm)\n"
+    "mesh ball on ball { }\n"
+    "object ball on ball { }\n"
+    "camera main { eye (0, 0, 4)  # far\n"
+    "  target (0, 0, 0) }\n";
+
+class SceneBenches : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_text(file_, kText);
+    bench_.open(file_);
+    bench_.viewport().set_size(64, 36);
+  }
+  void run(const std::string& line) { run_command(bench_, line); }
+  void build() {
+    bench_.build();
+    bench_.viewport().wait();
+  }
+  std::string refusal(const std::string& line) {
+    try {
+      run(line);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+  std::string edit_line(const std::string& before, const std::string& after) const {
+    const size_t at = bench_.text().find(before);
+    return "edit " + std::to_string(at) + " " + std::to_string(before.size()) + " " + quoted(after);
+  }
+
+  ScratchFolder folder_{"vug_scene_bench"};
+  std::filesystem::path file_ = folder_.file("scene.vug");
+  SceneBench bench_;
+};
+
+TEST_F(SceneBenches, SlidersWriteIntoTheTextAndUndoRestoresItsBytes) {
+  ASSERT_EQ(bench_.params().size(), 1u);
+  run("param RADIUS 62cm drag");
+  run("param RADIUS 70cm drag");
+  std::string expected = kText;
+  expected.replace(expected.find("50cm"), 4, "70cm");
+  EXPECT_EQ(bench_.text(), expected);
+  EXPECT_EQ(bench_.stack().undo_name(), "Set RADIUS");
+  run("undo");
+  EXPECT_EQ(bench_.text(), kText) << "a drag is one step";
+  EXPECT_FALSE(bench_.is_modified());
+  run("redo");
+  EXPECT_EQ(bench_.text(), expected);
+  EXPECT_NE(refusal("param RADIU 3cm"), "");
+}
+
+TEST_F(SceneBenches, OneStackHoldsTypingAndSliders) {
+  run("edit 0 0 x Typing typing");
+  run("edit 1 0 y Typing typing");
+  run("param RADIUS 60cm drag");
+  run("end_step");
+  run("param RADIUS 61cm drag");
+  run("edit 2 0 z Typing typing");
+  run("edit 0 1 \"\" Typing typing");
+  std::vector<std::string> texts = {bench_.text()};
+  while (bench_.stack().can_undo()) {
+    run("undo");
+    texts.push_back(bench_.text());
+  }
+  ASSERT_EQ(texts.size(), 6u) << "adjacent typing is one step, another place is another one";
+  EXPECT_EQ(texts.back(), kText);
+  EXPECT_EQ(texts[4], "xy" + kText);
+  for (size_t i = texts.size() - 1; i-- > 0;) {
+    run("redo");
+    EXPECT_EQ(bench_.text(), texts[i]);
+  }
+  EXPECT_EQ(refusal("redo"), "'redo' is not available: there is nothing to redo");
+}
+
+TEST_F(SceneBenches, ATextWithErrorsKeepsThePicture) {
+  build();
+  const viewport::PreviewPtr good = bench_.status().picture;
+  ASSERT_TRUE(good) << bench_.status().report;
+  EXPECT_NO_THROW(expect(bench_, {"stale", "=", "no"}));
+  run(edit_line("sphere(RADIUS)", "spher(RADIUS)"));
+  EXPECT_TRUE(bench_.needs_build());
+  build();
+  EXPECT_EQ(bench_.status().picture, good);
+  EXPECT_NO_THROW(expect(bench_, {"stale", "=", "yes"}));
+  EXPECT_NO_THROW(expect(bench_, {"problem", "contains", "3:25: "}));
+  run("undo");
+  build();
+  EXPECT_NO_THROW(expect(bench_, {"problems", "=", "0"}));
+  EXPECT_FALSE(bench_.stale());
+}
+
+TEST_F(SceneBenches, APickSelectsTheDeclarationsInTurn) {
+  build();
+  run("pick 0.5 0.5");
+  EXPECT_NO_THROW(expect(bench_, {"picked", "=", "ball"}));
+  std::vector<int> lines;
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NO_THROW(expect(bench_, {"selected", "=", "ball"}));
+    lines.push_back(bench_.selection().line);
+    run("pick 0.5 0.5");
+  }
+  EXPECT_EQ(lines, (std::vector<int>{5, 4, 3, 5}));
+  run("pick 0.01 0.01");
+  EXPECT_NO_THROW(expect(bench_, {"picked", "=", ""}));
+}
+
+TEST_F(SceneBenches, TheViewIsWrittenIntoTheCamera) {
+  build();
+  run("orbit 90");
+  bench_.viewport().wait();
+  run("write_view");
+  EXPECT_NE(bench_.text().find("# far"), std::string::npos) << bench_.text();
+  build();
+  const viewport::View view = bench_.viewport().view();
+  run("home");
+  bench_.viewport().wait();
+  EXPECT_LT((bench_.viewport().view().eye - view.eye).length(), 1e-3) << bench_.text();
+  EXPECT_EQ(bench_.stack().undo_name(), "Write view");
+  run("undo");
+  EXPECT_EQ(bench_.text(), kText);
+}
+
+TEST_F(SceneBenches, SavingKeepsTheLineEndsOfTheFile) {
+  write_text(file_, "# a\r\n# b\r\n");
+  bench_.open(file_);
+  EXPECT_EQ(bench_.text(), "# a\n# b\n");
+  run("edit 3 0 c");
+  EXPECT_TRUE(bench_.is_modified());
+  run("save");
+  EXPECT_FALSE(bench_.is_modified());
+  EXPECT_EQ(read_text(file_), "# ac\r\n# b\r\n");
+}
+
+TEST_F(SceneBenches, RefuseWithAReason) {
+  SceneBench empty;
+  try {
+    run_command(empty, "undo");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "'undo' is not available: no scene is open");
+  }
+  EXPECT_EQ(refusal("mode wire"), "unknown mode 'wire' of the viewport");
+  EXPECT_NE(refusal("edit 5000 0 x"), "");
+  EXPECT_NE(refusal("edit 0 1.5 x"), "");
+  EXPECT_NE(refusal("dolly 0"), "");
+  EXPECT_NE(refusal("open " + folder_.file("missing.vug").string()), "");
+  EXPECT_EQ(bench_.text(), kText);
+}
+
+TEST(SceneCommands, HaveDocumentationAndNoSharedKeys) {
+  std::set<std::string> keys;
+  for (const SceneCommand* each : scene_commands()) {
+    EXPECT_NE(each->title, "") << each->name;
+    EXPECT_NE(each->doc, "") << each->name;
+    if (each->keys.empty()) continue;
+    EXPECT_TRUE(keys.insert(each->keys).second) << each->name;
+  }
+  for (const SceneQuery* each : scene_queries()) EXPECT_NE(each->doc, "") << each->name;
+}
+
+TEST_F(SceneBenches, AJournalGivesTheTextOfAKilledProgram) {
+  const std::filesystem::path journals = folder_.file("journals");
+  RandomStream random{RandomKey(7)};
+  std::string expected;
+  std::vector<std::string> lines;
+  {
+    SceneBench killed;
+    SceneRecorder recorder(killed, journals);
+    recorder.run("open " + quoted(file_.string()));
+    for (int i = 0; i < 120; ++i) {
+      const size_t size = killed.text().size();
+      const uint32_t which = random.below(6);
+      if (which == 0 && killed.stack().can_undo())
+        recorder.run("undo");
+      else if (which == 1 && killed.stack().can_redo())
+        recorder.run("redo");
+      else if (which == 2)
+        recorder.run("end_step");
+      else if (which == 3)
+        recorder.run("edit 0 1 \"#\"");
+      else
+        recorder.run("edit " + std::to_string(size) + " 0 " +
+                     quoted(which == 4 ? "\n# \"a\\b\"\n" : "# \u00e4") + " Typing typing");
+      if (i == 60) recorder.run("save");
+    }
+    expected = killed.text();
+    // The program is killed: its journal stays, without its lock.
+    for (const auto& entry : std::filesystem::directory_iterator(journals))
+      std::filesystem::copy_file(entry.path(), folder_.file("copy.vugjournal"));
+  }
+  std::filesystem::rename(folder_.file("copy.vugjournal"), journals / "1-0.vugjournal");
+  const std::vector<LostJournal> lost = lost_journals(journals);
+  ASSERT_EQ(lost.size(), 1u);
+  EXPECT_TRUE(is_scene_journal(lost.front()));
+  // Another program has changed the file: the journal has the text to which its edits belong.
+  write_text(file_, "# other\n");
+  SceneBench bench;
+  SceneRecorder recorder(bench, journals);
+  recorder.recover(lost.front());
+  EXPECT_EQ(bench.text(), expected);
+  EXPECT_TRUE(bench.is_modified());
+  while (bench.stack().can_undo()) bench.undo();
+  EXPECT_EQ(bench.text(), "# other\n");
+}
+
+}  // namespace
+}  // namespace vug::workbench
