@@ -20,7 +20,7 @@ bool is_part(const QWidget& widget) {
          widget.focusPolicy() == Qt::NoFocus;
 }
 
-void check_names(const MainWindow& window, QStringList& out) {
+void check_names(const QWidget& window, QStringList& out) {
   for (const QWidget* each : window.findChildren<QWidget*>())
     if (!is_part(*each) && each->isVisible() && each->accessibleName().isEmpty())
       out << QString("%1 '%2' has no accessible name")
@@ -48,7 +48,7 @@ void check_tab_order(QWidget& window, QStringList& out) {
   }
 }
 
-void check_keys(const MainWindow& window, QStringList& out) {
+void check_keys(const QWidget& window, QStringList& out) {
   std::map<QString, QString> owner;
   for (const QAction* action : window.findChildren<QAction*>())
     for (const QKeySequence& keys : action->shortcuts()) {
@@ -74,7 +74,7 @@ void check_contrast(QStringList& out) {
       out << QString("%1 has a contrast of %2").arg(name).arg(contrast(text, ground), 0, 'f', 2);
 }
 
-void check_clipping(const MainWindow& window, QStringList& out) {
+void check_clipping(const QWidget& window, QStringList& out) {
   for (const QLabel* each : window.findChildren<QLabel*>())
     if (each->isVisible() && each->objectName() != "message" && !each->wordWrap() &&
         each->textFormat() != Qt::RichText &&
@@ -84,7 +84,7 @@ void check_clipping(const MainWindow& window, QStringList& out) {
 
 }  // namespace
 
-QString audit(MainWindow& window) {
+QString audit(QWidget& window) {
   QStringList out;
   check_names(window, out);
   check_tab_order(window, out);

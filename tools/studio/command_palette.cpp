@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command_palette.h"
 
-#include <vug/workbench/command.h>
-
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
@@ -10,7 +8,10 @@
 
 namespace vug::studio {
 
-CommandPalette::CommandPalette(Studio& studio, QWidget* parent) : QDialog(parent), studio_(studio) {
+CommandPalette::CommandPalette(std::vector<PaletteEntry> entries,
+                               std::function<bool(const std::string&)> run, const QString& example,
+                               QWidget* parent)
+    : QDialog(parent), entries_(std::move(entries)), run_(std::move(run)) {
   setObjectName("palette dialog");
   setWindowTitle(tr("Commands"));
   setAccessibleName(windowTitle());
@@ -19,7 +20,7 @@ CommandPalette::CommandPalette(Studio& studio, QWidget* parent) : QDialog(parent
   line_ = new QLineEdit;
   line_->setObjectName("palette line");
   line_->setAccessibleName(tr("Command"));
-  line_->setPlaceholderText(tr("Command, e.g. act . RegularGrid columns=4"));
+  line_->setPlaceholderText(tr("Command, e.g. %1").arg(example));
   list_ = new QListWidget;
   list_->setObjectName("palette list");
   list_->setAccessibleName(tr("Matching commands"));
@@ -40,27 +41,28 @@ void CommandPalette::filter() {
   const QString wanted = line_->text().section(' ', 0, 0).toLower();
   // Names that begin with the word, then other names, then descriptions.
   for (int rank = 0; rank < 3; ++rank)
-    for (const workbench::Command* each : workbench::all_commands())
-      if (rank_of(*each, wanted) == rank) add(*each);
+    for (const PaletteEntry& each : entries_)
+      if (rank_of(each, wanted) == rank) add(each);
   list_->setCurrentRow(0);
 }
 
-int CommandPalette::rank_of(const workbench::Command& command, const QString& wanted) {
-  const QString name = text_of(command.name);
+int CommandPalette::rank_of(const PaletteEntry& command, const QString& wanted) {
+  const QString name = QString::fromStdString(command.name);
   if (name.startsWith(wanted)) return 0;
   if (name.contains(wanted)) return 1;
-  return text_of(command.doc).toLower().contains(wanted) ? 2 : 3;
+  return QString::fromStdString(command.doc).toLower().contains(wanted) ? 2 : 3;
 }
 
-void CommandPalette::add(const workbench::Command& command) {
-  const std::string why = command.unavailable ? command.unavailable(studio_.bench()) : "";
+void CommandPalette::add(const PaletteEntry& entry) {
+  const auto text_of = [](const std::string& text) { return QString::fromStdString(text); };
+  const std::string& why = entry.unavailable;
   auto* item = new QListWidgetItem(QString("%1 %2    %3")
-                                       .arg(text_of(command.name), text_of(command.arguments),
-                                            text_of(why.empty() ? command.doc : why)));
-  item->setData(Qt::UserRole, text_of(command.name));
-  item->setData(Qt::UserRole + 1, command.required > 0);
+                                       .arg(text_of(entry.name), text_of(entry.arguments),
+                                            text_of(why.empty() ? entry.doc : why)));
+  item->setData(Qt::UserRole, text_of(entry.name));
+  item->setData(Qt::UserRole + 1, entry.asks);
   if (!why.empty()) item->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
-  item->setToolTip(text_of(command.doc + (command.keys.empty() ? "" : " " + command.keys)));
+  item->setToolTip(text_of(entry.doc + (entry.keys.empty() ? "" : " " + entry.keys)));
   list_->addItem(item);
 }
 
@@ -74,7 +76,7 @@ void CommandPalette::run() {
     line_->setFocus();
     if (chosen->data(Qt::UserRole + 1).toBool()) return;
   }
-  if (studio_.run(line_->text().toStdString())) accept();
+  if (run_(line_->text().toStdString())) accept();
 }
 
 /// The arrow keys move through the list while the line has the focus.

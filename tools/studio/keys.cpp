@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "keys.h"
 
-#include <vug/workbench/command.h>
+#include <vug/workbench/scene_command.h>
 
 #include <fmt/format.h>
 #include <vector>
@@ -51,17 +51,43 @@ constexpr KeyRow kCanvasRows[] = {
     {"", "Wheel", "Zooms to the mouse"},
     {"", "Middle button, Alt + left button", "Pans"}};
 
+/// The window of scenes.
+const std::vector<KeyRow>& scene_rows() {
+  static const std::vector<KeyRow> rows = {
+      {"complete", "Ctrl+Space", "Lists the words that can be written at the caret"},
+      {"edit text", "Ctrl+1", "Goes to the text"},
+      {"look at picture", "Ctrl+2", "Goes to the picture"},
+      {"save as", "Ctrl+Shift+S", "Saves the text to another file"},
+      {"palette", "Ctrl+Shift+P", "Opens the command palette"},
+      {"quit", "Ctrl+Q", "Closes the window"}};
+  return rows;
+}
+
+/// Keys and buttons that the picture of a scene handles itself.
+constexpr KeyRow kPictureRows[] = {
+    {"", "Left button, drag", "Turns the view around its target"},
+    {"", "Shift + left button, drag", "Moves the view"},
+    {"", "Ctrl + left button, drag; wheel", "Moves the eye nearer or farther away"},
+    {"", "Left button, click", "Selects the declaration of the object, then its next one"},
+    {"", "Right button", "Lists all declarations of the object"},
+    {"", "Arrow keys; + and -", "Turn the view; move the eye nearer or farther away"},
+    {"", "Enter", "Selects the declaration of the object in the middle"}};
+
+QString keys_in(const std::vector<KeyRow>& rows, const QString& action) {
+  for (const KeyRow& row : rows)
+    if (action == row.action) return row.keys;
+  return "";
+}
+
 std::string row_text(const std::string& keys, const std::string& effect) {
   return fmt::format("| {} | {} |\n", keys, effect);
 }
 
 }  // namespace
 
-QString window_keys(const QString& action) {
-  for (const KeyRow& row : window_rows())
-    if (action == row.action) return row.keys;
-  return "";
-}
+QString window_keys(const QString& action) { return keys_in(window_rows(), action); }
+
+QString scene_keys(const QString& action) { return keys_in(scene_rows(), action); }
 
 std::string key_table() {
   std::string out = "| keys | effect |\n|---|---|\n";
@@ -70,6 +96,15 @@ std::string key_table() {
   for (const KeyRow& row : window_rows())
     if (*row.effect) out += row_text(row.keys, row.effect);
   for (const KeyRow& row : kCanvasRows) out += row_text(row.keys, row.effect);
+  return out;
+}
+
+std::string scene_key_table() {
+  std::string out = "| keys | effect |\n|---|---|\n";
+  for (const workbench::SceneCommand* each : workbench::scene_commands())
+    if (!each->keys.empty()) out += row_text(each->keys, each->doc.substr(0, each->doc.size() - 1));
+  for (const KeyRow& row : scene_rows()) out += row_text(row.keys, row.effect);
+  for (const KeyRow& row : kPictureRows) out += row_text(row.keys, row.effect);
   return out;
 }
 

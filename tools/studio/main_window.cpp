@@ -2,6 +2,7 @@
 #include "main_window.h"
 
 #include "prompts.h"
+#include "recovery_bar.h"
 #include "score_panel.h"
 #include "specification_panel.h"
 #include "theme.h"
@@ -17,7 +18,6 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QPushButton>
 #include <QSlider>
 #include <QSplitter>
 #include <QStatusBar>
@@ -158,28 +158,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::offer_recovery(const std::vector<workbench::LostJournal>& lost) {
   if (lost.empty()) return;
-  auto* line = new QHBoxLayout(recovery_);
-  line->setContentsMargins(14, 8, 14, 8);
-  line->addWidget(new QLabel(tr("Vug Studio ended with unsaved edits: %n step(s) can be recovered.",
-                                nullptr, static_cast<int>(lost.front().lines.size()) - 1)),
-                  1);
-  const auto add = [&](const QString& title, const char* name, auto run) {
-    auto* button = new QPushButton(title);
-    button->setObjectName(name);
-    button->setAccessibleName(title);
-    connect(button, &QPushButton::clicked, this, [this, run] {
-      if (run()) recovery_->hide();
-    });
-    line->addWidget(button);
-  };
-  add(tr("Recover"), "recover",
-      [this, lost] { return may_discard() && studio_.recover(lost.front()); });
-  add(tr("Discard"), "discard", [lost] {
-    std::error_code ignored;
-    std::filesystem::remove(lost.front().file, ignored);
-    return true;
+  fill_recovery_bar(*recovery_, lost.front(), [this, journal = lost.front()] {
+    return may_discard() && studio_.recover(journal);
   });
-  recovery_->show();
 }
 
 void MainWindow::apply_theme() {

@@ -150,7 +150,10 @@ void MainWindow::build_view_menu() {
   view->addSeparator();
   add_action(view, {"palette", tr("Command palette..."), tr("Lists and runs all commands."),
                     [this] {
-                      auto* palette = new CommandPalette(studio_, this);
+                      auto* palette = new CommandPalette(
+                          palette_entries(workbench::all_commands(), studio_.bench()),
+                          [this](const std::string& line) { return studio_.run(line); },
+                          "act . RegularGrid columns=4", this);
                       palette->setAttribute(Qt::WA_DeleteOnClose);
                       palette->open();
                     },

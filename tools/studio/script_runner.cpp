@@ -4,6 +4,7 @@
 #include "theme.h"
 
 #include <vug/base/atomic_file.h>
+#include <vug/base/diagnostics.h>
 #include <vug/workbench/query.h>
 #include <vug/workbench/words.h>
 
@@ -36,7 +37,7 @@ QWidget& find_widget(const std::string& name) {
   std::vector<std::string> names;
   for (QWidget* each : QApplication::allWidgets()) {
     if (each->objectName().isEmpty() || !each->isVisible()) continue;
-    if (each->objectName() == text_of(name)) return *each;
+    if (each->objectName() == QString::fromStdString(name)) return *each;
     names.push_back(each->objectName().toStdString());
   }
   throw Error(ErrorCode::bad_input, fmt::format("no visible widget '{}'", name), {},
@@ -64,18 +65,17 @@ void ScriptRunner::run_line(const std::string& line) {
   if (name == "grab") return grab(words);
   if (name == "wait") return wait(words);
   if (name == "theme" && words.size() == 2) {
-    set_theme(*qApp, text_of(words[1]));
-    return window_.apply_theme();
+    set_theme(*qApp, QString::fromStdString(words[1]));
+    return host_.restyle();
   }
   if (name == "resize" && words.size() == 3) {
-    window_.resize(static_cast<int>(workbench::parse_number(words[1])),
-                   static_cast<int>(workbench::parse_number(words[2])));
+    host_.window().resize(static_cast<int>(workbench::parse_number(words[1])),
+                          static_cast<int>(workbench::parse_number(words[2])));
     return;
   }
-  if (name == "frame") return window_.canvas().frame();
   if (name == "reset-heartbeat") return heartbeat_.reset();
   if (name == "run" && words.size() == 2) return run(words[1]);
-  if (!send_events(studio_, window_, words)) studio_.execute(line);
+  if (!host_.send_event(words) && !send_events(host_.window(), words)) host_.execute(line);
 }
 
 void ScriptRunner::expect(const std::vector<std::string>& words) {
@@ -89,16 +89,16 @@ void ScriptRunner::expect(const std::vector<std::string>& words) {
   std::string actual;
   size_t at = 1;
   if (name == "message") {
-    actual = window_.shown_message().toStdString();
+    actual = host_.message();
   } else if (name == "audit") {
-    actual = audit(window_).toStdString();
+    actual = audit(host_.window()).toStdString();
   } else if (name == "heartbeat") {
     actual = std::to_string(heartbeat_.worst_work());
   } else if (name == "widget" && words.size() > 3) {
     actual = property_of(words[1], words[2]);
     at = 3;
   } else {
-    return workbench::expect(studio_.bench(), words);
+    return host_.expect(words);
   }
   const auto [relation, value] = part(at);
   workbench::expect_value(name, actual, relation, value);
@@ -109,7 +109,7 @@ void ScriptRunner::grab(const std::vector<std::string>& words) {
     throw Error(ErrorCode::bad_input, "wrong number of arguments of grab", {},
                 "grab WIDGET FILE.png");
   QApplication::processEvents();
-  if (!find_widget(words[1]).grab().save(text_of(words[2])))
+  if (!find_widget(words[1]).grab().save(QString::fromStdString(words[2])))
     throw Error(ErrorCode::io, fmt::format("cannot write '{}'", words[2]));
 }
 
@@ -120,11 +120,11 @@ void ScriptRunner::wait(const std::vector<std::string>& words) {
       idle || words.size() < 2 ? kPatience : static_cast<int>(workbench::parse_number(words[1]));
   QElapsedTimer passed;
   passed.start();
-  while (passed.elapsed() < most && (!idle || studio_.bench().busy())) {
+  while (passed.elapsed() < most && (!idle || host_.busy())) {
     QTest::qWait(10);
-    if (idle) studio_.poll();
+    if (idle) host_.poll();
   }
-  if (idle && studio_.bench().busy())
+  if (idle && host_.busy())
     throw Error(ErrorCode::bad_input, "the work did not end within three minutes");
 }
 

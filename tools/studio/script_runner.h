@@ -3,8 +3,9 @@
 #pragma once
 
 #include "heartbeat.h"
-#include "main_window.h"
+#include "script_host.h"
 
+#include <QString>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,8 +14,7 @@ namespace vug::studio {
 
 class ScriptRunner {
  public:
-  ScriptRunner(Studio& studio, MainWindow& window, Heartbeat& heartbeat)
-      : studio_(studio), window_(window), heartbeat_(heartbeat) {}
+  ScriptRunner(ScriptHost& host, Heartbeat& heartbeat) : host_(host), heartbeat_(heartbeat) {}
 
   /// Runs all lines. Error(bad_input) with the file and the line for the first line that fails.
   void run(const std::filesystem::path& file);
@@ -25,19 +25,20 @@ class ScriptRunner {
   void grab(const std::vector<std::string>& words);
   void wait(const std::vector<std::string>& words);
 
-  Studio& studio_;
-  MainWindow& window_;
+  ScriptHost& host_;
   Heartbeat& heartbeat_;
 };
 
-/// Sends the events of one line to the widgets: click, double-click, drag, key, type, hover, wheel.
-/// False for another line. Error(bad_input) for a widget that does not exist.
-bool send_events(Studio& studio, MainWindow& window, const std::vector<std::string>& words);
+/// Sends the events of one line to the widgets: click, double-click, key, type, hover, focus,
+/// slide. False for another line. Error(bad_input) for a widget that does not exist.
+bool send_events(QWidget& window, const std::vector<std::string>& words);
+/// Error(bad_input) with the usage unless there are at least this many words.
+void require_words(const std::vector<std::string>& words, size_t least, const char* usage);
 
 /// The visible widget or the action of that name. Error(bad_input) if it does not exist.
 QWidget& find_widget(const std::string& name);
 
 /// Names, tab order and keys of all widgets: one line for each fault; empty if there is none.
-QString audit(MainWindow& window);
+QString audit(QWidget& window);
 
 }  // namespace vug::studio

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scripts of the window of facades.
+#pragma once
+
+#include "main_window.h"
+#include "script_host.h"
+
+namespace vug::studio {
+
+class FacadeScript : public ScriptHost {
+ public:
+  FacadeScript(Studio& studio, MainWindow& window) : studio_(studio), window_(window) {}
+
+  QWidget& window() override { return window_; }
+  void execute(const std::string& line) override { studio_.execute(line); }
+  void expect(const std::vector<std::string>& words) override;
+  bool busy() override { return studio_.bench().busy(); }
+  void poll() override { studio_.poll(); }
+  std::string message() override { return window_.shown_message().toStdString(); }
+  void restyle() override { window_.apply_theme(); }
+  bool send_event(const std::vector<std::string>& words) override;
+
+ private:
+  Studio& studio_;
+  MainWindow& window_;
+};
+
+}  // namespace vug::studio

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene_script.h"
+
+#include "script_runner.h"
+
+#include <vug/base/error.h>
+#include <vug/workbench/scene_query.h>
+#include <vug/workbench/words.h>
+
+#include <QTest>
+
+namespace vug::studio {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// A position of the picture, 0..1.
+QPoint picture_point(const QWidget& viewport, const std::string& x, const std::string& y) {
+  return {static_cast<int>(workbench::parse_number(x) * viewport.width()),
+          static_cast<int>(workbench::parse_number(y) * viewport.height())};
+}
+
+/// drag viewport X Y to X Y [shift|ctrl]
+void drag_picture(QWidget& viewport, const Words& words) {
+  require_words(words, 7, "drag viewport X Y to X Y [shift|ctrl]");
+  const QPoint from = picture_point(viewport, words[2], words[3]);
+  const QPoint to = picture_point(viewport, words[5], words[6]);
+  const std::string modifier = words.size() > 7 ? words[7] : "";
+  const Qt::KeyboardModifiers keys = modifier == "shift"  ? Qt::ShiftModifier
+                                     : modifier == "ctrl" ? Qt::ControlModifier
+                                                          : Qt::NoModifier;
+  QTest::mousePress(&viewport, Qt::LeftButton, keys, from);
+  for (int step = 1; step <= 8; ++step) {
+    const QPoint at = from + (to - from) * step / 8;
+    QMouseEvent move(QEvent::MouseMove, at, viewport.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                     keys);
+    QApplication::sendEvent(&viewport, &move);
+  }
+  QTest::mouseRelease(&viewport, Qt::LeftButton, keys, to);
+}
+
+}  // namespace
+
+/// Values of the widgets: `squiggle N` is the text below a squiggle, `meaning LINE COLUMN` the
+/// class of a word, `caret` the position in the editor, `shown` the text of the editor.
+void SceneScript::expect(const Words& words) {
+  const auto compare = [&](const std::string& actual, size_t arguments) {
+    require_words(words, arguments + 3, "expect NAME = TEXT");
+    workbench::expect_value(words[0], actual, words[arguments + 1], words[arguments + 2]);
+  };
+  SceneEditor& editor = window_.editor();
+  const auto number = [&](size_t index) {
+    require_words(words, index + 1, "expect NAME NUMBER = TEXT");
+    return static_cast<int>(workbench::parse_number(words[index]));
+  };
+  const std::string name = words.empty() ? "" : words[0];
+  if (name == "squiggle") {
+    compare(editor.squiggles().value(number(1)).toStdString(), 1);
+  } else if (name == "squiggles") {
+    compare(std::to_string(editor.squiggles().size()), 0);
+  } else if (name == "meaning") {
+    compare(editor.meaning_at(number(1), number(2)).toStdString(), 2);
+  } else if (name == "caret") {
+    const QTextCursor caret = editor.textCursor();
+    compare(QString("%1:%2")
+                .arg(caret.blockNumber() + 1)
+                .arg(caret.positionInBlock() + 1)
+                .toStdString(),
+            0);
+  } else if (name == "shown") {
+    compare(editor.toPlainText().toStdString(), 0);
+  } else {
+    workbench::expect(studio_.bench(), words);
+  }
+}
+
+bool SceneScript::send_event(const Words& words) {
+  QWidget& viewport = window_.viewport();
+  const bool on_picture = words.size() > 3 && words[1] == "viewport";
+  if (words[0] == "click" && on_picture)
+    QTest::mouseClick(&viewport, Qt::LeftButton, {}, picture_point(viewport, words[2], words[3]));
+  else if (words[0] == "drag" && on_picture)
+    drag_picture(viewport, words);
+  else
+    return false;
+  return true;
+}
+
+}  // namespace vug::studio

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene_studio.h"
+
+#include "studio.h"
+
+#include <vug/workbench/scene_command.h>
+#include <vug/workbench/words.h>
+
+namespace vug::studio {
+namespace {
+
+/// Milliseconds without a key after which a text is analysed and built: libfive Studio waits as
+/// long. Longer rests end the undo step.
+constexpr int kTyped = 250, kRest = 700;
+/// Milliseconds that a drag lets a build run before it begins the next one.
+constexpr int kDragBuild = 1000;
+
+}  // namespace
+
+SceneStudio::SceneStudio(QObject* parent)
+    : QObject(parent),
+      bench_([this] {
+        if (!pending_.exchange(true))
+          QMetaObject::invokeMethod(this, &SceneStudio::poll, Qt::QueuedConnection);
+      }),
+      recorder_(bench_, workbench::journal_folder()) {
+  typed_.setSingleShot(true);
+  rest_.setSingleShot(true);
+  connect(&typed_, &QTimer::timeout, this, &SceneStudio::build);
+  connect(&rest_, &QTimer::timeout, this, [this] {
+    if (bench_.has_document()) recorder_.run("end_step");
+  });
+}
+
+void SceneStudio::poll() {
+  pending_ = false;
+  if (waits_ && !shows_soon()) build();
+  Q_EMIT news();
+}
+
+bool SceneStudio::shows_soon() const {
+  return bench_.status().building && since_build_.isValid() && since_build_.elapsed() < kDragBuild;
+}
+
+void SceneStudio::build() {
+  waits_ = false;
+  typed_.stop();
+  since_build_.start();
+  bench_.build();
+  Q_EMIT analysed();
+  Q_EMIT news();
+}
+
+void SceneStudio::schedule(bool typing, bool drag) {
+  if (typing) {
+    typed_.start(kTyped);
+    rest_.start(kRest);
+  } else if (drag && shows_soon()) {  // pictures appear during the drag
+    waits_ = true;
+    Q_EMIT analysed();
+  } else {
+    build();
+  }
+}
+
+void SceneStudio::execute(const std::string& line) {
+  const workbench::SceneCommand* command = recorder_.run(line);
+  if (!command) return;
+  Q_EMIT message("", false);
+  Q_EMIT changed();
+  if (!bench_.has_document()) return;
+  if (bench_.revision() != known_) {
+    known_ = bench_.revision();
+    const bool drag = command->name == "param" && workbench::split_words(line).size() > 3;
+    schedule(command->name == "edit", drag);
+  }
+  Q_EMIT news();
+}
+
+bool SceneStudio::run(const std::string& line) {
+  try {
+    execute(line);
+    return true;
+  } catch (const Error& error) {
+    show(error);
+    return false;
+  }
+}
+
+void SceneStudio::show(const Error& error) {
+  QString text = text_of(error.what());
+  if (!error.hint().empty()) text += " (" + text_of(error.hint()) + ")";
+  Q_EMIT message(text, true);
+  Q_EMIT changed();
+}
+
+bool SceneStudio::recover(const workbench::LostJournal& lost) {
+  const uint64_t before = bench_.revision();
+  bool complete = true;
+  try {
+    recorder_.recover(lost);
+  } catch (const Error& error) {
+    show(error);
+    complete = false;
+  }
+  if (bench_.revision() == before) return complete;
+  known_ = bench_.revision();
+  Q_EMIT changed();
+  build();
+  return true;
+}
+
+}  // namespace vug::studio

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene_window.h"
+
+#include "params_panel.h"
+#include "recovery_bar.h"
+#include "scene_lists.h"
+#include "studio.h"
+#include "theme.h"
+
+#include <vug/workbench/scene_command.h>
+#include <vug/workbench/words.h>
+
+#include <fmt/format.h>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace vug::studio {
+namespace {
+
+/// A splitter whose parts do not vanish.
+QSplitter* splitter(Qt::Orientation orientation, const QList<QWidget*>& parts,
+                    const QList<int>& sizes) {
+  auto* out = new QSplitter(orientation);
+  for (QWidget* each : parts) out->addWidget(each);
+  out->setChildrenCollapsible(false);
+  out->setSizes(sizes);
+  return out;
+}
+
+QWidget* titled(const QString& title, QWidget* content) {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 6, 0, 0);
+  column->setSpacing(4);
+  auto* heading = new QLabel(title);
+  heading->setProperty("role", "heading");
+  heading->setContentsMargins(12, 0, 0, 0);
+  column->addWidget(heading);
+  column->addWidget(content, 1);
+  return box;
+}
+
+}  // namespace
+
+SceneWindow::SceneWindow(SceneStudio& studio) : studio_(studio) {
+  setObjectName("window");
+  setAccessibleName(tr("Vug Studio"));
+  resize(1280, 820);
+  build_panels();
+  build_menus();
+  message_ = new QLabel;
+  message_->setObjectName("message");
+  message_->setAccessibleName(tr("Message"));
+  status_ = new QLabel;
+  status_->setObjectName("status");
+  status_->setAccessibleName(tr("Status of the picture"));
+  status_->setMinimumWidth(300);
+  statusBar()->addWidget(message_, 1);
+  statusBar()->addPermanentWidget(status_);
+  statusBar()->setSizeGripEnabled(false);
+  connect(&studio_, &SceneStudio::message, this, &SceneWindow::show_message);
+  connect(&studio_, &SceneStudio::changed, this, &SceneWindow::refresh);
+  connect(&studio_, &SceneStudio::news, this, &SceneWindow::show_status);
+  refresh();
+}
+
+void SceneWindow::build_panels() {
+  editor_ = new SceneEditor(studio_);
+  viewport_ = new ViewportWidget(studio_);
+  auto* problems = titled(tr("Problems"), new ProblemList(studio_));
+  auto* left = splitter(Qt::Vertical, {editor_, problems}, {600, 130});
+  auto* side = splitter(Qt::Vertical,
+                        {titled(tr("Parameters"), new ParamsPanel(studio_)),
+                         titled(tr("Outline"), new OutlineTree(studio_))},
+                        {380, 340});
+  auto* all = splitter(Qt::Horizontal, {left, viewport_, side}, {480, 540, 260});
+  left->setStretchFactor(0, 1);
+  all->setStretchFactor(1, 1);
+  auto* centre = new QWidget;
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  recovery_ = new QWidget;
+  recovery_->hide();
+  column->addWidget(recovery_);
+  column->addWidget(all, 1);
+  setCentralWidget(centre);
+}
+
+void SceneWindow::refresh() {
+  const workbench::SceneBench& bench = studio_.bench();
+  const bool open = bench.has_document();
+  mode_->setEnabled(open);
+  if (!open) return setWindowTitle(tr("Vug Studio"));
+  const auto name_step = [&](const char* name, const QString& title, const std::string& step) {
+    commands_.at(name)->setText(step.empty() ? title : title + ": " + text_of(step));
+  };
+  name_step("undo", tr("Undo"), bench.stack().undo_name());
+  name_step("redo", tr("Redo"), bench.stack().redo_name());
+  setWindowTitle(tr("%1[*] – Vug Studio").arg(text_of(bench.file().filename().string())));
+  setWindowModified(bench.is_modified());
+  mode_->setCurrentIndex(static_cast<int>(bench.viewport().request().mode));
+  show_status();
+}
+
+void SceneWindow::show_status() {
+  const workbench::SceneBench& bench = studio_.bench();
+  for (const auto& [name, action] : commands_) {
+    const workbench::SceneCommand& command = workbench::find_scene_command(name);
+    const std::string why = command.unavailable ? command.unavailable(bench) : "";
+    action->setEnabled(why.empty());
+    const QString doc = text_of(command.doc);
+    action->setToolTip(why.empty() ? doc : tr("%1 Not available: %2.").arg(doc, text_of(why)));
+    action->setStatusTip(action->toolTip());
+  }
+  if (!bench.has_document()) return;
+  const viewport::ViewportStatus status = bench.status();
+  QString text;
+  if (status.building)
+    text =
+        tr("Building: %1, %2 %").arg(text_of(status.stage)).arg(100 * status.fraction, 0, 'f', 0);
+  else if (status.stopped)
+    text = tr("Stopped; F5 builds the text");
+  else if (status.picture)
+    text = tr("%1 x %2, %3 sample(s)%4")
+               .arg(status.picture->width)
+               .arg(status.picture->height)
+               .arg(status.picture->samples)
+               .arg(status.picture->complete ? "" : tr(", more follow"));
+  status_->setText(text);
+}
+
+void SceneWindow::show_message(const QString& text, bool error) {
+  QPalette palette = message_->palette();
+  palette.setColor(QPalette::WindowText, error ? theme().error : theme().muted);
+  message_->setPalette(palette);
+  message_->setText(text);
+  message_->setToolTip(text);
+}
+
+QString SceneWindow::shown_message() const { return message_->text(); }
+
+void SceneWindow::ask_and_run(const std::string& name) {
+  const QString folder =
+      studio_.bench().has_document()
+          ? text_of(std::filesystem::absolute(studio_.bench().file()).parent_path().string())
+          : QString();
+  const QString kinds = tr("Scenes (*.vug)");
+  QString file;
+  if (name == "open" && !may_discard()) return;
+  if (name == "open") file = QFileDialog::getOpenFileName(this, tr("Open scene"), folder, kinds);
+  if (name == "save") file = QFileDialog::getSaveFileName(this, tr("Save scene"), folder, kinds);
+  if (name == "go") {
+    bool given = false;
+    const int line =
+        QInputDialog::getInt(this, tr("Go to line"), tr("Line"), 1, 1, 1'000'000, 1, &given);
+    if (given) studio_.run(fmt::format("go {}", line));
+    return editor_->setFocus();
+  }
+  if (!file.isEmpty()) studio_.run(name + " " + workbench::quoted(file.toStdString()));
+}
+
+bool SceneWindow::may_discard() {
+  const workbench::SceneBench& bench = studio_.bench();
+  if (!bench.has_document() || !bench.is_modified()) return true;
+  QMessageBox box(QMessageBox::Question, tr("Unsaved text"), tr("The text is not saved."),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  box.setObjectName("unsaved");
+  const int answer = box.exec();
+  if (answer == QMessageBox::Save) return studio_.run("save");
+  return answer == QMessageBox::Discard;
+}
+
+void SceneWindow::closeEvent(QCloseEvent* event) { event->setAccepted(may_discard()); }
+
+void SceneWindow::offer_recovery(const std::vector<workbench::LostJournal>& lost) {
+  if (lost.empty()) return;
+  fill_recovery_bar(*recovery_, lost.front(), [this, journal = lost.front()] {
+    return may_discard() && studio_.recover(journal);
+  });
+}
+
+void SceneWindow::apply_theme() {
+  for (const auto& [action, name] : icons_) action->setIcon(icon(name));
+  Q_EMIT studio_.restyled();
+  Q_EMIT studio_.changed();
+}
+
+}  // namespace vug::studio

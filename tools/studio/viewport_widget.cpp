@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewport_widget.h"
+
+#include "studio.h"
+#include "theme.h"
+
+#include <fmt/format.h>
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
+#include <cmath>
+
+namespace vug::studio {
+namespace {
+
+constexpr double kDegreesPerPixel = 0.4, kKeyDegrees = 5, kWheelStep = 0.85;
+/// Pixels within which a press and a release are a click.
+constexpr double kClick = 4;
+
+}  // namespace
+
+ViewportWidget::ViewportWidget(SceneStudio& studio) : studio_(studio) {
+  setObjectName("viewport");
+  setAccessibleName(tr("Picture of the scene"));
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(160, 120);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setToolTip(tr("Drag to turn the view; click an object to find its declaration."));
+  connect(&studio_, &SceneStudio::news, this, &ViewportWidget::take_news);
+  connect(&studio_, &SceneStudio::changed, this, [this] { send_size(); });
+}
+
+void ViewportWidget::take_news() {
+  const workbench::SceneBench& bench = studio_.bench();
+  const viewport::ViewportStatus status = bench.status();
+  if (status.picture != picture_) {
+    picture_ = status.picture;
+    image_ = picture_ ? QImage(picture_->rgb.data(), picture_->width, picture_->height,
+                               3 * picture_->width, QImage::Format_RGB888)
+                      : QImage();
+  }
+  stale_ = bench.has_document() && bench.stale();
+  building_ = status.building;
+  fraction_ = status.fraction;
+  stage_ = text_of(status.stage);
+  // For scripts, and for screen readers.
+  setProperty("stale", stale_ ? "yes" : "no");
+  setProperty("version", picture_ ? static_cast<qulonglong>(picture_->scene.scene->version) : 0ull);
+  setProperty("complete", picture_ && picture_->complete ? "yes" : "no");
+  setAccessibleDescription(!picture_ ? tr("There is no picture yet.")
+                           : stale_  ? tr("The picture shows an earlier text.")
+                                     : tr("The picture shows the present text."));
+  update();
+}
+
+void ViewportWidget::send_size() {
+  if (!studio_.bench().has_document()) return;
+  const double ratio = devicePixelRatioF();
+  studio_.bench().viewport().set_size(static_cast<int>(std::lround(width() * ratio)),
+                                      static_cast<int>(std::lround(height() * ratio)));
+}
+
+void ViewportWidget::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  send_size();
+}
+
+void ViewportWidget::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), theme().canvas);
+  if (!image_.isNull()) {
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(rect(), image_);
+  }
+  QString note;
+  if (!picture_)
+    note = building_ ? tr("The first picture is being built.") : tr("There is no picture yet.");
+  else if (stale_)
+    note = building_ ? tr("Earlier text. Building: %1").arg(stage_)
+                     : tr("Earlier text: the present one has errors or was stopped.");
+  if (!note.isEmpty()) {
+    const QRect box = painter.fontMetrics().boundingRect(note).adjusted(-8, -5, 8, 5);
+    const QRect place(QPoint(10, 10), box.size());
+    painter.fillRect(place, theme().window);
+    painter.setPen(theme().text);
+    painter.drawText(place, Qt::AlignCenter, note);
+  }
+  if (building_) painter.fillRect(QRectF(0, height() - 3, width() * fraction_, 3), theme().accent);
+  if (hasFocus()) {
+    painter.setPen(theme().accent);
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  }
+}
+
+std::string ViewportWidget::pick_line(const QPointF& at) const {
+  return fmt::format("pick {:.5f} {:.5f}", at.x() / width(), at.y() / height());
+}
+
+void ViewportWidget::mousePressEvent(QMouseEvent* event) {
+  pressed_ = last_ = event->position();
+  moved_ = false;
+}
+
+void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF by = event->position() - last_;
+  if (!moved_ && (event->position() - pressed_).manhattanLength() < kClick) return;
+  moved_ = true;
+  last_ = event->position();
+  move_view(by, event->buttons(), event->modifiers());
+}
+
+void ViewportWidget::move_view(const QPointF& by, Qt::MouseButtons buttons,
+                               Qt::KeyboardModifiers modifiers) {
+  if (modifiers & Qt::ControlModifier)
+    studio_.run(fmt::format("dolly {:.5f}", std::exp(by.y() / height())));
+  else if (modifiers & Qt::ShiftModifier)
+    studio_.run(fmt::format("pan {:.5f} {:.5f}", -by.x() / height(), by.y() / height()));
+  else if (buttons & (Qt::LeftButton | Qt::MiddleButton))
+    studio_.run(
+        fmt::format("orbit {:.3f} {:.3f}", by.x() * kDegreesPerPixel, by.y() * kDegreesPerPixel));
+}
+
+void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
+  if (!moved_ && event->button() == Qt::LeftButton) studio_.run(pick_line(event->position()));
+}
+
+void ViewportWidget::contextMenuEvent(QContextMenuEvent* event) {
+  if (moved_ || !studio_.run(pick_line(event->pos()))) return;
+  const auto& picked = studio_.bench().picked();
+  if (!picked) return;
+  QMenu menu(this);
+  menu.setAccessibleName(tr("Declarations"));
+  for (size_t i = 0; i < picked->declared.size(); ++i) {
+    const viewport::DeclaredPlace& each = picked->declared[i];
+    menu.addAction(
+        tr("%1 %2, line %3").arg(text_of(each.kind), text_of(each.name)).arg(each.where.line),
+        [this, i] {
+          studio_.bench().select_declaration(i);
+          Q_EMIT studio_.changed();
+        });
+  }
+  if (!menu.isEmpty()) menu.exec(event->globalPos());
+}
+
+void ViewportWidget::wheelEvent(QWheelEvent* event) {
+  studio_.run(fmt::format("dolly {:.5f}", std::pow(kWheelStep, event->angleDelta().y() / 120.0)));
+  event->accept();
+}
+
+void ViewportWidget::keyPressEvent(QKeyEvent* event) {
+  const auto turn = [&](double yaw, double pitch) {
+    studio_.run(fmt::format("orbit {} {}", yaw * kKeyDegrees, pitch * kKeyDegrees));
+  };
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return turn(-1, 0);
+    case Qt::Key_Right:
+      return turn(1, 0);
+    case Qt::Key_Up:
+      return turn(0, 1);
+    case Qt::Key_Down:
+      return turn(0, -1);
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      return static_cast<void>(studio_.run(fmt::format("dolly {}", kWheelStep)));
+    case Qt::Key_Minus:
+      return static_cast<void>(studio_.run(fmt::format("dolly {}", 1 / kWheelStep)));
+    case Qt::Key_Return:
+      return static_cast<void>(studio_.run("pick 0.5 0.5"));
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+}  // namespace vug::studio

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The picture of a scene in its window: it shows the last picture at any time, and turns mouse and
+// keys into commands.
+#pragma once
+
+#include "scene_studio.h"
+
+#include <QImage>
+#include <QWidget>
+
+namespace vug::studio {
+
+class ViewportWidget : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ViewportWidget(SceneStudio& studio);
+  QSize sizeHint() const override { return {640, 480}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void take_news();
+  void send_size();
+  void move_view(const QPointF& by, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers);
+  std::string pick_line(const QPointF& at) const;
+
+  SceneStudio& studio_;
+  viewport::PreviewPtr picture_;  ///< Owns the pixels of the image.
+  QImage image_;
+  bool stale_ = false, building_ = false;
+  double fraction_ = 0;
+  QString stage_;
+  QPointF pressed_, last_;
+  bool moved_ = false;  ///< The button was pressed for a motion, not for a pick.
+};
+
+}  // namespace vug::studio
