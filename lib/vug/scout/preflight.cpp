@@ -16,7 +16,7 @@ namespace {
 constexpr int kWidth = 48, kHeight = 27;
 // A view of a whole cave from outside is further away than one in a cave.
 constexpr double kNothing = 50;         // metres
-constexpr double kNothingBySize = 1.5;  // diagonals of the scene
+constexpr double kNothingBySize = 1.2;  // diagonals of the scene
 constexpr double kBlack = 0.02, kBurnt = 8, kBurntShare = 0.02;
 
 /// The luminances of the pixels that show a surface; 0 if there is none.
