@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/digester.h>
 #include <vug/base/parallel.h>
 #include <vug/field/placement.h>
 #include <vug/field/translated.h>
 #include <vug/volume/brick_evaluator.h>
 #include <vug/volume/contact.h>
+#include <vug/volume/kept_block.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace vug::volume {
 namespace {
@@ -90,7 +93,8 @@ void BrickEvaluator::visit(const field::Field& outer, const Cell& cell, uint64_t
     case Side::band:
       break;
   }
-  cell.size == kBlock ? leaf(part.field, cell) : descend(part.field, cell, units);
+  if (cell.size > kBlock) return descend(part.field, cell, units);
+  cache_ ? find_leaf(part.field, cell) : leaf(part.field, cell);
 }
 
 void BrickEvaluator::descend(const field::Field& field, const Cell& cell, uint64_t units) {
@@ -112,6 +116,26 @@ void BrickEvaluator::leaf(const field::Field& field, const Cell& cell) {
   if (own.block.any_active())
     brick_->set(cell, own.block);
   else if (own.block.values[0] < 0)
+    brick_->fill_inside(cell);
+}
+
+void BrickEvaluator::find_leaf(const field::Field& field, const Cell& cell) {
+  // These restrict themselves to the block, by bounds that the digest does not contain.
+  if (near_surface_of(field, band_)) return leaf(field, cell);
+  const Cell local = from_middle(cell);
+  const Digest key =
+      digest_of(field, field.lipschitz(), field.exactness(), local.origin[0], local.origin[1],
+                local.origin[2], band_.voxel, band_.background, band_.repair);
+  std::shared_ptr<const KeptBlock> known = cache_->find(key, band_.contact);
+  if (!known) {
+    Workspace& own = workspaces_.local();
+    evaluate(field, local, band_, own.scratch, own.block);
+    known = std::make_shared<const KeptBlock>(own.block, band_.contact);
+    cache_->insert(key, known);
+  }
+  if (known->active)
+    brick_->set(cell, *known->active);
+  else if (known->inside)
     brick_->fill_inside(cell);
 }
 

@@ -8,6 +8,7 @@
 
 #include <vug/base/progress.h>
 #include <vug/volume/tree_builder.h>
+#include <vug/volume/voxel_cache.h>
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -34,8 +35,14 @@ using Workspaces = tbb::enumerable_thread_specific<Workspace>;
 
 class BrickEvaluator {
  public:
-  BrickEvaluator(const OctreeTask& walk, Workspaces& workspaces, Progress& progress)
-      : walk_(walk), band_(walk.band), workspaces_(workspaces), progress_(progress) {}
+  /// `cache`: null, or keeps the blocks of the brick and has those of others.
+  BrickEvaluator(const OctreeTask& walk, Workspaces& workspaces, VoxelCache* cache,
+                 Progress& progress)
+      : walk_(walk),
+        band_(walk.band),
+        workspaces_(workspaces),
+        cache_(cache),
+        progress_(progress) {}
 
   /// `field` is the whole field, restricted to the brick. `units` is the brick's share of the
   /// progress.
@@ -45,12 +52,15 @@ class BrickEvaluator {
   void visit(const field::Field& outer, const Cell& cell, uint64_t units);
   void descend(const field::Field& field, const Cell& cell, uint64_t units);
   void leaf(const field::Field& field, const Cell& cell);
+  /// As `leaf`, if the cache does not have the block.
+  void find_leaf(const field::Field& field, const Cell& cell);
   void done(uint64_t units);
   Cell from_middle(const Cell& cell) const;
 
   const OctreeTask& walk_;
   NarrowBand band_;
   Workspaces& workspaces_;
+  VoxelCache* cache_;
   Progress& progress_;
   Brick* brick_ = nullptr;
   double limit_ = 0;  // Values beyond it do not matter.

@@ -9,11 +9,13 @@ int64_t aligned(int64_t index, int64_t to) { return index & ~(to - 1); }  // Tow
 
 class OctreeBuilder {
  public:
-  OctreeBuilder(const field::Field& field, const OctreeTask& walk, Progress& progress)
+  OctreeBuilder(const field::Field& field, const OctreeTask& walk, VoxelCache* cache,
+                Progress& progress)
       : field_(field),
         walk_(walk),
         limit_(std::max(static_cast<double>(walk.band.background), reach(walk.band, field))),
         tree_(walk.band.voxel, walk.band.background),
+        cache_(cache),
         progress_(progress) {}
 
   std::shared_ptr<openvdb::GridBase> run() {
@@ -46,7 +48,7 @@ class OctreeBuilder {
     }
     if (is_brick) {
       Brick brick(cell);
-      BrickEvaluator(walk_, workspaces_, progress_).run(part.field, units, brick);
+      BrickEvaluator(walk_, workspaces_, cache_, progress_).run(part.field, units, brick);
       return tree_.add(brick);
     }
     parallel_for(8,
@@ -57,6 +59,7 @@ class OctreeBuilder {
   OctreeTask walk_;
   double limit_;  // Values beyond it do not matter.
   TreeBuilder tree_;
+  VoxelCache* cache_;
   Progress& progress_;
   Workspaces workspaces_;
 };
@@ -76,8 +79,8 @@ Cell root_around(const OctreeTask& walk) {
 }
 
 std::shared_ptr<openvdb::GridBase> build(const field::Field& field, const OctreeTask& walk,
-                                         Progress& progress) {
-  return OctreeBuilder(field, walk, progress).run();
+                                         VoxelCache* cache, Progress& progress) {
+  return OctreeBuilder(field, walk, cache, progress).run();
 }
 
 }  // namespace vug::volume

@@ -14,7 +14,8 @@ namespace vug::volume {
 Cell root_around(const OctreeTask& walk);
 
 /// Builds the level set's grid without name and metadata; the same for any number of threads.
+/// `cache` may be null.
 std::shared_ptr<openvdb::GridBase> build(const field::Field& field, const OctreeTask& walk,
-                                         Progress& progress);
+                                         VoxelCache* cache, Progress& progress);
 
 }  // namespace vug::volume

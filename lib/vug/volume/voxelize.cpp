@@ -102,22 +102,32 @@ void find_lattice_bounds(const Box3d& box, const VoxelizeOptions& options, Octre
   }
 }
 
-}  // namespace
-
-LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options, Progress& progress) {
+LevelSet voxelize_with(const field::Field& field, const VoxelizeOptions& options, VoxelCache* cache,
+                       Progress& progress) {
   const Region region = region_of(field, options);
   OctreeTask walk;
   walk.band = {options.voxel, background_of(options), options.repair};
   if (options.tile) check_tile(*options.tile);
-  if (region.box.isEmpty()) return LevelSet(wrap(build(field::Field(), walk, progress)));
+  if (region.box.isEmpty()) return LevelSet(wrap(build(field::Field(), walk, cache, progress)));
   check_memory(field, region.box, options);
   check_voxel(options.voxel);
   find_lattice_bounds(region.box, options, walk);
-  const auto grid = build(region.field, walk, progress);
+  const auto grid = build(region.field, walk, cache, progress);
   if (region.field.exactness() > field::Exactness::eikonal)
     trim_band(*grid, steps_of_band(options));
   if (options.tile) crop(*grid, *options.tile);
   return LevelSet(wrap(grid));
+}
+
+}  // namespace
+
+LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options, Progress& progress) {
+  return voxelize_with(field, options, nullptr, progress);
+}
+
+LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options, VoxelCache& cache,
+                  Progress& progress) {
+  return voxelize_with(field, options, &cache, progress);
 }
 
 }  // namespace vug::volume

@@ -7,6 +7,7 @@
 #include <vug/base/progress.h>
 #include <vug/field/field.h>
 #include <vug/volume/level_set.h>
+#include <vug/volume/voxel_cache.h>
 
 #include <Imath/ImathBox.h>
 
@@ -50,6 +51,11 @@ field::Field field_in_region(const field::Field& field, const VoxelizeOptions& o
 /// are not finite, options out of range, or lattice points beyond 32-bit indices; Error(too_large)
 /// before the work starts; Error(cancelled).
 LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options,
+                  Progress& progress = Progress::none());
+
+/// The same bytes; parts on which the field is as in an earlier call with this cache are not
+/// evaluated again. See voxel_cache.h.
+LevelSet voxelize(const field::Field& field, const VoxelizeOptions& options, VoxelCache& cache,
                   Progress& progress = Progress::none());
 
 }  // namespace vug::volume
