@@ -3,6 +3,7 @@
 #include <vug/meshing/apply_moves_without_flips.h>
 #include <vug/meshing/blocks.h>
 #include <vug/meshing/folds.h>
+#include <vug/meshing/polish_passes.h>
 
 #include <algorithm>
 #include <tuple>
@@ -30,18 +31,24 @@ class MoveSolver {
   }
 
   /// The currently folded polygons, ascending.
-  std::vector<uint32_t> all_folded(const field::Field& exact) const {
+  std::vector<uint32_t> all_folded(const field::Field& exact, const PolishPasses& passes) const {
     std::vector<char> folded(raw_.faces.size());
     std::vector<Vec3d> centres(raw_.faces.size());
     for (size_t f = 0; f < centres.size(); ++f) centres[f] = raw_.centre(raw_.faces[f]);
-    for_each_block(
-        exact, centres, {8 * voxel_, kSight * voxel_},
+    const PolishPass pass{
+        3,
+        exact,
+        centres,
+        {8 * voxel_, kSight * voxel_},
+        [&](uint32_t f, std::vector<double>& inputs) { add_inputs(raw_.faces[f], inputs); }};
+    passes.run(
+        pass,
         [&](const std::vector<uint32_t>& faces, const field::Field& local) {
           SurfaceProjector projector(local, gathered(centres, faces), kLargestError * voxel_);
           const std::vector<char> found = are_folded(faces, projector);
           for (size_t i = 0; i < faces.size(); ++i) folded[faces[i]] = found[i];
         },
-        Progress::none());
+        folded, Progress::none());
     std::vector<uint32_t> list;
     for (uint32_t f = 0; f < folded.size(); ++f)
       if (folded[f]) list.push_back(f);
@@ -92,6 +99,17 @@ class MoveSolver {
   }
 
  private:
+  /// Adds all numbers on which a fold of the face depends besides the field.
+  void add_inputs(const Face& face, std::vector<double>& inputs) const {
+    inputs.push_back(face.size);
+    for (uint32_t k = 0; k < face.size; ++k) {
+      const uint32_t v = face.corners[k];
+      add_numbers(raw_.points[v], inputs);
+      add_numbers(points_[v], inputs);
+      inputs.push_back(targets_[v].has_crease ? 1 : 0);
+    }
+  }
+
   static constexpr double kSight =
       4;  ///< Distance from a polygon within which the field is evaluated, voxels.
 
@@ -159,9 +177,9 @@ class MoveSolver {
 
 MoveResult apply_moves_without_flips(const FaceMesh& raw, const std::vector<Target>& targets,
                                      const field::Field& exact, double voxel,
-                                     const Progress& progress) {
+                                     const PolishPasses& passes, const Progress& progress) {
   MoveSolver solver(raw, targets, voxel);
-  std::vector<uint32_t> folded = solver.all_folded(exact);
+  std::vector<uint32_t> folded = solver.all_folded(exact, passes);
   for (int round = 0; round < kRounds && !folded.empty(); ++round) {
     std::vector<uint32_t> next;
     for (const uint32_t f : folded) {

@@ -18,6 +18,6 @@ struct MoveResult {
 /// surface, or a fraction of the move. Folds of the raw polygons remain.
 MoveResult apply_moves_without_flips(const FaceMesh& raw, const std::vector<Target>& targets,
                                      const field::Field& exact, double voxel,
-                                     const Progress& progress);
+                                     const PolishPasses& passes, const Progress& progress);
 
 }  // namespace vug::meshing

@@ -2,6 +2,7 @@
 #include <vug/meshing/blocks.h>
 #include <vug/meshing/exact_distances.h>
 #include <vug/meshing/nearest_polygon.h>
+#include <vug/meshing/polish_passes.h>
 #include <vug/meshing/project.h>
 #include <vug/meshing/tangent_planes.h>
 #include <vug/meshing/targets.h>
@@ -51,8 +52,9 @@ struct SampledSurface {
     progress.begin("points on the surface", 2 * mesh.points.size());
     PolygonizeOptions options;
     options.creases = false;
+    const PolishPasses passes(nullptr, level_set.voxel(), options);
     const std::vector<Target> targets =
-        find_targets(mesh, exact, level_set.voxel(), options, progress);
+        find_targets(mesh, exact, level_set.voxel(), options, passes, progress);
     for (size_t v = 0; v < targets.size(); ++v) mesh.points[v] = targets[v].surface;
     return mesh;
   }

@@ -10,6 +10,7 @@
 #include <vug/field/field.h>
 #include <vug/mesh/mesh.h>
 #include <vug/meshing/lattice_keys.h>
+#include <vug/meshing/polish_cache.h>
 #include <vug/volume/level_set.h>
 
 #include <optional>
@@ -52,6 +53,12 @@ struct PolygonizeResult {
 /// than about 60 degrees. Throws Error(cancelled).
 PolygonizeResult polygonize(const volume::LevelSet& level_set, const field::Field* exact,
                             const PolygonizeOptions& options = {},
+                            Progress& progress = Progress::none());
+
+/// The same bytes; parts whose polygons and field are as in an earlier call with this cache are not
+/// polished again. See polish_cache.h.
+PolygonizeResult polygonize(const volume::LevelSet& level_set, const field::Field* exact,
+                            const PolygonizeOptions& options, PolishCache& cache,
                             Progress& progress = Progress::none());
 
 }  // namespace vug::meshing

@@ -2,6 +2,7 @@
 #include <vug/base/parallel.h>
 #include <vug/meshing/blocks.h>
 #include <vug/meshing/folds.h>
+#include <vug/meshing/polish_passes.h>
 #include <vug/meshing/split_quads.h>
 
 #include <algorithm>
@@ -29,9 +30,8 @@ class DiagonalChooser {
   DiagonalChooser(const FaceMesh& faces, const std::vector<Vec3d>& points, double voxel)
       : faces_(faces), points_(points), voxel_(voxel) {}
 
-  /// Sets from_0 to whether a quad is split from corner 0 (otherwise from corner 1).
-  void cut(const std::vector<uint32_t>& quads, const field::Field& exact,
-           std::vector<char>& from_0) const {
+  /// Sets from_0[i] to whether quad i of the list is split from corner 0 (otherwise from corner 1).
+  void cut(const std::vector<uint32_t>& quads, const field::Field& exact, char* from_0) const {
     std::vector<Vec3d> queries;  // Six per quad: the centroids of the triangles and the midpoints
                                  // of the diagonals.
     std::vector<Vec3d> centres;
@@ -44,7 +44,7 @@ class DiagonalChooser {
     }
     const auto answers = SurfaceProjector(exact, centres, kLargestError * voxel_).sample(queries);
     for (size_t i = 0; i < quads.size(); ++i)
-      from_0[quads[i]] = better_from_0(faces_.faces[quads[i]], &answers[6 * i]);
+      from_0[i] = better_from_0(faces_.faces[quads[i]], &answers[6 * i]);
   }
 
  private:
@@ -78,7 +78,7 @@ std::array<mesh::Triangle, 2> halves(const Face& face, bool from_0) {
 
 std::vector<mesh::Triangle> split_quads(const FaceMesh& faces, const std::vector<Vec3d>& points,
                                         const field::Field* exact, double voxel,
-                                        Progress& progress) {
+                                        const PolishPasses& passes, Progress& progress) {
   const size_t count = faces.faces.size();
   std::vector<char> from_0(count, 1);
   std::vector<char> bent(count, 0);
@@ -99,15 +99,27 @@ std::vector<mesh::Triangle> split_quads(const FaceMesh& faces, const std::vector
       centres.push_back(faces.centre(faces.faces[f]));
     }
   const DiagonalChooser chooser(faces, points, voxel);
-  if (exact)
-    for_each_block(
-        *exact, centres, {8 * voxel, 4 * voxel},
+  if (exact) {
+    std::vector<char> chosen(quads.size());
+    const PolishPass pass{
+        4, *exact, centres, {8 * voxel, 4 * voxel}, [&](uint32_t i, std::vector<double>& inputs) {
+          for (const uint32_t v : faces.faces[quads[i]].corners) {
+            add_numbers(faces.points[v], inputs);
+            add_numbers(points[v], inputs);
+          }
+        }};
+    passes.run(
+        pass,
         [&](const std::vector<uint32_t>& indices, const field::Field& local) {
           std::vector<uint32_t> some;
           for (const uint32_t i : indices) some.push_back(quads[i]);
-          chooser.cut(some, local, from_0);
+          std::vector<char> own(some.size());
+          chooser.cut(some, local, own.data());
+          for (size_t i = 0; i < indices.size(); ++i) chosen[indices[i]] = own[i];
         },
-        progress);
+        chosen, progress);
+    for (size_t i = 0; i < quads.size(); ++i) from_0[quads[i]] = chosen[i];
+  }
   std::vector<mesh::Triangle> triangles;
   triangles.reserve(2 * count);
   for (size_t f = 0; f < count; ++f) {

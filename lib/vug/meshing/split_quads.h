@@ -8,6 +8,8 @@
 
 namespace vug::meshing {
 
+class PolishPasses;  // See polish_passes.h.
+
 /// Whether the diagonal from corner 0 to corner 2 is not longer than the other.
 bool shorter_from_0(const Face& face, const std::vector<Vec3d>& points);
 
@@ -20,6 +22,6 @@ std::array<mesh::Triangle, 2> halves(const Face& face, bool from_0);
 /// shorter diagonal.
 std::vector<mesh::Triangle> split_quads(const FaceMesh& faces, const std::vector<Vec3d>& points,
                                         const field::Field* exact, double voxel,
-                                        Progress& progress);
+                                        const PolishPasses& passes, Progress& progress);
 
 }  // namespace vug::meshing

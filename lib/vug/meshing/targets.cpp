@@ -2,6 +2,7 @@
 #include <vug/base/maths.h>
 #include <vug/meshing/blocks.h>
 #include <vug/meshing/crease.h>
+#include <vug/meshing/polish_passes.h>
 #include <vug/meshing/targets.h>
 
 #include <algorithm>
@@ -31,18 +32,34 @@ class Finder {
   BlockOptions blocks() const { return {kBlock * voxel_, (2 * options_.max_move + 1) * voxel_}; }
 
   /// Finds the surface near the centroid of each face, and its normal.
-  void sample_faces(const field::Field& exact, Progress& progress) {
+  void sample_faces(const field::Field& exact, const PolishPasses& passes, Progress& progress) {
     std::vector<Vec3d> centres(raw_.faces.size());
     for (size_t f = 0; f < centres.size(); ++f) centres[f] = raw_.centre(raw_.faces[f]);
     samples_.resize(centres.size());
-    for_each_block(
-        exact, centres, blocks(),
+    const PolishPass pass{
+        1, exact, centres, blocks(),
+        [&](uint32_t f, std::vector<double>& inputs) { add_numbers(centres[f], inputs); }};
+    passes.run(
+        pass,
         [&](const std::vector<uint32_t>& faces, const field::Field& local) {
           const std::vector<Vec3d> starts = gathered(centres, faces);
           const auto found = projector(local, starts).project(starts, samples_reach_);
           for (size_t i = 0; i < faces.size(); ++i) samples_[faces[i]] = found[i];
         },
-        progress);
+        samples_, progress);
+  }
+
+  /// Adds all numbers on which the target of a vertex depends besides the field.
+  void add_inputs(uint32_t v, std::vector<double>& inputs) const {
+    add_numbers(raw_.points[v], inputs);
+    if (!options_.creases) return;
+    inputs.push_back(raw_.first[v + 1] - raw_.first[v]);
+    for (uint32_t i = raw_.first[v]; i < raw_.first[v + 1]; ++i) {
+      const SurfacePoint& sample = samples_[raw_.around[i]];
+      add_numbers(sample.point, inputs);
+      add_numbers(sample.normal, inputs);
+      inputs.insert(inputs.end(), {sample.residual, sample.inside ? 1.0 : 0.0});
+    }
   }
 
   /// Sets the targets of one block's vertices.
@@ -151,16 +168,20 @@ class Finder {
 }  // namespace
 
 std::vector<Target> find_targets(const FaceMesh& raw, const field::Field& exact, double voxel,
-                                 const PolygonizeOptions& options, Progress& progress) {
+                                 const PolygonizeOptions& options, const PolishPasses& passes,
+                                 Progress& progress) {
   Finder finder(raw, voxel, options);
-  if (options.creases) finder.sample_faces(exact, progress);
+  if (options.creases) finder.sample_faces(exact, passes, progress);
   std::vector<Target> targets(raw.points.size());
-  for_each_block(
-      exact, raw.points, finder.blocks(),
+  const PolishPass pass{
+      2, exact, raw.points, finder.blocks(),
+      [&](uint32_t v, std::vector<double>& inputs) { finder.add_inputs(v, inputs); }};
+  passes.run(
+      pass,
       [&](const std::vector<uint32_t>& vertices, const field::Field& local) {
         finder.find(vertices, local, targets);
       },
-      progress);
+      targets, progress);
   return targets;
 }
 

@@ -7,6 +7,8 @@
 
 namespace vug::meshing {
 
+class PolishPasses;  // See polish_passes.h.
+
 /// The positions that a vertex may move to.
 struct Target {
   Vec3d crease;  ///< The point of the crease nearest to the vertex.
@@ -19,6 +21,7 @@ struct Target {
 /// One target per vertex. `voxel` is in metres; each cell of the lattice through the origin
 /// contains one raw vertex.
 std::vector<Target> find_targets(const FaceMesh& raw, const field::Field& exact, double voxel,
-                                 const PolygonizeOptions& options, Progress& progress);
+                                 const PolygonizeOptions& options, const PolishPasses& passes,
+                                 Progress& progress);
 
 }  // namespace vug::meshing
