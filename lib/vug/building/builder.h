@@ -128,6 +128,8 @@ class Builder {
   mutable std::map<shot::VolumePtr, volume::VoxelizeEstimate> estimates_;
   /// Approximate surface area of the volume in square metres.
   double area_of(const shot::VolumePtr& plan);
+  /// An upper bound of it that needs no samples of the field.
+  double max_area_of(const shot::VolumePtr& plan);
   volume::SurfaceBricksPtr cached_surface(const shot::MeshPtr& plan) const;
   /// A run that a run of the plan can continue; null if there is none.
   CellLayerPtr resumable(const shot::CellsPlan& plan) const;

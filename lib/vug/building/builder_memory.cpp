@@ -59,17 +59,30 @@ double Builder::area_of(const shot::VolumePtr& plan) {
   return estimate(plan).surface_area;
 }
 
+double Builder::max_area_of(const shot::VolumePtr& plan) {
+  if (plan->source_mesh || plan->field.bounds().isEmpty()) return area_of(plan);
+  return area_of_band(max_active_voxels(*plan), *plan);
+}
+
 void Builder::require_mesh_memory(const shot::MeshPtr& plan) {
   if (cached(plan) || (plan->labels.empty() && is_stored(*plan))) return;
   for (const shot::MeshPtr& part : plan->parts) require_mesh_memory(part);
   if (plan->cells && cell_layers_.count(plan->cells) == 0) {
-    double area = 0;
-    for (const shot::MeshPtr& support : plan->cells->on) {
-      require_mesh_memory(support);
-      if (support->volume) area += area_of(support->volume);
-      if (support->file_mesh) area += metrics::area(*support->file_mesh);
-    }
-    require_cell_memory(*plan->cells, area, memory_budget());
+    for (const shot::MeshPtr& support : plan->cells->on) require_mesh_memory(support);
+    const auto area = [&](const auto& area_of_volume) {
+      double sum = 0;
+      for (const shot::MeshPtr& support : plan->cells->on) {
+        if (support->volume) sum += area_of_volume(support->volume);
+        if (support->file_mesh) sum += metrics::area(*support->file_mesh);
+      }
+      return sum;
+    };
+    // The estimate of an area can take half as long as the voxels: not if a filled box would fit.
+    const double most = area([&](const shot::VolumePtr& volume) { return max_area_of(volume); });
+    if (!cells_fit(*plan->cells, most, memory_budget()))
+      require_cell_memory(*plan->cells,
+                          area([&](const shot::VolumePtr& volume) { return area_of(volume); }),
+                          memory_budget());
   }
   if (plan->cells || !plan->volume) return;
   const shot::VolumePlan& volume = *plan->volume;

@@ -144,4 +144,14 @@ void require_cell_memory(const shot::CellsPlan& plan, double area, uint64_t memo
   }
 }
 
+bool cells_fit(const shot::CellsPlan& plan, double area, uint64_t memory) {
+  try {
+    require_cell_memory(plan, area, memory);
+    return true;
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::too_large) throw;
+    return false;
+  }
+}
+
 }  // namespace vug::building

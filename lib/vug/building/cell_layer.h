@@ -48,5 +48,7 @@ CellLayer make_cell_layer(const shot::CellsPlan& plan, const std::vector<CellSup
 /// Error(too_large), located at the spacing, if cells on `area` square metres need more than
 /// `memory` bytes.
 void require_cell_memory(const shot::CellsPlan& plan, double area, uint64_t memory);
+/// Whether it would not throw.
+bool cells_fit(const shot::CellsPlan& plan, double area, uint64_t memory);
 
 }  // namespace vug::building

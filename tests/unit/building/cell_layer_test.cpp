@@ -3,6 +3,7 @@
 // work.
 #include <gtest/gtest.h>
 #include <vug/base/memory.h>
+#include <vug/base/progress.h>
 #include <vug/building/builder.h>
 #include <vug/loading/load.h>
 #include <vug/mesh/topology.h>
@@ -79,6 +80,24 @@ TEST(CellLayer, ScattersNewCellsOnASurfaceThatGrows) {
   }
   // The last ones lie on a ball with a radius of 1.15 m.
   EXPECT_NEAR(cells[1] / cells[0], 1.15 * 1.15, 0.03);
+}
+
+// The area is estimated only if a box full of surface would have too many cells.
+TEST(CellLayer, TheAreaIsEstimatedIfMemoryIsShort) {
+  const shot::Shot shot = shot_of("cells skin on wall { spacing 1cm  run voronoi }");
+  constexpr double kArea = 4 * kPi, kCells = kArea / 1e-4;
+  const auto estimates = [&](double bytes_per_cell) {
+    bool estimated = false;
+    Progress progress([&](const std::string& stage, double) {
+      estimated = estimated || stage.find("estimating the memory") != std::string::npos;
+    });
+    BuildOptions options;
+    options.max_memory = static_cast<uint64_t>(bytes_per_cell * kCells);
+    Builder(shot, options, progress).require_mesh_memory(shot.meshes.back());
+    return estimated;
+  };
+  EXPECT_FALSE(estimates(1e5));
+  EXPECT_TRUE(estimates(600));  // Cells take 360.
 }
 
 TEST(CellLayer, TooManyCellsAreRejectedBeforeAnyWork) {
