@@ -128,7 +128,9 @@ volume::LevelSet Builder::make_level_set(const shot::VolumePlan& plan, const mes
   if (!mesh) {
     field::compute_deferred(plan.field, progress_, memory_budget());
     warn_of_thin_parts(plan);  // Before the voxels, whose number may make them slow.
-    return volume::voxelize(plan.field, voxelize_options(plan, memory_budget()), progress_);
+    const volume::VoxelizeOptions options = voxelize_options(plan, memory_budget());
+    if (parts_) return volume::voxelize(plan.field, options, parts_->voxels, progress_);
+    return volume::voxelize(plan.field, options, progress_);
   }
   volume::FromMeshOptions options;
   options.voxel = plan.voxel;
@@ -216,7 +218,7 @@ SurfaceMesh Builder::surface_mesh(const shot::MeshPlan& plan) {
         field::compute_deferred(plan.volume->field, progress_, memory_budget());
         shot::MeshPlan quality = plan;
         quality.polish = plan.polish && !shot_.draft;
-        return make_surface_mesh(quality, surface, memory_budget(), progress_);
+        return make_surface_mesh(quality, surface, memory_budget(), progress_, parts_.get());
       },
       seconds_);
   warn_of_thin_parts(*plan.volume);

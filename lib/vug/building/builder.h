@@ -6,6 +6,7 @@
 #include <vug/base/diagnostics.h>
 #include <vug/base/progress.h>
 #include <vug/building/apply_cells.h>
+#include <vug/building/part_cache.h>
 #include <vug/building/stored_products.h>
 #include <vug/mesh/mesh.h>
 #include <vug/shot/shot.h>
@@ -53,6 +54,10 @@ class Builder {
   /// frame of the same shot all static products (see loading::StaticCache), and runs of cells to
   /// continue.
   void reuse_from(Builder&& other);
+
+  /// Takes parts of level sets and meshes from the cache, and adds those that are computed. Null:
+  /// all are computed.
+  void use_parts(PartCachePtr parts) { parts_ = std::move(parts); }
 
   /// Computes the deferred fields, such as drips, of the shown objects of the shot or a part of it.
   void compute_deferred(const shot::Shot& part);
@@ -139,6 +144,7 @@ class Builder {
   ProductCounts counts_;
   double seconds_ = 0;
   uint64_t held_ = 0;  ///< Bytes of all cached products.
+  PartCachePtr parts_;
 };
 
 }  // namespace vug::building

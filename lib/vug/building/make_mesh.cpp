@@ -27,7 +27,7 @@ void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const field::Sample
 }
 
 SurfaceMesh make_surface_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface,
-                              uint64_t memory, Progress& progress) {
+                              uint64_t memory, Progress& progress, PartCache* parts) {
   const CancellableScope scope(progress);
   meshing::PolygonizeOptions polygonize;
   polygonize.adaptivity = plan.adaptivity;
@@ -50,8 +50,10 @@ SurfaceMesh make_surface_mesh(const shot::MeshPlan& plan, const volume::LevelSet
                                       ? volume::without_features(surface, small)
                                       : surface;
   progress.begin("triangles");
+  const field::Field* polished = plan.polish ? exact : nullptr;
   mesh::Mesh polygons =
-      meshing::polygonize(meshed, plan.polish ? exact : nullptr, polygonize, progress).mesh;
+      parts ? meshing::polygonize(meshed, polished, polygonize, parts->polish, progress).mesh
+            : meshing::polygonize(meshed, polished, polygonize, progress).mesh;
   progress.begin("components of the mesh");
   mesh::LargeComponents pieces = mesh::large_components(std::move(polygons), plan.smallest_piece);
   progress.begin("materials of the rock");

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <vug/base/progress.h>
+#include <vug/building/part_cache.h>
 #include <vug/mesh/components.h>
 #include <vug/shot/shot.h>
 #include <vug/volume/level_set.h>
@@ -22,9 +23,9 @@ struct SurfaceMesh {
 };
 
 /// The mesh of the plan's level set without its small components. Error(too_large) if `memory`
-/// bytes do not suffice.
+/// bytes do not suffice. `parts` may be null.
 SurfaceMesh make_surface_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface,
-                              uint64_t memory, Progress& progress);
+                              uint64_t memory, Progress& progress, PartCache* parts = nullptr);
 
 /// Adds vertex colours, the attributes of facade elements, labels, and the weights of the rock.
 /// `solid` is the level set if the plan has a paint, else it may be null.

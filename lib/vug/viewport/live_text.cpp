@@ -18,10 +18,13 @@ std::filesystem::file_time_type time_of(const std::filesystem::path& file) {
 }  // namespace
 
 struct LiveText::Version {
-  Version(loading::Loaded from, const BuildOptionsOf& build, std::shared_ptr<Progress> work)
+  Version(loading::Loaded from, const BuildOptionsOf& build, const building::PartCachePtr& parts,
+          std::shared_ptr<Progress> work)
       : progress(std::move(work)),
         loaded(std::move(from)),
-        builder(loaded.shot, build ? build(loaded) : building::BuildOptions(), *progress) {}
+        builder(loaded.shot, build ? build(loaded) : building::BuildOptions(), *progress) {
+    builder.use_parts(parts);
+  }
 
   std::shared_ptr<Progress> progress;
   loading::Loaded loaded;
@@ -61,7 +64,7 @@ bool LiveText::load(std::string text, std::shared_ptr<Progress> progress,
   add(file_);
   for (const auto& [file, time] : network_files_) add(file);
   if (!usable) return false;
-  auto next = std::make_unique<Version>(std::move(loaded), build_, std::move(progress));
+  auto next = std::make_unique<Version>(std::move(loaded), build_, parts_, std::move(progress));
   next->kept = source_.reused();
   if (version_) next->builder.reuse_from(std::move(version_->builder));
   version_ = std::move(next);
@@ -69,7 +72,8 @@ bool LiveText::load(std::string text, std::shared_ptr<Progress> progress,
 }
 
 void LiveText::resume(std::shared_ptr<Progress> progress) {
-  auto same = std::make_unique<Version>(std::move(version_->loaded), build_, std::move(progress));
+  auto same =
+      std::make_unique<Version>(std::move(version_->loaded), build_, parts_, std::move(progress));
   same->kept = version_->kept;
   same->builder.reuse_from(std::move(version_->builder));
   version_ = std::move(same);

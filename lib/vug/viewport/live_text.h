@@ -45,6 +45,8 @@ class LiveText {
   const building::Builder& builder() const;
   /// The number of declarations whose values are those of another version.
   size_t kept() const;
+  /// The parts of level sets and meshes that were computed and reused in all versions.
+  building::PartCounts part_counts() const { return parts_->counts(); }
   /// The source of the last text, for other frames.
   const loading::SceneSource& source() const { return source_; }
 
@@ -55,6 +57,7 @@ class LiveText {
   loading::LoadOptions load_;
   BuildOptionsOf build_;
   loading::SceneSource source_;
+  building::PartCachePtr parts_ = std::make_shared<building::PartCache>();
   std::unique_ptr<Version> version_;
   Diagnostics problems_;
   std::string report_;

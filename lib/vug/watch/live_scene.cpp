@@ -20,6 +20,7 @@ LiveScene::LiveScene(std::filesystem::path file, LiveOptions options)
 bool LiveScene::load(std::shared_ptr<Progress> progress) {
   if (!text_.load(read_text(file_), std::move(progress))) return false;
   before_ = session_.counters();
+  parts_before_ = text_.part_counts();
   return true;
 }
 
@@ -73,8 +74,13 @@ std::string LiveScene::look(const ViewRequest& look, std::shared_ptr<Progress> p
 
 Work LiveScene::work() const {
   const render::SessionCounters& now = session_.counters();
+  const building::PartCounts parts = text_.part_counts();
   return {text_.kept(),
           text_.builder().counts(),
+          {{parts.blocks.evaluated - parts_before_.blocks.evaluated,
+            parts.blocks.reused - parts_before_.blocks.reused},
+           {parts.groups.evaluated - parts_before_.groups.evaluated,
+            parts.groups.reused - parts_before_.groups.reused}},
           {now.trees.built - before_.trees.built, now.trees.reused - before_.trees.reused},
           now.samples - before_.samples};
 }

@@ -28,6 +28,7 @@ struct LiveOptions {
 struct Work {
   size_t declarations_kept = 0;      ///< Declarations whose values are those of another version.
   building::ProductCounts products;  ///< Made, or read from the store.
+  building::PartCounts parts;        ///< Computed and reused for these products.
   render::TreeCounts trees;
   uint64_t samples = 0;  ///< Samples of all pixels.
 };
@@ -84,6 +85,7 @@ class LiveScene {
   std::filesystem::path file_;
   LiveOptions options_;
   viewport::LiveText text_;
+  building::PartCounts parts_before_;  ///< At the last load.
   render::Session session_;
   render::Session looks_{render::Learning::kept};
   render::SessionCounters before_;  ///< At the last load.

@@ -144,6 +144,46 @@ TEST_F(LiveScenes, EveryEditGivesThePictureOfANewRender) {
   }
 }
 
+TEST_F(LiveScenes, AnEditOfABlockComputesThePartsAroundIt) {
+  const auto rock = [](const std::string& at) {
+    return "let block = box(size: (0.8, 0.8, 0.8)).rotate(angle: 20deg)\n"
+           "let heap = union([block.translate((-4, 0.5, -4)), block.translate(" +
+           at +
+           ")])\n"
+           "volume rock = level_set(union([box(size: (12, 0.6, 12)), heap], blend: smooth(5cm)), "
+           "voxel: 8cm)\n"
+           "mesh rock on rock { }\n"
+           "object rock on rock { }\n"
+           "light sky = sky()\n"
+           "camera main { eye (0, 5, 9) target (0, 0, 0) }\n"
+           "render main { size 32x18 spp 1 }\n";
+  };
+  const auto save_rock = [&](const std::string& at) {
+    write_text(file_, rock(at));
+    EXPECT_TRUE(scene_.load(std::make_shared<Progress>())) << scene_.report();
+    EXPECT_EQ(scene_.render().front().image, new_picture(rock(at))) << at;
+    return scene_.work().parts;
+  };
+  const building::PartCounts all = save_rock("(4, 0.5, 4)");
+  EXPECT_GT(all.blocks.evaluated, 30u);
+  EXPECT_EQ(all.blocks.reused, 0u);
+  EXPECT_EQ(all.groups.reused, 0u);
+  const building::PartCounts moved = save_rock("(4, 0.5, 4.3)");
+  EXPECT_GT(moved.blocks.evaluated, 0u);
+  EXPECT_LT(moved.blocks.evaluated, all.blocks.evaluated / 2);
+  LiveScene fresh(file_, {});
+  ASSERT_TRUE(fresh.load(std::make_shared<Progress>()));
+  fresh.render();
+  EXPECT_EQ(moved.blocks.evaluated + moved.blocks.reused, fresh.work().parts.blocks.evaluated);
+  EXPECT_EQ(moved.groups.evaluated + moved.groups.reused, fresh.work().parts.groups.evaluated);
+  EXPECT_GT(moved.groups.evaluated, 0u);
+  EXPECT_LT(moved.groups.evaluated, all.groups.evaluated / 2);
+  const building::PartCounts undone = save_rock("(4, 0.5, 4)");
+  EXPECT_EQ(undone.blocks.evaluated, 0u);
+  EXPECT_EQ(undone.groups.evaluated, 0u);
+  EXPECT_EQ(undone.groups.reused, all.groups.evaluated);
+}
+
 TEST_F(LiveScenes, ALookHasItsOwnEyeAndKeepsThePicture) {
   Text text;
   save(text);

@@ -34,15 +34,19 @@ std::string counts_text(const std::vector<std::pair<size_t, const char*>>& count
 
 std::string work_text(const watch::Work& work) {
   const building::ProductCounts& made = work.products;
-  return fmt::format(
-      "built {}; kept {}; rendered {}",
-      counts_text({{made.level_sets, "level set"},
-                   {made.meshes, "mesh"},
-                   {made.surfaces, "surface"},
-                   {made.cell_layers, "cell layer"},
-                   {work.trees.built, "tree"}}),
-      counts_text({{work.declarations_kept, "declaration"}, {work.trees.reused, "tree"}}),
-      counts_text({{work.samples, "sample"}}));
+  return fmt::format("built {}; kept {}; rendered {}",
+                     counts_text({{made.level_sets, "level set"},
+                                  {made.meshes, "mesh"},
+                                  {made.surfaces, "surface"},
+                                  {made.cell_layers, "cell layer"},
+                                  {work.trees.built, "tree"},
+                                  {work.parts.blocks.evaluated, "voxel block"},
+                                  {work.parts.groups.evaluated, "polish group"}}),
+                     counts_text({{work.declarations_kept, "declaration"},
+                                  {work.trees.reused, "tree"},
+                                  {work.parts.blocks.reused, "voxel block"},
+                                  {work.parts.groups.reused, "polish group"}}),
+                     counts_text({{work.samples, "sample"}}));
 }
 
 /// The files that `write` may write.
