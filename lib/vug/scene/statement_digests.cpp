@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/diagnostics.h>
+#include <vug/base/digester.h>
 #include <vug/scene/lexer.h>
 #include <vug/scene/statement_digests.h>
 
@@ -36,6 +37,13 @@ void add_file(const std::string& text, const SourceLocation& where,
 /// Whether the token is the name of an argument, as in f(radius: 1), which means no declaration.
 bool names_argument(const std::vector<Token>& all, std::vector<Token>::const_iterator token) {
   return token != all.begin() && (token[-1].is("(") || token[-1].is(",")) && token[1].is(":");
+}
+
+/// Adds the names in an expression, and some words that are not names.
+void add_names(const Expr& expr, std::set<std::string>& names) {
+  if (!expr.text.empty()) names.insert(own_name(expr.text));
+  for (const Operand& each : expr.operands)
+    if (each.value) add_names(*each.value, names);
 }
 
 /// The tokens of the sources of a document.
@@ -93,7 +101,7 @@ std::map<std::string, Meanings> meanings_of(const Document& document, const Stat
         Hasher hash;
         hash.add_value(type).add(each.name).add_value(text->digest);
         if constexpr (requires { each.given; })
-          if (each.given) hash.add(dump(*each.given));
+          if (each.given) hash.add(dump(*each.given)), add_names(*each.given, text->mentions);
         text->digest = hash.finish();
       }
       out[own_name(each.name)].globals.push_back(std::move(text));
@@ -112,7 +120,7 @@ std::map<std::string, Meanings> meanings_of(const Document& document, const Stat
 StatementDigests::StatementDigests(const Document& document, const std::vector<fs::path>& folders) {
   const StatementTexts texts(document, folders);
   const std::map<std::string, Meanings> meanings = meanings_of(document, texts);
-  const auto digest_of = [&](const SourceLocation& extent) -> std::optional<Digest> {
+  const auto statement_at = [&](const SourceLocation& extent) -> std::optional<Statement> {
     const std::optional<StatementText> own = texts.at(extent);
     if (!own) return std::nullopt;
     std::set<std::string> names = own->mentions;
@@ -137,12 +145,13 @@ StatementDigests::StatementDigests(const Document& document, const std::vector<f
         hash.add_value(each->digest);
       for (const std::string& kind : meaning->second.kinds) hash.add_value(kind.size()).add(kind);
     }
-    return hash.finish();
+    return Statement{hash.finish(), std::move(names)};
   };
   const auto add = [&](const std::string& kind, const std::string& name,
                        const SourceLocation& extent) {
-    const auto [at, is_new] = digests_.try_emplace({kind, name});
-    at->second = is_new ? digest_of(extent) : std::nullopt;
+    const auto [at, is_new] = statements_.try_emplace({kind, name});
+    at->second = is_new ? statement_at(extent) : std::nullopt;
+    declared_[own_name(name)].emplace_back(kind, name);
   };
   for (const Declaration& each : document.declarations) add(each.kind, each.name, each.extent);
   for (const Grammar& each : document.grammars) add("grammar", each.name, each.extent);
@@ -150,8 +159,29 @@ StatementDigests::StatementDigests(const Document& document, const std::vector<f
 
 std::optional<Digest> StatementDigests::find(const std::string& kind,
                                              const std::string& name) const {
-  const auto found = digests_.find({kind, name});
-  return found == digests_.end() ? std::nullopt : found->second;
+  const auto found = statements_.find({kind, name});
+  if (found == statements_.end() || !found->second) return std::nullopt;
+  return found->second->digest;
+}
+
+std::optional<Digest> StatementDigests::find_with_mentioned(const std::string& kind,
+                                                            const std::string& name) const {
+  std::map<Name, Digest> all;
+  std::vector<Name> added{{kind, name}};
+  while (!added.empty()) {
+    const Name next = std::move(added.back());
+    added.pop_back();
+    if (all.count(next)) continue;
+    const auto found = statements_.find(next);
+    if (found == statements_.end() || !found->second) return std::nullopt;
+    const Statement& statement = *found->second;
+    if (statement.mentions.count("frame") || statement.mentions.count("keys")) return std::nullopt;
+    all.emplace(next, statement.digest);
+    for (const std::string& mention : statement.mentions)
+      if (const auto declared = declared_.find(mention); declared != declared_.end())
+        added.insert(added.end(), declared->second.begin(), declared->second.end());
+  }
+  return vug::digest_of(all);
 }
 
 }  // namespace vug::scene

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,8 +31,20 @@ class StatementDigests {
   /// if its text is not at hand.
   std::optional<Digest> find(const std::string& kind, const std::string& name) const;
 
+  /// A digest that also covers the declarations which this one mentions, directly or through
+  /// others: all of the text from which its value follows. Nothing if one of them has no digest, or
+  /// if the value may depend on the frame. Overrides of parameters and of the seed are not covered.
+  std::optional<Digest> find_with_mentioned(const std::string& kind, const std::string& name) const;
+
  private:
-  std::map<std::pair<std::string, std::string>, std::optional<Digest>> digests_;
+  using Name = std::pair<std::string, std::string>;  ///< Kind and name.
+  struct Statement {
+    Digest digest;
+    std::set<std::string> mentions;  ///< Also those of the parameters, lets and functions.
+  };
+
+  std::map<Name, std::optional<Statement>> statements_;
+  std::map<std::string, std::vector<Name>> declared_;  ///< By the name without prefixes.
 };
 
 }  // namespace vug::scene
