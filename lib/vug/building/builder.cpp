@@ -6,6 +6,7 @@
 #include <vug/building/make_mesh.h>
 #include <vug/building/memory_estimate.h>
 #include <vug/building/product_keys.h>
+#include <vug/building/stored_drips.h>
 #include <vug/building/thin_part_warnings.h>
 #include <vug/field/deferred.h>
 #include <vug/shot/queries.h>
@@ -55,6 +56,13 @@ void add_with_parts(const shot::MeshPtr& plan, std::vector<shot::MeshPtr>& meshe
 }
 
 }  // namespace
+
+Builder::Builder(const shot::Shot& shot, BuildOptions options, Progress& progress)
+    : shot_(shot),
+      options_(std::move(options)),
+      progress_(progress),
+      products_(options_.stored),
+      drips_reports_(store_drips(shot, options_.stored)) {}
 
 void Builder::warn(const SourceLocation& where, const std::string& message,
                    const std::string& hint) const {
@@ -236,20 +244,55 @@ Builder::BuiltMesh Builder::build_with_cells(const shot::MeshPlan& plan, Folds f
                      "be visible",
                      plan.volume->name),
          "use smaller voxels, a larger spacing or refine true");
-  const CellLayerPtr layer = this->cell_layer(plan.cells);
   const shot::MeshPtr under = shot::mesh_without_cells(plan);
-  mesh::MeshPtr bare = mesh(under);
-  const Stopwatch watch(seconds_);
-  const Progress::Product product(progress_, plan.name);
-  if (refine)
-    bare = run_stage(progress_, "refining the mesh",
-                     [&] { return refine_for_cells(*plan.cells, *bare, memory_budget()); });
-  MeshWithCells made = apply_cells(*bare, *layer, *plan.cells, folds, progress_);
+  const mesh::MeshPtr bare = mesh(under);
+  const auto make = [&](double& seconds) { return run_cells(plan, *bare, refine, folds, seconds); };
+  MeshWithCells made;
+  if (const std::optional<store::Key> key = cell_mesh_key(plan, *bare, refine, folds)) {
+    made = products_.obtain<MeshWithCells>(*key, plan.name, make, seconds_);
+  } else {
+    double seconds = 0;
+    made = make(seconds);
+    seconds_ += seconds;
+  }
   const auto worn = std::make_shared<const mesh::Mesh>(std::move(made.mesh));
   if (worn->triangles.empty() && !bare->triangles.empty())
     warn(plan.cells->where, fmt::format("nothing remains of the mesh '{}'", plan.name),
          "all of its cells have been removed, and 'holes' cuts the mesh there");
   return {worn, components_removed(under), small_features(under), made.unfolded_vertices > 0};
+}
+
+MeshWithCells Builder::run_cells(const shot::MeshPlan& plan, const mesh::Mesh& bare, bool refine,
+                                 Folds folds, double& seconds) {
+  const double before = seconds_;
+  const CellLayerPtr layer = this->cell_layer(plan.cells);
+  seconds += std::exchange(seconds_, before) - before;
+  const Stopwatch watch(seconds);
+  const Progress::Product product(progress_, plan.name);
+  if (!refine) return apply_cells(bare, *layer, *plan.cells, folds, progress_);
+  const mesh::MeshPtr refined = run_stage(progress_, "refining the mesh", [&] {
+    return refine_for_cells(*plan.cells, bare, memory_budget());
+  });
+  return apply_cells(*refined, *layer, *plan.cells, folds, progress_);
+}
+
+std::optional<store::Key> Builder::cell_mesh_key(const shot::MeshPlan& plan, const mesh::Mesh& bare,
+                                                 bool refine, Folds folds) {
+  const shot::CellsPlan& cells = *plan.cells;
+  if (!options_.stored.store || options_.checkpoint || !cells.inputs || cells.before)
+    return std::nullopt;
+  store::Key key(kCellMeshKind);
+  key.add("cells", *cells.inputs, cells.key.state())
+      .add("use", cells.first_step, cells.length(), plan.support, refine, folds)
+      .add("mesh", mesh::digest(bare));
+  for (size_t i = 0; i < cells.on.size(); ++i) {
+    key.add(fmt::format("support_{}", i), mesh::digest(*mesh(cells.on[i])));
+    const shot::VolumePtr& volume = cells.on[i]->volume;
+    if (!volume) continue;
+    key.add(fmt::format("solid_{}", i),
+            volume->source_mesh ? level_set(volume).content() : level_set_key(*volume).digest());
+  }
+  return key;
 }
 
 Builder::BuiltMesh Builder::build_merged(const shot::MeshPlan& plan) {

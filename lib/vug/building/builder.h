@@ -30,9 +30,11 @@ struct BuildOptions {
   std::function<SourceLocation(const field::NodePtr&)> where_of = nullptr;
   /// Checkpoint of the runs of cells; null: none.
   std::shared_ptr<CellsCheckpoint> checkpoint = nullptr;
-  /// Level sets and meshes that are in a store are not built again; see product_keys.h.
+  /// Products that are in a store are not built again; see product_keys.h.
   StoreUse stored = {};
 };
+
+class DripsReports;
 
 /// The numbers of products that a Builder made or read from a store, without those that it took
 /// over.
@@ -47,8 +49,7 @@ struct ProductCounts {
 class Builder {
  public:
   explicit Builder(const shot::Shot& shot, BuildOptions options = {},
-                   Progress& progress = Progress::none())
-      : shot_(shot), options_(options), progress_(progress), products_(options.stored) {}
+                   Progress& progress = Progress::none());
 
   /// Takes over the products of another builder whose plans this shot contains as well: for another
   /// frame of the same shot all static products (see loading::StaticCache), and runs of cells to
@@ -124,6 +125,13 @@ class Builder {
   mesh::MeshPtr mesh_for_volume(const shot::MeshPtr& plan);
   BuiltMesh build_plain(const shot::MeshPlan& plan);
   BuiltMesh build_with_cells(const shot::MeshPlan& plan, Folds folds);
+  /// The mesh that build_with_cells makes from the cells, which run for it. `seconds` increases by
+  /// the time.
+  MeshWithCells run_cells(const shot::MeshPlan& plan, const mesh::Mesh& bare, bool refine,
+                          Folds folds, double& seconds);
+  /// The key of such a mesh; nothing if it cannot be stored.
+  std::optional<store::Key> cell_mesh_key(const shot::MeshPlan& plan, const mesh::Mesh& bare,
+                                          bool refine, Folds folds);
   BuiltMesh build_merged(const shot::MeshPlan& plan);
   /// Locates an error at the volume's line if the scene text is at fault; else adds `doing` as
   /// context.
@@ -145,6 +153,7 @@ class Builder {
   double seconds_ = 0;
   uint64_t held_ = 0;  ///< Bytes of all cached products.
   PartCachePtr parts_;
+  std::shared_ptr<DripsReports> drips_reports_;
 };
 
 }  // namespace vug::building

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/building/explain_products.h>
 #include <vug/building/product_keys.h>
+#include <vug/shot/drips_plan.h>
 #include <vug/shot/queries.h>
 
 #include <set>
@@ -21,6 +22,14 @@ std::vector<ProductReport> explain_products(const shot::Shot& shot, const StoreU
     }
     out.push_back(std::move(report));
   };
+  for (const shot::NamedDrips& each : shot.drips) {
+    const Digest inputs = each.drips->digest();
+    for (const store::Key& key : {drip_graph_key(inputs), grown_forms_key(inputs)}) {
+      add(key, each.name);
+      // Not every scene needs both.
+      if (!out.back().reused && !out.back().changed) out.pop_back();
+    }
+  }
   for (const shot::VolumePtr& volume : shot.volumes)
     if (!volume->source_mesh) add(level_set_key(*volume), volume->name);
   std::set<shot::MeshPtr> known;

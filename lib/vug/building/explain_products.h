@@ -7,8 +7,9 @@
 
 namespace vug::building {
 
-/// The level sets of the volumes, and the meshes on them that are shown or declared; those that
-/// depend on other meshes, whose content is not known before they are built, are left out.
+/// The drips that were stored before, the level sets of the volumes, and the meshes on them that
+/// are shown or declared; those that depend on other meshes, whose content is not known before they
+/// are built, are left out.
 std::vector<ProductReport> explain_products(const shot::Shot& shot, const StoreUse& use);
 
 }  // namespace vug::building

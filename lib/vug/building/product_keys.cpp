@@ -47,4 +47,12 @@ store::Key surface_mesh_key(const shot::MeshPlan& plan, bool draft,
   return add_surface_of(plan, draft, key);
 }
 
+store::Key drip_graph_key(const Digest& inputs) {
+  return store::Key(kDripGraphKind).add("drips", inputs);
+}
+
+store::Key grown_forms_key(const Digest& inputs) {
+  return store::Key(kGrownFormsKind).add("drips", inputs);
+}
+
 }  // namespace vug::building

@@ -64,6 +64,22 @@ SurfaceMesh ProductFile<SurfaceMesh>::read(const std::filesystem::path& source) 
   return out;
 }
 
+void ProductFile<MeshWithCells>::write(const std::filesystem::path& target,
+                                       const MeshWithCells& mesh) {
+  std::ofstream out(target, std::ios::binary);
+  mesh::write_exact(out, mesh.mesh);
+  write_list(out, std::vector<uint64_t>{mesh.unfolded_vertices});
+  if (!out.flush()) throw Error(ErrorCode::io, fmt::format("cannot write '{}'", target.string()));
+}
+
+MeshWithCells ProductFile<MeshWithCells>::read(const std::filesystem::path& source) {
+  std::ifstream in(source, std::ios::binary);
+  MeshWithCells out;
+  out.mesh = mesh::read_exact_mesh(in);
+  out.unfolded_vertices = read_list<std::vector<uint64_t>>(in).at(0);
+  return out;
+}
+
 void StoredProducts::report(const store::Key& key, const std::string& name, bool reused,
                             double seconds) {
   std::optional<std::vector<std::string>> changed;

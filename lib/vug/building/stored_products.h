@@ -2,6 +2,7 @@
 // The products that a Builder takes from a store or adds to it.
 #pragma once
 
+#include <vug/building/apply_cells.h>
 #include <vug/building/make_mesh.h>
 #include <vug/store/store.h>
 #include <vug/volume/level_set.h>
@@ -60,6 +61,13 @@ struct ProductFile<SurfaceMesh> {
   static constexpr const char* kExtension = ".mesh";
   static void write(const std::filesystem::path& target, const SurfaceMesh& mesh);
   static SurfaceMesh read(const std::filesystem::path& source);
+};
+
+template <>
+struct ProductFile<MeshWithCells> {
+  static constexpr const char* kExtension = ".mesh";
+  static void write(const std::filesystem::path& target, const MeshWithCells& mesh);
+  static MeshWithCells read(const std::filesystem::path& source);
 };
 
 class StoredProducts {

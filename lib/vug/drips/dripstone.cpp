@@ -17,20 +17,29 @@ constexpr double kWiden = 1.25, kDeepen = 2.1;
 
 }  // namespace
 
-Dripstone grow_dripstone(const field::Field& rock, const Graph& graph, const DripstoneOptions& o) {
-  std::vector<Form> forms = forms_of(graph, o.forms);
-  std::vector<field::Deposit> layers = skirts_of(graph, forms);
-  for (const field::Deposit& layer : flowstone_of(graph, forms, o.flowstone))
-    layers.push_back(layer);
-  const std::vector<Form> pieces = fallen_pieces(rock, forms, graph, o.forms);
-  forms.insert(forms.end(), pieces.begin(), pieces.end());
+GrownForms grow_forms(const field::Field& rock, const Graph& graph, const DripstoneOptions& o) {
+  GrownForms out;
+  out.forms = forms_of(graph, o.forms);
+  out.layers = skirts_of(graph, out.forms);
+  for (const field::Deposit& layer : flowstone_of(graph, out.forms, o.flowstone))
+    out.layers.push_back(layer);
+  const std::vector<Form> pieces = fallen_pieces(rock, out.forms, graph, o.forms);
+  out.forms.insert(out.forms.end(), pieces.begin(), pieces.end());
+  out.draperies = draperies_of(rock, graph, o.draperies);
+  return out;
+}
+
+Dripstone with_fields(GrownForms grown, const DripstoneOptions& o) {
   // One union: it is restricted once, by the boxes of all its operands.
-  std::vector<field::Field> solids = form_fields(forms, o.forms);
-  std::vector<HungDrapery> draperies = draperies_of(rock, graph, o.draperies);
-  for (const field::Field& sheet : drapery_fields(draperies, o.draperies)) solids.push_back(sheet);
-  field::Field thickness = field::thickness_field(layers);
-  return {std::move(forms), std::move(draperies), std::move(layers),
-          field::unite(std::move(solids)), std::move(thickness)};
+  std::vector<field::Field> solids = form_fields(grown.forms, o.forms);
+  for (const field::Field& sheet : drapery_fields(grown.draperies, o.draperies))
+    solids.push_back(sheet);
+  field::Field thickness = field::thickness_field(grown.layers);
+  return {std::move(grown), field::unite(std::move(solids)), std::move(thickness)};
+}
+
+Dripstone grow_dripstone(const field::Field& rock, const Graph& graph, const DripstoneOptions& o) {
+  return with_fields(grow_forms(rock, graph, o), o);
 }
 
 Box3d dripstone_bounds(const Box3d& rock, const GraphOptions& graph, const FormOptions& forms) {

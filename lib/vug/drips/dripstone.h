@@ -16,11 +16,15 @@ struct DripstoneOptions {
   FlowstoneOptions flowstone{};
 };
 
-struct Dripstone {
-  std::vector<Form> forms;  ///< Those of forms_of, then the pieces that broke off.
-  std::vector<HungDrapery> draperies;
-  std::vector<field::Deposit> layers;  ///< Skirts and flowstone.
-  field::Field solids;                 ///< The solids of all forms and draperies.
+/// Speleothems as plain data, which can be stored.
+struct GrownForms {
+  std::vector<Form> forms{};  ///< Those of forms_of, then the pieces that broke off.
+  std::vector<HungDrapery> draperies{};
+  std::vector<field::Deposit> layers{};  ///< Skirts and flowstone.
+};
+
+struct Dripstone : GrownForms {
+  field::Field solids;     ///< The solids of all forms and draperies.
   field::Field thickness;  ///< The thickness of the flowstone on the rock, see thickness_field.
 };
 
@@ -32,6 +36,12 @@ inline constexpr double kDripstoneSlope = 8, kDripstoneGrowth = 0.5;
 /// same for any number of threads.
 Dripstone grow_dripstone(const field::Field& rock, const Graph& graph,
                          const DripstoneOptions& options);
+
+/// The steps of grow_dripstone: the growth, most of its work, which evaluates the rock, and the
+/// fields of what has grown.
+GrownForms grow_forms(const field::Field& rock, const Graph& graph,
+                      const DripstoneOptions& options);
+Dripstone with_fields(GrownForms grown, const DripstoneOptions& options);
 
 /// Bounds of the speleothems of all drips that rock with these bounds can have.
 Box3d dripstone_bounds(const Box3d& rock, const GraphOptions& graph, const FormOptions& forms);

@@ -2,6 +2,7 @@
 // The plan of a `cells NAME on MESH { ... }` declaration.
 #pragma once
 
+#include <vug/base/hash.h>
 #include <vug/base/rng.h>
 #include <vug/cells/kind.h>
 #include <vug/cells/relax.h>
@@ -59,6 +60,9 @@ struct CellsPlan {
   int rescatter = 0;   ///< Times that the surface gets new cells during the run; see rescatter.h.
   CellsPtr before;     ///< The part of the run before this one; null: this is the first.
   int first_step = 0;  ///< The steps of the parts before.
+  /// Identifies all that determines the run and its use, apart from the meshes that carry the
+  /// cells; nothing: unknown.
+  std::optional<Digest> inputs;
 
   /// Steps of the whole run: `steps`, else the end of the last stage, with 100 steps for open-ended
   /// stages.

@@ -20,23 +20,31 @@ const drips::Graph& DripsPlan::graph() const {
 }
 
 const drips::Graph& DripsPlan::whole_graph() const {
-  if (!graph_) graph_ = drips::build_graph(rock_, options_.graph);
+  const auto make = [&] { return drips::build_graph(rock_, options_.graph); };
+  if (!graph_) graph_ = cache_ ? cache_->graph(digest(), make) : make();
   return *graph_;
+}
+
+drips::GrownForms DripsPlan::grow() const {
+  if (options_.flowstone.share > 0) return drips::grow_forms(rock_, whole_graph(), options_);
+  // Nothing grows along films on floors. The whole graph is not used even if it is known, so that
+  // what grows does not depend on what else was asked of the plan.
+  drips::GraphOptions options = options_.graph;
+  options.over_floors = false;
+  return drips::grow_forms(rock_, drips::build_graph(rock_, options), options_);
 }
 
 const drips::Dripstone& DripsPlan::grown() const {
   const std::lock_guard lock(computing_);
-  if (grown_) return *grown_;
-  if (options_.flowstone.share > 0) {
-    grown_ = drips::grow_dripstone(rock_, whole_graph(), options_);
-  } else {
-    // Nothing grows along films on floors. The whole graph is not used even if it is known, so that
-    // what grows does not depend on what else was asked of the plan.
-    drips::GraphOptions options = options_.graph;
-    options.over_floors = false;
-    grown_ = drips::grow_dripstone(rock_, drips::build_graph(rock_, options), options_);
-  }
+  const auto make = [&] { return grow(); };
+  if (!grown_)
+    grown_ = drips::with_fields(cache_ ? cache_->forms(digest(), make) : make(), options_);
   return *grown_;
+}
+
+void DripsPlan::keep_in(std::shared_ptr<DripsCache> cache) const {
+  const std::lock_guard lock(computing_);
+  cache_ = std::move(cache);
 }
 
 field::Field with_speleothems(const DripsPtr& drips, const SpeleothemJoin& join,

@@ -6,13 +6,26 @@
 #include <vug/field/grown_material.h>
 #include <vug/shot/drip_params.h>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 
 namespace vug::shot {
 
-/// Immutable. Throws the errors of drips::build_graph.
+/// Keeps what plans of drips have computed, e.g. in a store. Any thread may call its functions.
+class DripsCache {
+ public:
+  virtual ~DripsCache() = default;
+  /// The known graph of these inputs, else `make()`.
+  virtual drips::Graph graph(const Digest& inputs, const std::function<drips::Graph()>& make) = 0;
+  /// The same for what has grown.
+  virtual drips::GrownForms forms(const Digest& inputs,
+                                  const std::function<drips::GrownForms()>& make) = 0;
+};
+
+/// Immutable, but for the place where it looks its results up. Throws the errors of
+/// drips::build_graph.
 class DripsPlan {
  public:
   /// Throws Error(bad_input) for edits that are invalid.
@@ -24,15 +37,20 @@ class DripsPlan {
   Digest digest() const { return digest_of(rock_, options_); }
   const drips::Graph& graph() const;
   const drips::Dripstone& grown() const;
+  /// Results that are computed from now on are taken from the cache or added to it. They are the
+  /// same without it.
+  void keep_in(std::shared_ptr<DripsCache> cache) const;
 
  private:
   const drips::Graph& whole_graph() const;  ///< With `computing_` locked.
+  drips::GrownForms grow() const;           ///< The same.
 
   field::Field rock_;
   drips::DripstoneOptions options_;
   mutable std::mutex computing_;
   mutable std::optional<drips::Graph> graph_;
   mutable std::optional<drips::Dripstone> grown_;
+  mutable std::shared_ptr<DripsCache> cache_;
 };
 
 using DripsPtr = std::shared_ptr<const DripsPlan>;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bytes of products may only change together with the epoch of their kind, or else the stores
 // of users would return products of earlier versions.
+#include <vug/base/binary_value.h>
 #include <vug/building/builder.h>
 #include <vug/building/product_keys.h>
 #include <vug/loading/load.h>
+#include <vug/shot/drips_plan.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,6 +13,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 namespace vug::building {
 namespace {
@@ -86,11 +89,63 @@ Json digests_of(const std::string& field) {
           {"mesh", mesh::digest(*builder.mesh(loaded.shot.meshes.at(0))).hex()}};
 }
 
+/// Runs of cells of all families of rules, with about 700 cells.
+const std::vector<std::pair<std::string, std::string>> kCells = {
+    {"cracks",
+     "random_color(apart: 40cm), voronoi(steps: 6), crack(begin: 6), wake(begin: 7), "
+     "spreading_color(begin: 7, steps: 3)"},
+    {"wear", "erosion(steps: 4), corrosion(steps: 4), dust(steps: 3), crust(steps: 3)"},
+    {"water", "run_off(steps: 12), moisture(begin: 6, steps: 6), film(steps: 4)"},
+    {"life", "life(steps: 4), moss(steps: 6), lichen(steps: 6)"},
+    {"patterns", "gray_scott(steps: 10), maze(begin: 10, steps: 4)"},
+    {"growth", "calcite(steps: 4), efflorescence(steps: 4)"},
+};
+
+Json digests_of_cells(const std::string& rules) {
+  const loading::Loaded loaded = loading::load_text(
+      "volume rock = level_set(displace(sphere(90cm), noise: fbm(scale: 50cm), amount: 12cm), "
+      "voxel: 10cm)\n"
+      "mesh skin on rock {}\ncells worn on skin { spacing 12cm  run " +
+          rules + " }\n",
+      "epoch.vug");
+  EXPECT_TRUE(loaded.usable()) << loaded.report();
+  if (!loaded.usable()) return nullptr;
+  Builder builder(loaded.shot);
+  return {{kCellMeshKind.name, mesh::digest(*builder.mesh(loaded.shot.meshes.at(1))).hex()}};
+}
+
+template <class T>
+std::string digest_of_file(const T& value) {
+  std::ostringstream out;
+  write_value(out, value);
+  return digest(out.str()).hex();
+}
+
+Json digests_of_drips(const std::string& more) {
+  const loading::Loaded loaded = loading::load_text(
+      "drips water = seepage(complement(box(size: (3, 2, 3))), from: (-1.5, -1.2, -1.5), to: (1.5, "
+      "1.2, 1.5), spacing: 30cm, joints: [fractures(azimuth: 107deg, dip: 84deg, spacing: 1m)]" +
+          more + ")\n",
+      "epoch.vug");
+  EXPECT_TRUE(loaded.usable()) << loaded.report();
+  if (!loaded.usable()) return nullptr;
+  const shot::DripsPlan& plan = *loaded.shot.drips.at(0).drips;
+  const drips::GrownForms& grown = plan.grown();
+  return {{kDripGraphKind.name, digest_of_file(plan.graph())},
+          {kGrownFormsKind.name, digest_of_file(grown)}};
+}
+
 TEST(Epochs, IncreaseWhenTheBytesOfProductsChange) {
-  const Json epochs = {{kLevelSetKind.name, kLevelSetKind.epoch},
-                       {kMeshKind.name, kMeshKind.epoch}};
+  Json epochs;
+  for (const store::ProductKind& kind :
+       {kLevelSetKind, kMeshKind, kCellMeshKind, kDripGraphKind, kGrownFormsKind})
+    epochs[kind.name] = kind.epoch;
   Json now = {{"epochs", epochs}, {"products", Json::object()}};
   for (const auto& [name, field] : kFields) now["products"][name] = digests_of(field);
+  for (const auto& [name, rules] : kCells)
+    now["products"]["cells: " + name] = digests_of_cells(rules);
+  now["products"]["drips: many"] = digests_of_drips(", draperies: 100%, broken: 50%");
+  now["products"]["drips: bare"] = digests_of_drips(", flowstone: 0%, straws: 100%");
 
   Json before = {{"epochs", Json::object()}, {"products", Json::object()}};
   if (std::ifstream in(kFile); in) before = Json::parse(in);

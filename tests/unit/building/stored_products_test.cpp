@@ -38,6 +38,8 @@ struct EditedScene {
       {"eye", "(0, 0, 5)"},
       {"comment", "first"},
       {"extra", ""},
+      {"rule", "voronoi(steps: 3)"},
+      {"mask", "height(from: -1, to: 1)"},
   };
 
   std::string text() const {
@@ -52,13 +54,16 @@ struct EditedScene {
         "mesh skin on rock {{ polish {}  smallest_piece {}  adaptivity {}  {} }}\n"
         "volume copy on skin {{ voxel 20cm }}\n"
         "mesh cover on copy {{}}\n"
+        "let high = {}\n"
+        "cells worn on skin {{ spacing 25cm  run random_color(apart: 60cm), {}, set(attribute: "
+        "\"grey\", to: high) }}\n"
         "object thing on skin {{}}\n"
         "camera main {{ eye {}  target (0, 0, 0) }}\n"
         "light lamp = sphere(center: {}, radius: 10cm, radiance: (1, 1, 1))\n",
         p.at("comment"), p.at("radius"), p.at("hardness"), p.at("where"), p.at("extra"),
         p.at("blend"), p.at("noise"), p.at("amount"), p.at("voxel"), p.at("width"), p.at("region"),
-        p.at("polish"), p.at("piece"), p.at("adaptivity"), p.at("paint"), p.at("eye"),
-        p.at("lamp"));
+        p.at("polish"), p.at("piece"), p.at("adaptivity"), p.at("paint"), p.at("mask"),
+        p.at("rule"), p.at("eye"), p.at("lamp"));
   }
 
   void edit(RandomStream& random) {
@@ -84,6 +89,8 @@ struct EditedScene {
         {"eye", {"(0, 0, 5)", "(0, 1, 5)"}},
         {"comment", {"first", "second"}},
         {"extra", {"", ", torus(radius: 70cm, tube: 10cm)"}},
+        {"rule", {"voronoi(steps: 3)", "voronoi(steps: 4)", "life(steps: 2)"}},
+        {"mask", {"height(from: -1, to: 1)", "slope(from: 0deg, to: 60deg)"}},
     };
     const auto& [name, values] = kEdits[random.below(static_cast<uint32_t>(kEdits.size()))];
     parts[name] = values[random.below(static_cast<uint32_t>(values.size()))];
@@ -211,17 +218,24 @@ std::vector<std::string> built(const std::string& text, const fs::path& folder) 
 TEST(StoredProducts, OnlyChangedPartsAreBuilt) {
   const ScratchFolder scratch("vug_stored_test");
   EditedScene scene;
-  EXPECT_EQ(built(scene.text(), scratch.path()),
-            (std::vector<std::string>{"level_set rock: new", "mesh skin: new",
-                                      "level_set copy: new", "mesh cover: new"}));
+  EXPECT_EQ(
+      built(scene.text(), scratch.path()),
+      (std::vector<std::string>{"level_set rock: new", "mesh skin: new", "level_set copy: new",
+                                "mesh cover: new", "cell_mesh worn: new"}));
   const std::vector<std::string> nothing;
   EXPECT_EQ(built(scene.text(), scratch.path()), nothing);
   scene.parts["comment"] = "another";
   scene.parts["lamp"] = "(9, 9, 9)";
   scene.parts["eye"] = "(1, 2, 9)";
+  EXPECT_EQ(built(scene.text(), scratch.path()), nothing);
   scene.parts["paint"] =
       "paint layer(under: (0.5, 0.4, 0.3), over: (0.2, 0.2, 0.2), mask: height(from: 0, to: 2))";
-  EXPECT_EQ(built(scene.text(), scratch.path()), nothing);
+  EXPECT_EQ(built(scene.text(), scratch.path()),
+            std::vector<std::string>{"cell_mesh worn: cells,mesh,support_0"})
+      << "colours are attributes, which cells may read";
+  scene.parts["rule"] = "voronoi(steps: 2)";
+  EXPECT_EQ(built(scene.text(), scratch.path()),
+            std::vector<std::string>{"cell_mesh worn: cells,use"});
   scene.parts["polish"] = "false";
   const std::vector<std::string> after = built(scene.text(), scratch.path());
   ASSERT_FALSE(after.empty());

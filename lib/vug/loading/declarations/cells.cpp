@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/digester.h>
 #include <vug/loading/reader.h>
+#include <vug/loading/variant_overrides.h>
+#include <vug/scene/statement_digests.h>
 #include <vug/shot/cell_attributes.h>
 #include <vug/shot/cell_stages.h>
 #include <vug/shot/rescatter.h>
@@ -133,6 +136,25 @@ Arguments arguments_of(const scene::Declaration& declaration, ReadContext& conte
   return arguments;
 }
 
+/// Identifies the text from which the cells follow; nothing if it may depend on the frame.
+std::optional<Digest> inputs_of(const scene::Declaration& declaration, ReadContext& context) {
+  const LoadOptions& options = context.options;
+  const scene::StatementDigests digests(context.document, options.include_folders);
+  const auto text =
+      digests.find_with_mentioned(declaration.kind, scene::name_without_index(declaration.name));
+  if (!text) return std::nullopt;
+  Digester all;
+  all(*text, declaration.name, context.evaluator.seed(), options.draft, options.overrides,
+      variant_overrides(context.document, options.variant, options.overrides));
+  // The files of surveys include others, which the text does not name.
+  std::error_code missing;
+  for (const shot::NetworkPlan& plan : context.shot.networks)
+    for (const std::filesystem::path& file : plan.network->files)
+      all(file, std::filesystem::file_size(file, missing),
+          std::filesystem::last_write_time(file, missing).time_since_epoch().count());
+  return all.finish();
+}
+
 /// The supporting meshes, with combined meshes split into their parts; empty with a diagnostic.
 std::vector<shot::MeshPtr> supports(const scene::Declaration& declaration, ReadContext& context) {
   std::vector<shot::MeshPtr> all;
@@ -199,6 +221,7 @@ const DeclarationKind& cells_declaration() {
         plan->name = declaration.name;
         plan->on = on;
         plan->key = context.evaluator.key(declaration);
+        plan->inputs = inputs_of(declaration, context);
         plan->where = declaration.where;
         for (const Argument& each : arguments)
           if (each.name == "spacing") plan->spacing_where = each.where;
