@@ -114,6 +114,8 @@ int run_plan(PlanOptions& options, const std::vector<std::string>& arguments) {
   job.name = fs::path(render.scene.scene).stem().string();
   job.render_arguments = arguments;
   job.spp = static_cast<uint32_t>(plan.render.settings.spp);
+  // Drips that are in the store are not grown for the estimate, and others are stored.
+  const building::Builder drips(loaded.shot, render.work.build_options(loaded), progress);
   job.cost = farm::estimate_picture(plan, options.cores, {}, progress);
   const int machines = options.for_cores > 0 ? options.for_cores : 8 * options.cores;
   job.parts = options.parts ? *options.parts

@@ -113,8 +113,11 @@ int run_estimate(EstimateOptions& options) {
       source, job.frames.empty() ? render.scene.frame.value_or(1) : job.frames.front());
   const picture::PicturePlan plan = plan_pictures(render, loaded.shot).front().plan;
   job.spp = static_cast<uint32_t>(plan.render.settings.spp);
+  Progress& progress = terminal_progress(render.work.bar_mode());
+  // Drips that are in the store are not grown for the estimate, and others are stored.
+  const building::Builder drips(loaded.shot, render.work.build_options(loaded), progress);
   // Seconds of one core, so that the report does not depend on this machine's number of cores.
-  job.cost = farm::estimate_picture(plan, 1, {}, terminal_progress(render.work.bar_mode()));
+  job.cost = farm::estimate_picture(plan, 1, {}, progress);
   clear_progress_bar();
   const bool shared = job.frames.empty() || frames_share_products(options, source, job.frames);
   farm::JobOptions on_machine = job;
