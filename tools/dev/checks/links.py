@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Links between Markdown files refer to existing files and headings."""
+"""Links between Markdown files refer to existing files and headings; the site's navigation has every page."""
 import posixpath
 import re
 
@@ -14,7 +14,20 @@ def anchors(text):
     return found
 
 
+NAVIGATION = "tools/docs.d/mkdocs.yml"
+
+
+def missing_pages(tree):
+    listed = tree.text(NAVIGATION)
+    for name in tree.select(".md"):
+        page = name.removeprefix("docs/")
+        if re.fullmatch(r"docs/(tutorials|guides|reference|explanation|explanation/theory)/\w+\.md", name):
+            if f": {page}\n" not in listed:
+                yield Finding(NAVIGATION, 1, f"the page {page} is not in the navigation")
+
+
 def check(tree):
+    yield from missing_pages(tree)
     known = set(tree.files) | {posixpath.dirname(name) for name in tree.files}
     known |= {parent for name in list(known) for parent in (posixpath.dirname(name),)}
     for name in tree.select(".md"):
