@@ -10,19 +10,19 @@
 namespace vug {
 namespace {
 
-enum class Colour { red, green };
+enum class Tint { red, green };
 
-struct Leaf {
+struct Part {
   Vec3d at{0.0};
   bool is_open = false;
-  Colour colour = Colour::red;
-  bool operator==(const Leaf&) const = default;
+  Tint colour = Tint::red;
+  bool operator==(const Part&) const = default;
 };
 
 struct Tree {
   std::string name{};
   std::optional<double> height{}, age{};
-  std::vector<Leaf> leaves{};
+  std::vector<Part> leaves{};
   std::vector<std::vector<Vec2d>> paths{};
   std::vector<std::string> notes{};
   std::vector<int32_t> numbers{};
@@ -33,7 +33,7 @@ Tree example() {
   return {"oak",
           2.5,
           std::nullopt,
-          {{{1, 2, 3}, true, Colour::green}, {{-0.0, 5, 1e-300}, false, Colour::red}},
+          {{{1, 2, 3}, true, Tint::green}, {{-0.0, 5, 1e-300}, false, Tint::red}},
           {{}, {{1, 2}, {3, 4}}},
           {"", "a note"},
           {7, -8, 9}};
@@ -59,7 +59,7 @@ TEST(BinaryValue, ReturnsAsItWasWritten) {
 
 TEST(BinaryValue, EveryMemberIsWritten) {
   Tree other = example();
-  other.leaves[1].colour = Colour::green;
+  other.leaves[1].colour = Tint::green;
   EXPECT_NE(written(other), written(example()));
   other = example();
   other.age = 1;
