@@ -7,6 +7,7 @@
 #include "studio.h"
 #include "theme.h"
 
+#include <vug/base/pluralize.h>
 #include <vug/workbench/scene_command.h>
 #include <vug/workbench/words.h>
 
@@ -129,10 +130,10 @@ void SceneWindow::show_status() {
   else if (status.stopped)
     text = tr("Stopped; F5 builds the text");
   else if (status.picture)
-    text = tr("%1 x %2, %3 sample(s)%4")
+    text = tr("%1 x %2, %3%4")
                .arg(status.picture->width)
                .arg(status.picture->height)
-               .arg(status.picture->samples)
+               .arg(text_of(pluralize(static_cast<size_t>(status.picture->samples), "sample")))
                .arg(status.picture->complete ? "" : tr(", more follow"));
   status_->setText(text);
 }
