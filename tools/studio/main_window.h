@@ -4,34 +4,23 @@
 #pragma once
 
 #include "action_panel.h"
+#include "bench_window.h"
 #include "canvas.h"
 #include "studio.h"
 
-#include <QMainWindow>
-#include <functional>
-#include <map>
-#include <vector>
-
-class QLabel;
 class QSlider;
 
 namespace vug::studio {
 
-class MainWindow : public QMainWindow {
+class MainWindow : public BenchWindow {
   Q_OBJECT
  public:
   explicit MainWindow(Studio& studio);
 
   Canvas& canvas() { return *canvas_; }
   ActionPanel& actions() { return *actions_; }
-  QString shown_message() const;
-  /// Offers the journals of killed programs.
-  void offer_recovery(const std::vector<workbench::LostJournal>& lost);
-  /// Draws everything again with the colours of the theme.
-  void apply_theme();
 
  protected:
-  void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -52,19 +41,14 @@ class MainWindow : public QMainWindow {
   void build_tool_bar();
   void build_panels();
   void refresh();
-  void show_message(const QString& text, bool error);
-  void ask_and_run(const std::string& name);
-  bool may_discard();
+  void ask_and_run(const std::string& name) override;
+  bool may_discard() override;
 
   Studio& studio_;
   Canvas* canvas_ = nullptr;
   ActionPanel* actions_ = nullptr;
   QSlider* opacity_ = nullptr;
-  QLabel *message_ = nullptr, *position_ = nullptr;
-  QWidget* recovery_ = nullptr;
-  std::map<std::string, QAction*> commands_;
   std::map<QString, QAction*> own_;  ///< Actions of the window itself, by name.
-  std::map<QAction*, QString> icons_;
 };
 
 }  // namespace vug::studio

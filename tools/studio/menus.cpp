@@ -19,33 +19,16 @@ namespace vug::studio {
 
 QAction* MainWindow::add_command(QMenu* menu, const std::string& name, const QString& icon_name) {
   const workbench::Command& command = workbench::find_command(name);
-  auto* action = new QAction(text_of(command.title), this);
-  action->setObjectName(text_of(name));
-  action->setShortcuts(QKeySequence::listFromString(text_of(command.keys)));
-  const bool asks = command.required > 0 || name == "save";
-  connect(action, &QAction::triggered, this, [this, name, asks] {
-    if (asks)
-      ask_and_run(name);
-    else
-      studio_.run(name);
-  });
-  if (!icon_name.isEmpty()) icons_[action] = icon_name, action->setIcon(icon(icon_name));
-  menu->addAction(action);
-  addAction(action);
-  return commands_[name] = action;
+  return add_command_of(menu, command, command.required > 0 || name == "save", icon_name);
 }
 
 QAction* MainWindow::add_action(QMenu* menu, const OwnAction& own) {
-  auto* action = new QAction(own.title, this);
-  action->setObjectName(own.name);
-  action->setShortcuts(QKeySequence::listFromString(window_keys(own.name)));
+  QAction* action = add_entry(
+      menu, {own.name, own.title, QKeySequence::listFromString(window_keys(own.name)), own.icon},
+      own.run);
   action->setToolTip(own.doc);
   action->setStatusTip(own.doc);
   action->setData(own.needs_document);
-  connect(action, &QAction::triggered, this, own.run);
-  if (!own.icon.isEmpty()) icons_[action] = own.icon, action->setIcon(icon(own.icon));
-  menu->addAction(action);
-  addAction(action);
   return own_[own.name] = action;
 }
 
@@ -161,18 +144,14 @@ void MainWindow::build_view_menu() {
 }
 
 void MainWindow::build_tool_bar() {
-  QToolBar* bar = addToolBar(tr("Tools"));
-  bar->setObjectName("tools");
-  bar->setAccessibleName(tr("Tools"));
-  bar->setMovable(false);
-  bar->setIconSize({20, 20});
-  for (const char* name : {"photo", "open", "save", "export"}) bar->addAction(commands_.at(name));
+  QToolBar* bar = add_tools();
+  for (const char* name : {"photo", "open", "save", "export"}) bar->addAction(command(name));
   bar->addSeparator();
-  for (const char* name : {"undo", "redo"}) bar->addAction(commands_.at(name));
+  for (const char* name : {"undo", "redo"}) bar->addAction(command(name));
   bar->addSeparator();
   bar->addAction(own_.at("frame"));
   bar->addAction(own_.at("set scale"));
-  bar->addAction(commands_.at("differences"));
+  bar->addAction(command("differences"));
   auto* space = new QWidget;
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);

@@ -3,7 +3,6 @@
 #include "command_palette.h"
 #include "keys.h"
 #include "scene_window.h"
-#include "studio.h"
 #include "theme.h"
 
 #include <vug/workbench/scene_command.h>
@@ -18,30 +17,12 @@ namespace vug::studio {
 
 QAction* SceneWindow::add_command(QMenu* menu, const std::string& name, const QString& icon_name) {
   const workbench::SceneCommand& command = workbench::find_scene_command(name);
-  auto* action = new QAction(text_of(command.title), this);
-  action->setObjectName(text_of(name));
-  action->setShortcuts(QKeySequence::listFromString(text_of(command.keys)));
-  connect(action, &QAction::triggered, this, [this, name, asks = command.required > 0] {
-    if (asks)
-      ask_and_run(name);
-    else
-      studio_.run(name);
-  });
-  if (!icon_name.isEmpty()) icons_[action] = icon_name, action->setIcon(icon(icon_name));
-  menu->addAction(action);
-  addAction(action);
-  return commands_[name] = action;
+  return add_command_of(menu, command, command.required > 0, icon_name);
 }
 
 void SceneWindow::add_action(QMenu* menu, const QString& name, const QString& title,
                              const std::function<void()>& run, const QString& icon_name) {
-  auto* action = new QAction(title, this);
-  action->setObjectName(name);
-  action->setShortcuts(QKeySequence::listFromString(scene_keys(name)));
-  connect(action, &QAction::triggered, this, run);
-  if (!icon_name.isEmpty()) icons_[action] = icon_name, action->setIcon(icon(icon_name));
-  menu->addAction(action);
-  addAction(action);
+  add_entry(menu, {name, title, QKeySequence::listFromString(scene_keys(name)), icon_name}, run);
 }
 
 void SceneWindow::build_menus() {
@@ -89,16 +70,12 @@ void SceneWindow::build_menus() {
       },
       "search");
 
-  QToolBar* bar = addToolBar(tr("Tools"));
-  bar->setObjectName("tools");
-  bar->setAccessibleName(tr("Tools"));
-  bar->setMovable(false);
-  bar->setIconSize({20, 20});
-  for (const char* name : {"open", "save"}) bar->addAction(commands_.at(name));
+  QToolBar* bar = add_tools();
+  for (const char* name : {"open", "save"}) bar->addAction(command(name));
   bar->addSeparator();
-  for (const char* name : {"undo", "redo"}) bar->addAction(commands_.at(name));
+  for (const char* name : {"undo", "redo"}) bar->addAction(command(name));
   bar->addSeparator();
-  bar->addAction(commands_.at("frame"));
+  bar->addAction(command("frame"));
   auto* space = new QWidget;
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);

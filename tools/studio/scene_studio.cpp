@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_studio.h"
 
-#include "studio.h"
-
 #include <vug/workbench/scene_command.h>
 #include <vug/workbench/words.h>
 
@@ -18,7 +16,7 @@ constexpr int kDragBuild = 1000;
 }  // namespace
 
 SceneStudio::SceneStudio(QObject* parent)
-    : QObject(parent),
+    : BenchStudio(parent),
       bench_([this] {
         if (!pending_.exchange(true))
           QMetaObject::invokeMethod(this, &SceneStudio::poll, Qt::QueuedConnection);
@@ -75,23 +73,6 @@ void SceneStudio::execute(const std::string& line) {
     schedule(command->name == "edit", drag);
   }
   Q_EMIT news();
-}
-
-bool SceneStudio::run(const std::string& line) {
-  try {
-    execute(line);
-    return true;
-  } catch (const Error& error) {
-    show(error);
-    return false;
-  }
-}
-
-void SceneStudio::show(const Error& error) {
-  QString text = text_of(error.what());
-  if (!error.hint().empty()) text += " (" + text_of(error.hint()) + ")";
-  Q_EMIT message(text, true);
-  Q_EMIT changed();
 }
 
 bool SceneStudio::recover(const workbench::LostJournal& lost) {

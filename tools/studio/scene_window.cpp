@@ -2,24 +2,19 @@
 #include "scene_window.h"
 
 #include "params_panel.h"
-#include "recovery_bar.h"
 #include "scene_lists.h"
-#include "studio.h"
-#include "theme.h"
 
 #include <vug/base/pluralize.h>
 #include <vug/workbench/scene_command.h>
 #include <vug/workbench/words.h>
 
 #include <fmt/format.h>
-#include <QCloseEvent>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QSplitter>
-#include <QStatusBar>
 #include <QVBoxLayout>
 
 namespace vug::studio {
@@ -50,23 +45,14 @@ QWidget* titled(const QString& title, QWidget* content) {
 
 }  // namespace
 
-SceneWindow::SceneWindow(SceneStudio& studio) : studio_(studio) {
-  setObjectName("window");
-  setAccessibleName(tr("Vug Studio"));
-  resize(1280, 820);
+SceneWindow::SceneWindow(SceneStudio& studio) : BenchWindow(studio), studio_(studio) {
   build_panels();
   build_menus();
-  message_ = new QLabel;
-  message_->setObjectName("message");
-  message_->setAccessibleName(tr("Message"));
   status_ = new QLabel;
   status_->setObjectName("status");
   status_->setAccessibleName(tr("Status of the picture"));
   status_->setMinimumWidth(300);
-  statusBar()->addWidget(message_, 1);
-  statusBar()->addPermanentWidget(status_);
-  statusBar()->setSizeGripEnabled(false);
-  connect(&studio_, &SceneStudio::message, this, &SceneWindow::show_message);
+  build_status_bar(status_);
   connect(&studio_, &SceneStudio::changed, this, &SceneWindow::refresh);
   connect(&studio_, &SceneStudio::news, this, &SceneWindow::show_status);
   refresh();
@@ -84,15 +70,7 @@ void SceneWindow::build_panels() {
   auto* all = splitter(Qt::Horizontal, {left, viewport_, side}, {480, 540, 260});
   left->setStretchFactor(0, 1);
   all->setStretchFactor(1, 1);
-  auto* centre = new QWidget;
-  auto* column = new QVBoxLayout(centre);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  recovery_ = new QWidget;
-  recovery_->hide();
-  column->addWidget(recovery_);
-  column->addWidget(all, 1);
-  setCentralWidget(centre);
+  set_content(all);
 }
 
 void SceneWindow::refresh() {
@@ -100,27 +78,15 @@ void SceneWindow::refresh() {
   const bool open = bench.has_document();
   mode_->setEnabled(open);
   if (!open) return setWindowTitle(tr("Vug Studio"));
-  const auto name_step = [&](const char* name, const QString& title, const std::string& step) {
-    commands_.at(name)->setText(step.empty() ? title : title + ": " + text_of(step));
-  };
-  name_step("undo", tr("Undo"), bench.stack().undo_name());
-  name_step("redo", tr("Redo"), bench.stack().redo_name());
-  setWindowTitle(tr("%1[*] – Vug Studio").arg(text_of(bench.file().filename().string())));
-  setWindowModified(bench.is_modified());
+  name_steps(bench.stack().undo_name(), bench.stack().redo_name());
+  set_title(bench.file().filename().string(), bench.is_modified());
   mode_->setCurrentIndex(static_cast<int>(bench.viewport().request().mode));
   show_status();
 }
 
 void SceneWindow::show_status() {
   const workbench::SceneBench& bench = studio_.bench();
-  for (const auto& [name, action] : commands_) {
-    const workbench::SceneCommand& command = workbench::find_scene_command(name);
-    const std::string why = command.unavailable ? command.unavailable(bench) : "";
-    action->setEnabled(why.empty());
-    const QString doc = text_of(command.doc);
-    action->setToolTip(why.empty() ? doc : tr("%1 Not available: %2.").arg(doc, text_of(why)));
-    action->setStatusTip(action->toolTip());
-  }
+  refresh_commands(bench, workbench::find_scene_command);
   if (!bench.has_document()) return;
   const viewport::ViewportStatus status = bench.status();
   QString text;
@@ -137,16 +103,6 @@ void SceneWindow::show_status() {
                .arg(status.picture->complete ? "" : tr(", more follow"));
   status_->setText(text);
 }
-
-void SceneWindow::show_message(const QString& text, bool error) {
-  QPalette palette = message_->palette();
-  palette.setColor(QPalette::WindowText, error ? theme().error : theme().muted);
-  message_->setPalette(palette);
-  message_->setText(text);
-  message_->setToolTip(text);
-}
-
-QString SceneWindow::shown_message() const { return message_->text(); }
 
 void SceneWindow::ask_and_run(const std::string& name) {
   const QString folder =
@@ -177,21 +133,6 @@ bool SceneWindow::may_discard() {
   const int answer = box.exec();
   if (answer == QMessageBox::Save) return studio_.run("save");
   return answer == QMessageBox::Discard;
-}
-
-void SceneWindow::closeEvent(QCloseEvent* event) { event->setAccepted(may_discard()); }
-
-void SceneWindow::offer_recovery(const std::vector<workbench::LostJournal>& lost) {
-  if (lost.empty()) return;
-  fill_recovery_bar(*recovery_, lost.front(), [this, journal = lost.front()] {
-    return may_discard() && studio_.recover(journal);
-  });
-}
-
-void SceneWindow::apply_theme() {
-  for (const auto& [action, name] : icons_) action->setIcon(icon(name));
-  Q_EMIT studio_.restyled();
-  Q_EMIT studio_.changed();
 }
 
 }  // namespace vug::studio

@@ -4,7 +4,7 @@
 namespace vug::studio {
 
 Studio::Studio(QObject* parent)
-    : QObject(parent),
+    : BenchStudio(parent),
       bench_([this] {
         if (!pending_.exchange(true))
           QMetaObject::invokeMethod(this, &Studio::poll, Qt::QueuedConnection);
@@ -30,23 +30,6 @@ void Studio::execute(const std::string& line) {
   hovered_action_ = -1;
   Q_EMIT message("", false);
   if (command && command->opens) Q_EMIT opened();
-  Q_EMIT changed();
-}
-
-bool Studio::run(const std::string& line) {
-  try {
-    execute(line);
-    return true;
-  } catch (const Error& error) {
-    show(error);
-    return false;
-  }
-}
-
-void Studio::show(const Error& error) {
-  QString text = text_of(error.what());
-  if (!error.hint().empty()) text += " (" + text_of(error.hint()) + ")";
-  Q_EMIT message(text, true);
   Q_EMIT changed();
 }
 

@@ -2,16 +2,15 @@
 // The controller of the window: it owns the facade bench and runs all commands.
 #pragma once
 
-#include <vug/workbench/facade_bench.h>
-#include <vug/workbench/recovery.h>
+#include "bench_studio.h"
 
-#include <QObject>
-#include <QString>
+#include <vug/workbench/facade_bench.h>
+
 #include <atomic>
 
 namespace vug::studio {
 
-class Studio : public QObject {
+class Studio : public BenchStudio {
   Q_OBJECT
  public:
   explicit Studio(QObject* parent = nullptr);
@@ -20,15 +19,11 @@ class Studio : public QObject {
   const workbench::FacadeBench& bench() const { return bench_; }
   workbench::Recorder& recorder() { return recorder_; }
 
-  /// Runs a command line; throws vug::Error.
-  void execute(const std::string& line);
-  /// Runs a command line and shows its error as a message; false if it failed.
-  bool run(const std::string& line);
+  void execute(const std::string& line) override;
+  using BenchStudio::run;
   /// The line of an edit, for `run`.
   bool run(const modeller::Edit& edit);
-  /// Recovers the work of a killed program. An error is shown as a message; false if it prevented
-  /// that the document was opened.
-  bool recover(const workbench::LostJournal& lost);
+  bool recover(const workbench::LostJournal& lost) override;
   void end_preview();
   void select(int node);
   /// The action whose result is shown as ghost lines; -1 for none.
@@ -38,22 +33,14 @@ class Studio : public QObject {
   void poll();
 
  Q_SIGNALS:
-  void changed();   ///< Document, selection, view or score.
-  void opened();    ///< Another document.
-  void hovered();   ///< Another action is hovered.
-  void restyled();  ///< Another theme.
-  void message(const QString& text, bool error);
+  void opened();   ///< Another document.
+  void hovered();  ///< Another action is hovered.
 
  private:
-  void show(const Error& error);
-
   std::atomic<bool> pending_{false};
   int hovered_action_ = -1;
   workbench::FacadeBench bench_;
   workbench::Recorder recorder_;
 };
-
-/// Text of the library, which is UTF-8.
-inline QString text_of(const std::string& text) { return QString::fromStdString(text); }
 
 }  // namespace vug::studio
