@@ -16,7 +16,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kConnectSeconds = 3, kTransferSeconds = 60;
-constexpr int kFound = 200, kRefused = 400;
+constexpr int kFound = 200, kRefused = 400, kBroken = 500;
+
+std::string answer_of(int status) { return fmt::format("its answer is HTTP {}", status); }
 
 }  // namespace
 
@@ -52,23 +54,28 @@ bool Remote::fails(const std::string& reason) {
 bool Remote::has(const std::string& name) {
   if (!reachable_) return false;
   const httplib::Result result = connect()->Head(path_ + name);
-  return result ? result->status == kFound : fails(to_string(result.error()));
+  if (!result) return fails(to_string(result.error()));
+  return result->status >= kBroken ? fails(answer_of(result->status)) : result->status == kFound;
 }
 
 bool Remote::get(const std::string& name, const fs::path& target) {
   if (!reachable_) return false;
   std::ofstream out(target, std::ios::binary);
-  bool found = false;
+  int status = 0;
   const httplib::Result result = connect()->Get(
       path_ + name,
-      [&](const httplib::Response& response) { return found = response.status == kFound; },
+      [&](const httplib::Response& response) {
+        status = response.status;
+        return status == kFound;
+      },
       [&](const char* data, size_t count) {
         return out.write(data, static_cast<std::streamsize>(count)).good();
       });
   // A handler that stops the transfer makes it fail with this error: no such file, or a full disk.
   if (!result && result.error() != httplib::Error::Canceled)
     return fails(to_string(result.error()));
-  return result && found && out.flush();
+  if (status >= kBroken) return fails(answer_of(status));
+  return result && status == kFound && out.flush();
 }
 
 void Remote::put(const std::string& name, const fs::path& source) {
@@ -87,6 +94,8 @@ void Remote::put(const std::string& name, const fs::path& source) {
       "application/octet-stream");
   if (!result && result.error() != httplib::Error::Canceled)  // The file ended too early.
     fails(to_string(result.error()));
+  else if (result && result->status >= kBroken)
+    fails(answer_of(result->status));
   else if (result && result->status >= kRefused)
     writable_ = false;
 }

@@ -15,7 +15,8 @@ class Client;
 
 namespace vug::store {
 
-/// After the first request that the server does not answer, all others fail at once. Thread-safe.
+/// After the first request that the server does not answer, or answers with an error of its own
+/// (5xx), all others fail at once. Thread-safe.
 class Remote {
  public:
   /// `url` is http://HOST[:PORT][/PATH], or https://. Throws Error(bad_input) for others.

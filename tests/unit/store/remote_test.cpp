@@ -24,8 +24,11 @@ class FileServer {
   FileServer() {
     server_.Get(".*", [this](const httplib::Request& request, httplib::Response& response) {
       const std::lock_guard lock(mutex_);
+      ++gets;
       const auto file = files.find(request.path);
-      if (file == files.end())
+      if (broken)
+        response.status = 503;
+      else if (file == files.end())
         response.status = 404;
       else
         response.set_content(file->second, "application/octet-stream");
@@ -48,8 +51,8 @@ class FileServer {
   std::string url() const { return "http://127.0.0.1:" + std::to_string(port_) + "/cave"; }
 
   std::map<std::string, std::string> files;
-  int puts = 0;
-  bool refuse = false;
+  int gets = 0, puts = 0;
+  bool refuse = false, broken = false;
 
  private:
   httplib::Server server_;
@@ -152,6 +155,17 @@ TEST_F(RemoteStore, OnlyReadsAServerThatRefusesFiles) {
   EXPECT_EQ(server.puts, 1) << "it does not try again";
   EXPECT_EQ(text_in(first), "rock");
   EXPECT_TRUE(warnings.empty());
+}
+
+TEST_F(RemoteStore, WorksWithoutAServerThatReportsAnError) {
+  server.broken = true;
+  Store first = store("a");
+  EXPECT_EQ(text_in(first), "absent");
+  keep(first);
+  EXPECT_EQ(text_in(first), "rock");
+  EXPECT_EQ(server.gets, 1) << "it does not try again";
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("HTTP 503"), std::string::npos) << warnings[0];
 }
 
 TEST_F(RemoteStore, WorksWithoutTheServerAfterOneWarning) {

@@ -7,6 +7,7 @@
 #include <vug/base/error.h>
 #include <nlohmann/json.hpp>
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
@@ -122,6 +123,7 @@ struct PageServer::State {
   Json problems = Json::array();
   httplib::Server server;
   std::thread thread;
+  std::atomic<bool> listening_ended = false;
 };
 
 PageServer::PageServer(int port, std::string title, Look look)
@@ -184,8 +186,18 @@ PageServer::PageServer(int port, std::string title, Look look)
         "text/event-stream",
         [&state](size_t, httplib::DataSink& sink) { return state.send_events(sink); });
   });
-  state.thread = std::thread([&server] { server.listen_after_bind(); });
-  while (!server.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  state.thread = std::thread([&state] {
+    state.server.listen_after_bind();
+    state.listening_ended = true;
+  });
+  while (!server.is_running()) {
+    if (state.listening_ended) {
+      state.thread.join();
+      throw Error(ErrorCode::io, fmt::format("the page cannot be served at port {}", port), {},
+                  "give another port with --port, or use --no-page");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 PageServer::~PageServer() {
