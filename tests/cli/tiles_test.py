@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""vug build --tiles: the tiles have what the whole has, whatever their size; memory; errors."""
+"""vug build --tiles: the tiles have what the whole has, whatever their size; errors."""
 import json
 import struct
 import unittest
@@ -108,12 +108,6 @@ class Tiles(VugTest):
         name = ",".join(str(i) for i in tile["tile"])
         self.expect(0, "build", "again/cave.vug", "-o", "again", "--tiles=64", f"--tile={name}")
         self.assertEqual(digest(source), digest(self.tiles("again") / tile["file"]))
-
-    def test_are_built_if_the_whole_exceeds_the_memory(self):
-        self.write("cave.vug", SCENE.replace("voxel: 5cm", "voxel: 2cm").replace("smallest_piece 50cm", ""))
-        said = self.build("-o", "out", "--max-memory", "60MB")
-        self.assertIn("built in tiles instead", said.err)
-        self.assertTrue(self.index("out")["meshes"][0]["tiles"])
 
     def test_warn_of_what_they_lack(self):
         self.write("cave.vug", SCENE.replace("smallest_piece 50cm", "adaptivity 0.5 paint (1, 0, 0)")

@@ -78,21 +78,6 @@ void build_one(const BuildOptions& options, building::Builder& builder,
     fmt::print("{}\n", path.string());
 }
 
-/// Scenes that do not fit into the memory are built in tiles if that is possible.
-void build_whole_or_tiles(const BuildOptions& options, building::Builder& builder,
-                          const loading::Loaded& loaded) {
-  if (options.in_tiles) return build_tiles(options, builder, loaded, options.tile_edge);
-  try {
-    build_one(options, builder, loaded, "");
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::too_large || !delivery::obstacle_to_tiles(loaded.shot).empty())
-      throw;
-    clear_progress_bar();
-    fmt::print(stderr, "{}\nThe scene is built in tiles instead, as with --tiles.\n", error.what());
-    build_tiles(options, builder, loaded, delivery::TileOptions().edge);
-  }
-}
-
 int build_frames(const BuildOptions& options, Progress& progress) {
   const std::vector<int> frames = picture::parse_frames(options.frames);
   const loading::SceneSource source = options.scene.source();
@@ -135,7 +120,10 @@ int run_build(BuildOptions options) {
   if (!options.checkpoint.empty())
     build.checkpoint = std::make_shared<building::CellsCheckpoint>(options.keep, loaded.shot);
   building::Builder builder(loaded.shot, build, progress);
-  build_whole_or_tiles(options, builder, loaded);
+  if (options.in_tiles)
+    build_tiles(options, builder, loaded, options.tile_edge);
+  else
+    build_one(options, builder, loaded, "");
   std::fflush(stdout);
   if (build.checkpoint) build.checkpoint->remove();
   options.work.summarise(builder);
@@ -167,8 +155,7 @@ Verb build_verb() {
             ->excludes("--frames");
         auto* tiles = app.add_flag("--tiles{1024}", options->tile_edge,
                                    "Build in tiles of that many voxels, one after the other, which "
-                                   "needs the memory of one tile; automatic if the memory does not "
-                                   "suffice for the whole. Writes a folder NAME.tiles")
+                                   "needs the memory of one tile. Writes a folder NAME.tiles")
                           ->excludes("--frames")
                           ->excludes(checkpoint);
         app.add_option("--tile", options->only,
