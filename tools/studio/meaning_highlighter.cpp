@@ -10,14 +10,6 @@ namespace {
 
 using language::TokenMeaning;
 
-/// UTF-16 units before a column, which counts characters.
-int units_before(const QString& line, int column) {
-  int at = 0;
-  for (int k = 1; k < column && at < line.size(); ++k)
-    at += line[at].isHighSurrogate() && at + 1 < line.size() ? 2 : 1;
-  return at;
-}
-
 bool same(const std::vector<language::SemanticToken>& a,
           const std::vector<language::SemanticToken>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
@@ -27,6 +19,13 @@ bool same(const std::vector<language::SemanticToken>& a,
 }
 
 }  // namespace
+
+int units_before(const QString& line, int column) {
+  int at = 0;
+  for (int k = 1; k < column && at < line.size(); ++k)
+    at += line[at].isHighSurrogate() && at + 1 < line.size() ? 2 : 1;
+  return at;
+}
 
 QColor colour_of(TokenMeaning meaning) {
   const bool dark = theme().dark;

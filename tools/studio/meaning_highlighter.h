@@ -14,6 +14,9 @@ namespace vug::studio {
 /// A colour of the theme that is readable on its panels.
 QColor colour_of(language::TokenMeaning meaning);
 
+/// UTF-16 units of a line before a column, which counts characters from 1.
+int units_before(const QString& line, int column);
+
 class MeaningHighlighter : public QSyntaxHighlighter {
  public:
   explicit MeaningHighlighter(QTextDocument* document) : QSyntaxHighlighter(document) {}

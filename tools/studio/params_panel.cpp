@@ -18,13 +18,12 @@
 namespace vug::studio {
 namespace {
 
-constexpr int kSteps = 200;
 /// Whole numbers have one step each, up to this number.
 constexpr double kMostWholeSteps = 1000;
 
 int steps_of(const language::ParamSetting& param) {
   const double width = param.high.get<Number>()->value - param.low.get<Number>()->value;
-  return param.whole && width <= kMostWholeSteps ? static_cast<int>(width) : kSteps;
+  return param.whole && width <= kMostWholeSteps ? static_cast<int>(width) : language::kSliderSteps;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "studio.h"
 #include "theme.h"
 
+#include <vug/base/utf8.h>
 #include <vug/language/completion.h>
 #include <vug/workbench/words.h>
 
@@ -39,7 +40,7 @@ QString without_fields(const std::string& snippet) {
       while (i + 1 < snippet.size() && std::isdigit(snippet[i + 1])) ++i;
     } else {
       size_t end = i + 1;
-      while (end < snippet.size() && (snippet[end] & 0xc0) == 0x80) ++end;
+      while (end < snippet.size() && is_utf8_tail(snippet[end])) ++end;
       out += text_of(snippet.substr(i, end - i));
       i = end - 1;
     }
@@ -94,29 +95,25 @@ void SceneEditor::follow() {
   const workbench::SceneBench& bench = studio_.bench();
   setEnabled(bench.has_document());
   if (following_ || !bench.has_document()) return;
-  const QString before = plain_text(*document()), after = text_of(bench.text());
-  if (before == after) return;
-  qsizetype begin = 0, same = 0;
-  const qsizetype most = std::min(before.size(), after.size());
-  while (begin < most && before[begin] == after[begin]) ++begin;
-  while (same < most - begin && before[before.size() - 1 - same] == after[after.size() - 1 - same])
-    ++same;
+  const std::string before = plain_text(*document()).toStdString();
+  const workbench::TextChange change = workbench::change_between(before, bench.text());
+  if (change.empty()) return;
+  const auto offset = [&](size_t byte) {
+    const language::Position at = language::position_at(before, byte);
+    return offset_of(at.line, at.column);
+  };
   following_ = true;
   QTextCursor cursor(document());  // not the user's: the caret and the scroll position stay
-  cursor.setPosition(static_cast<int>(begin));
-  cursor.setPosition(static_cast<int>(before.size() - same), QTextCursor::KeepAnchor);
-  cursor.insertText(after.mid(begin, after.size() - same - begin));
+  cursor.setPosition(offset(change.begin));
+  cursor.setPosition(offset(change.begin + change.removed), QTextCursor::KeepAnchor);
+  cursor.insertText(text_of(change.text));
   following_ = false;
 }
 
 int SceneEditor::offset_of(int line, int column) const {
   const QTextBlock block = document()->findBlockByNumber(std::max(0, line - 1));
   if (!block.isValid()) return document()->characterCount() - 1;
-  const QString text = block.text();
-  int at = 0;
-  for (int k = 1; k < column && at < text.size(); ++k)
-    at += text[at].isHighSurrogate() && at + 1 < text.size() ? 2 : 1;
-  return block.position() + at;
+  return block.position() + units_before(block.text(), column);
 }
 
 QTextCursor SceneEditor::cursor_of(const SourceLocation& where) const {

@@ -48,7 +48,7 @@ void ViewportWidget::take_news() {
   setProperty("stale", stale_ ? "yes" : "no");
   setProperty("version", picture_ ? static_cast<qulonglong>(picture_->scene.scene->version) : 0ull);
   setProperty("complete", picture_ && picture_->complete ? "yes" : "no");
-  setAccessibleDescription(!picture_ ? tr("There is no picture yet.")
+  setAccessibleDescription(!picture_ ? tr("The first picture is not finished.")
                            : stale_  ? tr("The picture shows an earlier text.")
                                      : tr("The picture shows the present text."));
   update();
@@ -75,7 +75,8 @@ void ViewportWidget::paintEvent(QPaintEvent*) {
   }
   QString note;
   if (!picture_)
-    note = building_ ? tr("The first picture is being built.") : tr("There is no picture yet.");
+    note =
+        building_ ? tr("Vug builds the first picture.") : tr("The first picture is not finished.");
   else if (stale_)
     note = building_ ? tr("Earlier text. Building: %1").arg(stage_)
                      : tr("Earlier text: the present one has errors or was stopped.");

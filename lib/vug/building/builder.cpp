@@ -6,6 +6,7 @@
 #include <vug/building/make_mesh.h>
 #include <vug/building/memory_estimate.h>
 #include <vug/building/product_keys.h>
+#include <vug/building/stopwatch.h>
 #include <vug/building/stored_drips.h>
 #include <vug/building/thin_part_warnings.h>
 #include <vug/field/deferred.h>
@@ -16,25 +17,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <set>
 
 namespace vug::building {
 namespace {
-
-class Stopwatch {
- public:
-  explicit Stopwatch(double& total) : total_(total) {}
-  ~Stopwatch() { total_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  using Clock = std::chrono::steady_clock;
-  double& total_;
-  Clock::time_point start_ = Clock::now();
-};
 
 /// The probable reason why a volume is empty.
 std::string why_empty(const shot::VolumePlan& plan) {

@@ -26,12 +26,25 @@ void add_colors(mesh::Mesh& mesh, const paint::Paint& paint, const field::Sample
   mesh.attributes.push_back(std::move(color));
 }
 
+meshing::PolygonizeResult polygonize_plan(const shot::MeshPlan& plan, const SampledSurface& surface,
+                                          bool keys, PartCache* parts, Progress& progress) {
+  const volume::LevelSet meshed =
+      plan.topology == shot::SmallTopology::clean
+          ? volume::without_features(surface.level_set, surface.small_features)
+          : surface.level_set;
+  meshing::PolygonizeOptions options;
+  options.adaptivity = plan.adaptivity;
+  options.polish = plan.polish;
+  options.keys = keys;
+  progress.begin("triangles");
+  const field::Field* polished = plan.polish ? surface.exact : nullptr;
+  return parts ? meshing::polygonize(meshed, polished, options, parts->polish, progress)
+               : meshing::polygonize(meshed, polished, options, progress);
+}
+
 SurfaceMesh make_surface_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface,
                               uint64_t memory, Progress& progress, PartCache* parts) {
   const CancellableScope scope(progress);
-  meshing::PolygonizeOptions polygonize;
-  polygonize.adaptivity = plan.adaptivity;
-  polygonize.polish = plan.polish;
   const shot::VolumePlan& volume = *plan.volume;
   // With the faces of the region, so that the polish keeps them flat.
   const field::Field field =
@@ -46,14 +59,7 @@ SurfaceMesh make_surface_mesh(const shot::MeshPlan& plan, const volume::LevelSet
                  memory, "the mesh");
   progress.begin("small features");
   std::vector<volume::SmallFeature> small = volume::find_small_features(surface, exact, progress);
-  const volume::LevelSet meshed = plan.topology == shot::SmallTopology::clean
-                                      ? volume::without_features(surface, small)
-                                      : surface;
-  progress.begin("triangles");
-  const field::Field* polished = plan.polish ? exact : nullptr;
-  mesh::Mesh polygons =
-      parts ? meshing::polygonize(meshed, polished, polygonize, parts->polish, progress).mesh
-            : meshing::polygonize(meshed, polished, polygonize, progress).mesh;
+  mesh::Mesh polygons = polygonize_plan(plan, {surface, small, exact}, false, parts, progress).mesh;
   progress.begin("components of the mesh");
   mesh::LargeComponents pieces = mesh::large_components(std::move(polygons), plan.smallest_piece);
   progress.begin("materials of the rock");

@@ -7,6 +7,7 @@
 #include <vug/base/progress.h>
 #include <vug/building/part_cache.h>
 #include <vug/mesh/components.h>
+#include <vug/meshing/polygonize.h>
 #include <vug/shot/shot.h>
 #include <vug/volume/level_set.h>
 #include <vug/volume/small_features.h>
@@ -21,6 +22,21 @@ struct SurfaceMesh {
   std::vector<volume::SmallFeature> small_features = {};
   std::vector<mesh::Attribute> rock_weights = {};  ///< See add_rock_weights.
 };
+
+/// The level set of a plan and what is known about it.
+struct SampledSurface {
+  const volume::LevelSet& level_set;
+  const std::vector<volume::SmallFeature>& small_features;
+  /// The volume's field with the faces of its region; null: vertices stay where the samples place
+  /// them.
+  const field::Field* exact;
+};
+
+/// The triangles of the surface, with all components and without attributes but normals; small
+/// features are removed if the plan says so. `keys`: see meshing::PolygonizeOptions. `parts` may be
+/// null.
+meshing::PolygonizeResult polygonize_plan(const shot::MeshPlan& plan, const SampledSurface& surface,
+                                          bool keys, PartCache* parts, Progress& progress);
 
 /// The mesh of the plan's level set without its small components. Error(too_large) if `memory`
 /// bytes do not suffice. `parts` may be null.

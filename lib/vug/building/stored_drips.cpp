@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/binary_value.h>
 #include <vug/building/product_keys.h>
+#include <vug/building/stopwatch.h>
 #include <vug/building/stored_drips.h>
-
-#include <fmt/format.h>
-
-#include <chrono>
-#include <fstream>
+#include <vug/building/write_product_file.h>
 
 namespace vug::building {
 namespace {
 
 template <class T>
 void write_plain_product(const std::filesystem::path& target, const T& product) {
-  std::ofstream out(target, std::ios::binary);
-  write_value(out, product);
-  if (!out.flush()) throw Error(ErrorCode::io, fmt::format("cannot write '{}'", target.string()));
+  write_product_file(target, [&](std::ostream& out) { write_value(out, product); });
 }
 
 template <class T>
@@ -44,11 +39,8 @@ class StoredDrips final : public shot::DripsCache {
   T obtain(const store::Key& key, const std::function<T()>& make) {
     double total = 0;
     const auto timed = [&](double& seconds) {
-      using Clock = std::chrono::steady_clock;
-      const Clock::time_point start = Clock::now();
-      T out = make();
-      seconds += std::chrono::duration<double>(Clock::now() - start).count();
-      return out;
+      const Stopwatch watch(seconds);
+      return make();
     };
     return products_.obtain<T>(key, name_, timed, total);
   }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/binary_stream.h>
 #include <vug/building/stored_products.h>
+#include <vug/building/write_product_file.h>
 #include <vug/mesh/exact_file.h>
 #include <vug/volume/exact_file.h>
-
-#include <fmt/format.h>
 
 #include <fstream>
 
@@ -33,17 +32,17 @@ volume::LevelSet ProductFile<volume::LevelSet>::read(const std::filesystem::path
 }
 
 void ProductFile<SurfaceMesh>::write(const std::filesystem::path& target, const SurfaceMesh& mesh) {
-  std::ofstream out(target, std::ios::binary);
-  mesh::write_exact(out, mesh.pieces.mesh);
-  write_list(out, std::vector<uint64_t>{mesh.pieces.removed, mesh.small_features.size(),
-                                        mesh.rock_weights.size()});
-  for (const volume::SmallFeature& each : mesh.small_features) {
-    write_list(out, std::vector<int>{static_cast<int>(each.kind)});
-    write_list(out, std::vector<Vec3d>{each.at});
-    write_list(out, each.samples);
-  }
-  for (const mesh::Attribute& each : mesh.rock_weights) mesh::write_exact(out, each);
-  if (!out.flush()) throw Error(ErrorCode::io, fmt::format("cannot write '{}'", target.string()));
+  write_product_file(target, [&](std::ostream& out) {
+    mesh::write_exact(out, mesh.pieces.mesh);
+    write_list(out, std::vector<uint64_t>{mesh.pieces.removed, mesh.small_features.size(),
+                                          mesh.rock_weights.size()});
+    for (const volume::SmallFeature& each : mesh.small_features) {
+      write_list(out, std::vector<int>{static_cast<int>(each.kind)});
+      write_list(out, std::vector<Vec3d>{each.at});
+      write_list(out, each.samples);
+    }
+    for (const mesh::Attribute& each : mesh.rock_weights) mesh::write_exact(out, each);
+  });
 }
 
 SurfaceMesh ProductFile<SurfaceMesh>::read(const std::filesystem::path& source) {
@@ -66,10 +65,10 @@ SurfaceMesh ProductFile<SurfaceMesh>::read(const std::filesystem::path& source) 
 
 void ProductFile<MeshWithCells>::write(const std::filesystem::path& target,
                                        const MeshWithCells& mesh) {
-  std::ofstream out(target, std::ios::binary);
-  mesh::write_exact(out, mesh.mesh);
-  write_list(out, std::vector<uint64_t>{mesh.unfolded_vertices});
-  if (!out.flush()) throw Error(ErrorCode::io, fmt::format("cannot write '{}'", target.string()));
+  write_product_file(target, [&](std::ostream& out) {
+    mesh::write_exact(out, mesh.mesh);
+    write_list(out, std::vector<uint64_t>{mesh.unfolded_vertices});
+  });
 }
 
 MeshWithCells ProductFile<MeshWithCells>::read(const std::filesystem::path& source) {

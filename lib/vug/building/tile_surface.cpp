@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/building/make_mesh.h>
 #include <vug/building/rock_weights.h>
 #include <vug/building/surface_labels.h>
 #include <vug/building/tile_surface.h>
 #include <vug/facade/semantics.h>
-#include <vug/meshing/polygonize.h>
-#include <vug/volume/small_features.h>
 
 namespace vug::building {
 
 meshing::TileMesh make_tile_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface,
                                  const field::Field& field, const volume::LatticeBox& tile,
                                  Progress& progress) {
-  const bool clean = plan.topology == shot::SmallTopology::clean;
+  shot::MeshPlan whole_polygons = plan;
+  whole_polygons.adaptivity = 0;
   progress.begin("small features");
-  const volume::LevelSet meshed =
-      clean ? volume::without_features(surface,
-                                       volume::find_small_features(surface, &field, progress))
-            : surface;
-  meshing::PolygonizeOptions options;
-  options.polish = plan.polish;
-  options.keys = true;
-  progress.begin("triangles");
+  std::vector<volume::SmallFeature> small;
+  if (plan.topology == shot::SmallTopology::clean)
+    small = volume::find_small_features(surface, &field, progress);
   const meshing::PolygonizeResult whole =
-      meshing::polygonize(meshed, plan.polish ? &field : nullptr, options, progress);
+      polygonize_plan(whole_polygons, {surface, small, &field}, true, nullptr, progress);
   meshing::TileMesh out = meshing::tile_mesh(whole.mesh, *whole.keys, tile);
   if (!plan.elements.empty()) facade::add_semantics(out.mesh, plan.elements);
   add_labels(out.mesh, plan.labels);

@@ -13,7 +13,7 @@ namespace vug::building {
 /// attributes that each vertex has on its own: normals, elements of facades, labels and the weights
 /// of the rock. `surface` is the level set of the tile and of the apron around it; see
 /// meshing::kMeshApron. `field` is the volume's field with the faces of its region. The plan has a
-/// volume of a field, and neither cells nor adaptivity.
+/// volume of a field and no cells; its adaptivity has no effect.
 meshing::TileMesh make_tile_mesh(const shot::MeshPlan& plan, const volume::LevelSet& surface,
                                  const field::Field& field, const volume::LatticeBox& tile,
                                  Progress& progress);

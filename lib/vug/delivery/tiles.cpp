@@ -7,7 +7,9 @@
 #include <vug/delivery/tiles.h>
 #include <vug/delivery/write_products.h>
 #include <vug/field/deferred.h>
+#include <vug/mesh/components.h>
 #include <vug/mesh/format.h>
+#include <vug/mesh/topology.h>
 #include <vug/meshing/tile_pieces.h>
 #include <vug/shot/queries.h>
 #include <vug/volume/bricks.h>
@@ -120,12 +122,9 @@ class VolumeTiles {
   }
 
   bool is_wanted(const Vec3i& low, const Vec3i& high) const {
-    const auto within = [&](const Vec3i& tile) {
-      for (int axis = 0; axis < 3; ++axis)
-        if (tile[axis] < low[axis] || tile[axis] > high[axis]) return false;
-      return true;
-    };
-    return options_.only.empty() || std::any_of(options_.only.begin(), options_.only.end(), within);
+    return options_.only.empty() ||
+           std::any_of(options_.only.begin(), options_.only.end(),
+                       [&](const Vec3i& tile) { return LatticeBox(low, high).intersects(tile); });
   }
 
   /// Visits the tiles from `low` to `high` in halves, so that empty space costs little.
@@ -198,7 +197,7 @@ class VolumeTiles {
     mesh::write_mesh(made.mesh, file, mesh_comments(builder_.shot()));
     written_.push_back(file);
     mesh.files.push_back(file);
-    mesh.tiles.push_back(described(made.mesh, tile, file));
+    mesh.tiles.push_back(described(made.mesh, numbers(tile), file));
   }
 
   static Json described(const mesh::Mesh& mesh, const Json& tile, const Path& file) {
@@ -208,9 +207,6 @@ class VolumeTiles {
             {"vertices", mesh.positions.size()},
             {"triangles", mesh.triangles.size()},
             {"bounds", {{"min", numbers(bounds.min)}, {"max", numbers(bounds.max)}}}};
-  }
-  static Json described(const mesh::Mesh& mesh, const Vec3i& tile, const Path& file) {
-    return described(mesh, numbers(tile), file);
   }
 
   /// Removes small pieces from the files of the mesh, and returns its part of the index.
@@ -222,7 +218,10 @@ class VolumeTiles {
       for (size_t i = 0; i < mesh.files.size(); ++i) {
         const std::vector<char>& remains = large.remains[i];
         if (std::find(remains.begin(), remains.end(), 0) == remains.end()) continue;
-        const mesh::Mesh kept = meshing::remaining(mesh::read_mesh(mesh.files[i]), remains);
+        mesh::Mesh whole = mesh::read_mesh(mesh.files[i]);
+        const std::vector<uint32_t> component_of =
+            mesh::face_components(whole, mesh::find_edges(whole));
+        const mesh::Mesh kept = mesh::remaining(std::move(whole), component_of, remains);
         mesh::write_mesh(kept, mesh.files[i], mesh_comments(builder_.shot()));
         mesh.tiles[i] = described(kept, Json(mesh.tiles[i]["tile"]), mesh.files[i]);
       }

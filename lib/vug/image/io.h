@@ -71,6 +71,9 @@ void write_png(const std::filesystem::path& path, const Image& image, const View
 void write_grey_png(const std::filesystem::path& path, const std::vector<uint8_t>& values,
                     int width, int height);
 
+/// R, G and B as displayed, a byte each, row by row from the top, with dither if the view has it.
+std::vector<uint8_t> display_codes(const Image& image, const ViewOptions& view);
+
 /// The bytes that write_png writes.
 std::string png_bytes(const Image& image, const ViewOptions& view = {},
                       const Metadata& metadata = {});

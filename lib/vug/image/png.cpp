@@ -21,7 +21,6 @@ double dither(int x, int y) {
   return (rank + 0.5) / 256 - 0.5;
 }
 
-/// R, G, B as displayed, one byte each.
 std::vector<uint8_t> codes(const Image& shown, bool dithered) {
   std::vector<uint8_t> bytes(shown.pixels.size());
   for (int y = 0; y < shown.height; ++y)
@@ -42,13 +41,17 @@ std::vector<uint8_t> codes(const Image& shown, bool dithered) {
 
 }  // namespace
 
+std::vector<uint8_t> display_codes(const Image& image, const ViewOptions& view) {
+  return codes(display(image, view), view.dither);
+}
+
 std::string png_bytes(const Image& image, const ViewOptions& view, const Metadata& metadata) {
   if (image.width < 1 || image.height < 1 ||
       image.pixels.size() != image.pixel_count() * image.channels.size())
     refuse_empty();
-  const Image shown = display(image, view);
   const bool srgb = !view.ocio || view.ocio->srgb();
-  return backend().encode_png(codes(shown, view.dither), shown.width, shown.height, srgb, metadata);
+  return backend().encode_png(display_codes(image, view), image.width, image.height, srgb,
+                              metadata);
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, const ViewOptions& view,

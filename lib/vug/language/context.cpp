@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/language/context_scanner.h>
 
-#include <cctype>
-
 namespace vug::language {
 namespace {
 
@@ -23,15 +21,6 @@ Context inside_words(const Token& token, const Token* before, const std::string&
   context.range = range_between(file, {token.line, token.column + 1},
                                 {token.line, token.end_column() - (closed ? 1 : 0)});
   return context;
-}
-
-/// Where the letters after the digits of a number begin.
-size_t unit_of(std::string_view number) {
-  size_t at = number.size();
-  while (at > 0 &&
-         (std::isalpha(static_cast<unsigned char>(number[at - 1])) || number[at - 1] == '%'))
-    --at;
-  return at;
 }
 
 }  // namespace
@@ -86,7 +75,7 @@ Context context_at(const Analysis& analysis, const Position& position) {
   context.range = range_between(analysis.file, start_of(token), stop_of(token));
   if (token.kind == TokenKind::number) {
     context.place = Place::unit;
-    context.range.column += static_cast<int>(unit_of(token.text));
+    context.range.column += static_cast<int>(unit_begin(token.text));
   } else if (token.kind != TokenKind::name) {
     context.place = Place::nothing;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/language/params.h>
+#include <vug/language/position.h>
 #include <vug/scene/evaluator.h>
 #include <vug/scene/resolver.h>
 #include <vug/scene/text_at.h>
@@ -12,26 +13,7 @@
 namespace vug::language {
 namespace {
 
-constexpr double kSliderSteps = 200;
 constexpr int kMaxDecimals = 9;
-
-/// A number as written: digits, then a unit.
-struct Literal {
-  double digits = 0;
-  std::string unit;
-};
-
-std::optional<Literal> literal_of(const std::string& text) {
-  if (!scene::read_number(text)) return std::nullopt;
-  // The longest beginning that is a number without a unit; "1e3" is one, the "e" of "1em" is not.
-  for (size_t length = text.size(); length > 0; --length) {
-    const auto number = scene::read_number(text.substr(0, length));
-    if (number && number->dimension == Dimension::none &&
-        text.find_first_of("0123456789", length) == std::string::npos && text[length - 1] != '%')
-      return Literal{number->value, text.substr(length)};
-  }
-  return std::nullopt;
-}
 
 bool is_whole_number(const std::string& text) {
   return !text.empty() && text.find_first_not_of("-0123456789") == std::string::npos;
@@ -90,16 +72,15 @@ std::string slider_text(const ParamSetting& param, double fraction) {
   const double low = number_in(param.low), high = number_in(param.high);
   const double value = low + std::clamp(fraction, 0.0, 1.0) * (high - low);
   if (param.whole) return with_decimals(std::round(value), 0);
-  const std::optional<Literal> literal = literal_of(param.text);
+  const std::string unit_name = param.text.substr(unit_begin(param.text));
   const Number* now = param.value.get<Number>();
-  // The size of the unit follows from the number as written and its value.
   const std::optional<Number> unit =
-      literal ? scene::read_number("1" + literal->unit) : std::nullopt;
+      scene::read_number(param.text) ? scene::read_number("1" + unit_name) : std::nullopt;
   if (!unit || unit->dimension != now->dimension || !(unit->value > 0))
     return quantity_text(value, now->dimension);
   const double step = (high - low) / kSliderSteps / unit->value;
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 0, kMaxDecimals);
-  return with_decimals(value / unit->value, decimals) + literal->unit;
+  return with_decimals(value / unit->value, decimals) + unit_name;
 }
 
 }  // namespace vug::language

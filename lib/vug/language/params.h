@@ -9,6 +9,9 @@
 
 namespace vug::language {
 
+/// The steps of a slider, for which slider_text writes enough digits.
+constexpr int kSliderSteps = 200;
+
 struct ParamSetting {
   std::string name;
   std::string doc;
@@ -29,7 +32,7 @@ struct ParamSetting {
 std::vector<ParamSetting> params_of(const Analysis& analysis);
 
 /// The text of the value at a position of the range, 0..1, in the unit in which the param is
-/// written now, with the digits that a slider of about 200 steps needs.
+/// written now, with the digits that kSliderSteps steps need.
 std::string slider_text(const ParamSetting& param, double fraction);
 
 }  // namespace vug::language

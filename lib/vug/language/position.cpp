@@ -4,6 +4,7 @@
 #include <vug/scene/text_at.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace vug::language {
 
@@ -26,6 +27,14 @@ Position position_at(const std::string& text, size_t byte) {
   const size_t line = before.rfind('\n') + 1;  // 0 on the first line
   return {1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
           1 + utf8_count(before.substr(line))};
+}
+
+size_t unit_begin(std::string_view number) {
+  size_t at = number.size();
+  while (at > 0 &&
+         (std::isalpha(static_cast<unsigned char>(number[at - 1])) || number[at - 1] == '%'))
+    --at;
+  return at;
 }
 
 std::string apply(std::string text, std::vector<TextEdit> edits) {

@@ -6,6 +6,7 @@
 
 #include <compare>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vug::language {
@@ -28,6 +29,9 @@ SourceLocation range_between(const std::string& file, const Position& begin, con
 
 /// The position before the character that contains a byte of a text with "\n" as line ends.
 Position position_at(const std::string& text, size_t byte);
+
+/// Where the unit of a number begins, in bytes: 2 in "30cm", the size without a unit.
+size_t unit_begin(std::string_view number);
 
 /// Replaces a range of a text; an empty range inserts.
 struct TextEdit {

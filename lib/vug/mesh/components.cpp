@@ -7,36 +7,38 @@
 #include <utility>
 
 namespace vug::mesh {
-namespace {
 
-/// Squared diagonals of the components' bounding boxes.
-std::vector<double> sizes(const Mesh& mesh, const std::vector<uint32_t>& piece_of) {
+std::vector<Box3d> component_bounds(const Mesh& mesh, const std::vector<uint32_t>& component_of) {
   std::vector<Box3d> boxes;
-  for (size_t face = 0; face < piece_of.size(); ++face) {
-    if (piece_of[face] == boxes.size()) boxes.emplace_back();
-    for (const Vec3d& corner : corners(mesh, face)) boxes[piece_of[face]].extendBy(corner);
+  for (size_t face = 0; face < component_of.size(); ++face) {
+    if (component_of[face] == boxes.size()) boxes.emplace_back();
+    for (const Vec3d& corner : corners(mesh, face)) boxes[component_of[face]].extendBy(corner);
   }
-  std::vector<double> squares;
-  for (const Box3d& box : boxes) squares.push_back(box.size().dot(box.size()));
-  return squares;
+  return boxes;
 }
 
-}  // namespace
+Mesh remaining(Mesh mesh, const std::vector<uint32_t>& component_of,
+               const std::vector<char>& remains) {
+  std::vector<Triangle> kept;
+  for (size_t face = 0; face < component_of.size(); ++face)
+    if (remains[component_of[face]]) kept.push_back(mesh.triangles[face]);
+  mesh.triangles = std::move(kept);
+  return without_unused_vertices(mesh);
+}
 
 LargeComponents large_components(Mesh mesh, double smallest) {
   if (smallest <= 0 || mesh.triangles.empty()) return {std::move(mesh), 0};
   const std::vector<uint32_t> piece_of = face_components(mesh, find_edges(mesh));
-  const std::vector<double> squares = sizes(mesh, piece_of);
+  std::vector<double> squares;  // Of the diagonals.
+  for (const Box3d& box : component_bounds(mesh, piece_of))
+    squares.push_back(box.size().dot(box.size()));
   const double enough =
       std::min(smallest * smallest, *std::max_element(squares.begin(), squares.end()));
-  const auto small =
-      std::count_if(squares.begin(), squares.end(), [&](double square) { return square < enough; });
+  std::vector<char> remains;
+  for (const double square : squares) remains.push_back(square >= enough);
+  const auto small = static_cast<size_t>(std::count(remains.begin(), remains.end(), 0));
   if (small == 0) return {std::move(mesh), 0};
-  std::vector<Triangle> kept;
-  for (size_t face = 0; face < piece_of.size(); ++face)
-    if (squares[piece_of[face]] >= enough) kept.push_back(mesh.triangles[face]);
-  mesh.triangles = std::move(kept);
-  return {without_unused_vertices(mesh), static_cast<size_t>(small)};
+  return {remaining(std::move(mesh), piece_of, remains), small};
 }
 
 }  // namespace vug::mesh

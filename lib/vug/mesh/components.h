@@ -17,4 +17,12 @@ struct LargeComponents {
 /// mesh is returned unchanged.
 LargeComponents large_components(Mesh mesh, double smallest);
 
+/// The bounding boxes of the components; `component_of` is the result of face_components.
+std::vector<Box3d> component_bounds(const Mesh& mesh, const std::vector<uint32_t>& component_of);
+
+/// The mesh without the components that do not remain; `remains` has one value for each. The other
+/// triangles keep their order, normals and attributes.
+Mesh remaining(Mesh mesh, const std::vector<uint32_t>& component_of,
+               const std::vector<char>& remains);
+
 }  // namespace vug::mesh

@@ -33,25 +33,33 @@ Mesh welded(const Mesh& mesh) {
   return without_unused_vertices(joined);
 }
 
+Mesh with_attributes_of(const Mesh& mesh) {
+  Mesh out;
+  for (const Attribute& each : mesh.attributes)
+    out.attributes.push_back({each.name, each.arity, {}});
+  return out;
+}
+
+void append_vertex(const Mesh& from, uint32_t vertex, Mesh& to) {
+  to.positions.push_back(from.positions[vertex]);
+  if (!from.normals.empty()) to.normals.push_back(from.normals[vertex]);
+  for (size_t i = 0; i < from.attributes.size(); ++i) {
+    const Attribute& own = from.attributes[i];
+    const auto begin = own.values.begin() + static_cast<int64_t>(vertex) * own.arity;
+    to.attributes[i].values.insert(to.attributes[i].values.end(), begin, begin + own.arity);
+  }
+}
+
 Mesh without_unused_vertices(const Mesh& mesh) {
   std::vector<char> used(mesh.positions.size(), 0);
   for (const Triangle& t : mesh.triangles)
     for (const uint32_t corner : t) used[corner] = 1;
   std::vector<uint32_t> target(mesh.positions.size(), 0);
-  Mesh kept;
-  for (const Attribute& attribute : mesh.attributes)
-    kept.attributes.push_back({attribute.name, attribute.arity, {}});
+  Mesh kept = with_attributes_of(mesh);
   for (uint32_t v = 0; v < used.size(); ++v) {
     if (!used[v]) continue;
     target[v] = static_cast<uint32_t>(kept.positions.size());
-    kept.positions.push_back(mesh.positions[v]);
-    if (!mesh.normals.empty()) kept.normals.push_back(mesh.normals[v]);
-    for (size_t i = 0; i < mesh.attributes.size(); ++i) {
-      const auto from =
-          mesh.attributes[i].values.begin() + static_cast<int64_t>(v) * mesh.attributes[i].arity;
-      kept.attributes[i].values.insert(kept.attributes[i].values.end(), from,
-                                       from + mesh.attributes[i].arity);
-    }
+    append_vertex(mesh, v, kept);
   }
   kept.triangles = mesh.triangles;
   for (Triangle& t : kept.triangles)

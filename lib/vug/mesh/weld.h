@@ -16,4 +16,9 @@ Mesh welded(const Mesh& mesh);
 /// Removes the vertices that no triangle uses; the others keep their order.
 Mesh without_unused_vertices(const Mesh& mesh);
 
+/// A mesh without vertices and triangles that has the attributes of another one.
+Mesh with_attributes_of(const Mesh& mesh);
+/// Adds a vertex of a mesh, with its normal and attributes, to one that has the same attributes.
+void append_vertex(const Mesh& from, uint32_t vertex, Mesh& to);
+
 }  // namespace vug::mesh

@@ -1,36 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/mesh/weld.h>
 #include <vug/meshing/tile_mesh.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace vug::meshing {
 namespace {
 
 bool is_within(const LatticeKey& key, const volume::LatticeBox& box) {
-  for (size_t axis = 0; axis < 3; ++axis) {
-    const int i = static_cast<int>(axis);
-    if (key.cell[axis] < box.min[i] || key.cell[axis] > box.max[i]) return false;
-  }
-  return true;
-}
-
-mesh::Mesh with_attributes_of(const mesh::Mesh& from) {
-  mesh::Mesh out;
-  for (const mesh::Attribute& each : from.attributes)
-    out.attributes.push_back({each.name, each.arity, {}});
-  return out;
-}
-
-void append_vertex(const mesh::Mesh& from, uint32_t v, mesh::Mesh& to) {
-  to.positions.push_back(from.positions[v]);
-  if (!from.normals.empty()) to.normals.push_back(from.normals[v]);
-  for (size_t i = 0; i < from.attributes.size(); ++i) {
-    const mesh::Attribute& own = from.attributes[i];
-    const auto begin = own.values.begin() + static_cast<int64_t>(v) * own.arity;
-    to.attributes[i].values.insert(to.attributes[i].values.end(), begin, begin + own.arity);
-  }
+  return box.intersects(Vec3i(key.cell[0], key.cell[1], key.cell[2]));
 }
 
 }  // namespace
@@ -43,15 +22,14 @@ TileMesh tile_mesh(const mesh::Mesh& surface, const LatticeKeys& keys,
     if (!is_within(keys.vertices[keys.begins[face]], tile)) continue;
     own.push_back(face);
     for (const uint32_t v : surface.triangles[face]) used[v] = 1;
-    used[keys.begins[face]] = 1;
   }
   TileMesh out;
-  out.mesh = with_attributes_of(surface);
+  out.mesh = mesh::with_attributes_of(surface);
   std::vector<uint32_t> renamed(used.size());
   for (uint32_t v = 0; v < used.size(); ++v) {
     if (!used[v]) continue;
     renamed[v] = static_cast<uint32_t>(out.mesh.positions.size());
-    append_vertex(surface, v, out.mesh);
+    mesh::append_vertex(surface, v, out.mesh);
     out.keys.vertices.push_back(keys.vertices[v]);
   }
   for (const size_t face : own) {
@@ -73,12 +51,12 @@ mesh::Mesh joined(const std::vector<TileMesh>& tiles) {
       places.push_back({tiles[tile].keys.vertices[v], tile, v});
   std::sort(places.begin(), places.end(),
             [](const Place& a, const Place& b) { return a.key < b.key; });
-  mesh::Mesh out = tiles.empty() ? mesh::Mesh() : with_attributes_of(tiles[0].mesh);
+  mesh::Mesh out = tiles.empty() ? mesh::Mesh() : mesh::with_attributes_of(tiles[0].mesh);
   std::vector<std::vector<uint32_t>> renamed;
   for (const TileMesh& tile : tiles) renamed.emplace_back(tile.keys.vertices.size());
   for (size_t i = 0; i < places.size(); ++i) {
     if (i == 0 || places[i].key != places[i - 1].key)
-      append_vertex(tiles[places[i].tile].mesh, places[i].vertex, out);
+      mesh::append_vertex(tiles[places[i].tile].mesh, places[i].vertex, out);
     renamed[places[i].tile][places[i].vertex] = static_cast<uint32_t>(out.positions.size() - 1);
   }
   // All triangles that begin at a vertex are in one tile, in their order.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/disjoint_sets.h>
+#include <vug/mesh/components.h>
 #include <vug/mesh/topology.h>
-#include <vug/mesh/weld.h>
 #include <vug/meshing/tile_pieces.h>
 
 #include <algorithm>
@@ -12,11 +12,8 @@ namespace {
 /// A polygon of another tile extends by at most one cell from its first corner, so it has no
 /// vertex in a cell that is farther than that from the faces of the tile.
 bool is_near_border(const LatticeKey& key, const volume::LatticeBox& box) {
-  for (size_t axis = 0; axis < 3; ++axis) {
-    const int i = static_cast<int>(axis);
-    if (key.cell[axis] <= box.min[i] + 1 || key.cell[axis] >= box.max[i] - 1) return true;
-  }
-  return false;
+  const volume::LatticeBox inner(box.min + Vec3i(2), box.max - Vec3i(2));
+  return !inner.intersects(Vec3i(key.cell[0], key.cell[1], key.cell[2]));
 }
 
 }  // namespace
@@ -25,11 +22,7 @@ void TilePieces::add(const TileMesh& tile, const volume::LatticeBox& box) {
   const mesh::Edges edges = mesh::find_edges(tile.mesh);
   const std::vector<uint32_t> component_of = mesh::face_components(tile.mesh, edges);
   const auto first = static_cast<uint32_t>(boxes_.size());
-  for (size_t face = 0; face < component_of.size(); ++face) {
-    if (first + component_of[face] == boxes_.size()) boxes_.emplace_back();
-    for (const Vec3d& corner : mesh::corners(tile.mesh, face))
-      boxes_[first + component_of[face]].extendBy(corner);
-  }
+  for (const Box3d& each : mesh::component_bounds(tile.mesh, component_of)) boxes_.push_back(each);
   first_.push_back(static_cast<uint32_t>(boxes_.size()));
   for (const mesh::Edge& edge : edges.edges) {
     const LatticeKey &low = tile.keys.vertices[edge.low], &high = tile.keys.vertices[edge.high];
@@ -62,15 +55,6 @@ TilePieces::Large TilePieces::large(double smallest) const {
     }
   }
   return out;
-}
-
-mesh::Mesh remaining(const mesh::Mesh& tile, const std::vector<char>& remains) {
-  const std::vector<uint32_t> component_of = mesh::face_components(tile, mesh::find_edges(tile));
-  mesh::Mesh kept = tile;
-  kept.triangles.clear();
-  for (size_t face = 0; face < component_of.size(); ++face)
-    if (remains[component_of[face]]) kept.triangles.push_back(tile.triangles[face]);
-  return mesh::without_unused_vertices(kept);
 }
 
 }  // namespace vug::meshing

@@ -38,7 +38,4 @@ class TilePieces {
   std::vector<BorderEdge> borders_;
 };
 
-/// The tile's mesh without its components that do not remain; `remains` has one value for each.
-mesh::Mesh remaining(const mesh::Mesh& tile, const std::vector<char>& remains);
-
 }  // namespace vug::meshing

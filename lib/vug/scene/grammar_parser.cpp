@@ -17,7 +17,8 @@ bool is_item_sign(const Token& token) {
 /// Clause keywords, which may start a line and are never a shape after "~ NAME".
 constexpr const char* kClauseWords[] = {"label", "blend"};
 
-/// The other clauses of loading/item_clauses.cpp, which may also be names of shapes.
+/// The other clauses of loading/item_clauses.cpp, which may also be names of shapes; a test of that
+/// module compares the lists.
 constexpr const char* kOtherClauses[] = {"overlap", "reach",  "pieces", "piece_label", "slope",
                                          "azimuth", "within", "apart",  "name",        "connect"};
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/image/io.h>
 #include <vug/image/ocio_view.h>
-#include <vug/image/view.h>
 #include <vug/picture/exposure.h>
 #include <vug/viewport/preview_renderer.h>
 
@@ -23,18 +23,8 @@ image::ViewOptions display_of(const image::Image& image, Mode mode,
   if (mode != Mode::path) return image::plain_view();
   image::ViewOptions view = image::view_options(output.view(), output.settings.working_space);
   view.exposure = picture::exposure_stops(output.settings, image);
+  view.dither = false;
   return view;
-}
-
-std::vector<uint8_t> display_codes(const image::Image& shown) {
-  std::vector<uint8_t> out;
-  out.reserve(shown.pixel_count() * 3);
-  const size_t channels = shown.channels.size();
-  for (size_t i = 0; i < shown.pixels.size(); i += channels)
-    for (size_t c = 0; c < 3; ++c)
-      out.push_back(
-          static_cast<uint8_t>(std::clamp(shown.pixels[i + c], 0.0f, 1.0f) * 255.0f + 0.5f));
-  return out;
 }
 
 }  // namespace
@@ -106,8 +96,7 @@ Preview PreviewRenderer::render(const PreviewRequest& request, const PreviewStep
   const image::Image image = session_.image();
   Preview out;
   out.width = image.width, out.height = image.height;
-  out.rgb =
-      display_codes(image::display(image, display_of(image, request.mode, scene_->job.output)));
+  out.rgb = image::display_codes(image, display_of(image, request.mode, scene_->job.output));
   if (step.samples == 1) {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     seconds_per_pixel_ = taken.count() / static_cast<double>(image.pixel_count());

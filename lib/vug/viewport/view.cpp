@@ -84,12 +84,20 @@ View frame(const View& view, const Box3d& box) {
   return out;
 }
 
-std::string camera_text(const View& view, const std::string& name) {
+std::vector<std::pair<std::string, std::string>> camera_entries(const View& view) {
   const auto point = [](const Vec3d& p) {
     return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x, p.y, p.z);
   };
-  return fmt::format("camera {} {{ eye {}  target {}  fov {:.0f}deg }}", name, point(view.eye),
-                     point(view.target), view.fov * 180 / kPi);
+  return {{"eye", point(view.eye)},
+          {"target", point(view.target)},
+          {"fov", fmt::format("{:.0f}deg", view.fov * 180 / kPi)}};
+}
+
+std::string camera_text(const View& view, const std::string& name) {
+  std::string entries;
+  for (const auto& [key, value] : camera_entries(view))
+    entries += fmt::format("{}{} {}", entries.empty() ? "" : "  ", key, value);
+  return fmt::format("camera {} {{ {} }}", name, entries);
 }
 
 }  // namespace vug::viewport

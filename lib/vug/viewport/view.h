@@ -6,6 +6,8 @@
 #include <vug/render/camera.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace vug::viewport {
 
@@ -33,6 +35,8 @@ View dolly(const View& view, double factor);
 /// Moves the eye along its direction until the box fills the picture; the target is its centre.
 View frame(const View& view, const Box3d& box);
 
+/// The entries of a perspective camera with this view in a scene text: the key and the value.
+std::vector<std::pair<std::string, std::string>> camera_entries(const View& view);
 /// The declaration of a perspective camera with this view, for a scene text.
 std::string camera_text(const View& view, const std::string& name);
 

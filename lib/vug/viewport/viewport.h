@@ -78,7 +78,7 @@ class Viewport {
   /// first picture, the target of the latter is the surface in the middle of the picture.
   View view() const;
   ViewportStatus status() const;
-  /// Waits until there is no work. For programs without an event loop, and tests.
+  /// Waits until all work has ended, for tests and for programs without an event loop.
   void wait() const;
 
  private:

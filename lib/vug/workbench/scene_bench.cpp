@@ -52,6 +52,11 @@ viewport::ViewportStatus SceneBench::status() const {
   return viewport_ ? viewport_->status() : viewport::ViewportStatus();
 }
 
+viewport::PreviewPtr SceneBench::picture() const {
+  if (viewport::PreviewPtr shown = status().picture) return shown;
+  throw Error(ErrorCode::bad_input, "the first picture is not finished", {}, "wait for it");
+}
+
 void SceneBench::open(const std::filesystem::path& file, const std::optional<std::string>& text) {
   if (const std::string why = unreadable_reason(file); !why.empty() && !text)
     throw Error(ErrorCode::bad_input, fmt::format("cannot open '{}': {}", file.string(), why), {},
@@ -171,23 +176,16 @@ void SceneBench::set_param(const std::string& name, const std::string& value,
 
 void SceneBench::write_view() {
   require_document();
-  const viewport::ViewportStatus now = status();
-  if (!now.picture)
-    throw Error(ErrorCode::bad_input, "there is no picture yet", {}, "wait for the first picture");
+  const viewport::PreviewPtr shown = picture();
   const viewport::View view = viewport_->view();
-  const std::string& name = now.picture->scene.scene->camera;
+  const std::string& name = shown->scene.scene->camera;
   std::string after = text();
   if (name.empty()) {
     if (!after.empty() && after.back() != '\n') after += '\n';
     after += camera_text(view, "main") + "\n";
   } else {
-    const auto point = [](const Vec3d& p) {
-      return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x, p.y, p.z);
-    };
     // One entry after the other: added entries move the ranges of the text.
-    for (const auto& [key, value] : {std::pair<const char*, std::string>("eye", point(view.eye)),
-                                     {"target", point(view.target)},
-                                     {"fov", fmt::format("{:.0f}deg", view.fov * 180 / kPi)}}) {
+    for (const auto& [key, value] : viewport::camera_entries(view)) {
       language::Workspace draft({loading::data_folders()});
       draft.open(file_, after);
       after = language::apply(
@@ -209,11 +207,9 @@ void SceneBench::build() {
 }
 
 void SceneBench::pick(double x, double y) {
-  const viewport::ViewportStatus now = status();
-  if (!now.picture)
-    throw Error(ErrorCode::bad_input, "there is no picture yet", {}, "wait for the first picture");
+  const viewport::PreviewPtr shown = picture();
   const std::string before = picked_ ? picked_->object : "";
-  picked_ = viewport::pick(now.picture->scene, x, y);
+  picked_ = viewport::pick(shown->scene, x, y);
   if (!picked_ || picked_->declared.empty()) return;
   const bool again = picked_->object == before;
   select_declaration(again ? (picked_declaration_ + 1) % picked_->declared.size() : 0);

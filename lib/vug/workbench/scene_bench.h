@@ -96,6 +96,8 @@ class SceneBench {
   /// Gives the text to a new viewport, whose relative paths begin at the file.
   void attach(const std::filesystem::path& file);
   void require_document() const;
+  /// The picture of the viewport. Error(bad_input) before the first one.
+  viewport::PreviewPtr picture() const;
 
   std::function<void()> notify_;
   std::optional<UndoStack<SceneText>> stack_;

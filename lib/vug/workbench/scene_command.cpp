@@ -22,7 +22,7 @@ std::string without_scene(const SceneBench& bench) {
 
 std::string without_picture(const SceneBench& bench) {
   if (!bench.has_document()) return without_scene(bench);
-  return bench.status().picture ? "" : "there is no picture yet";
+  return bench.status().picture ? "" : "the first picture is not finished";
 }
 
 }  // namespace vug::workbench

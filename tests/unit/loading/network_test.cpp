@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Networks of scenes and the points on them.
 #include <gtest/gtest.h>
+#include <vug/loading/item_clauses.h>
 #include <vug/loading/load.h>
 #include <vug/network/metrics.h>
 #include <vug/shot/queries.h>
@@ -136,6 +137,9 @@ TEST(Dressing, ReportsFaults) {
   has(problem("axiom + sphere(1m) slope 100deg\n"),
       "'slope' expects an angle between -90deg and 90deg, not 100deg");
   has(problem("axiom + sphere(1m) slope\n"), "'slope' has no value");
+  // The parser knows all clauses.
+  for (const ParamInfo& clause : clause_infos())
+    has(problem("axiom + sphere(1m) " + clause.name + "\n"), "'" + clause.name + "' has no value");
   has(problem("axiom + sphere(1m) slope 0deg slope 5deg\n"),
       "t.vug:5:31: error: the item has two clauses 'slope'");
   has(problem("slope 0deg\nslope 5deg\naxiom + sphere(1m)\n"),

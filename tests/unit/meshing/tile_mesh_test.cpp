@@ -95,6 +95,10 @@ TEST(TileMeshes, HaveTheirBorderEdgesTwice) {
   EXPECT_EQ(found.misoriented_edges, 0u);
 }
 
+std::vector<uint32_t> components_of(const mesh::Mesh& mesh) {
+  return mesh::face_components(mesh, mesh::find_edges(mesh));
+}
+
 TEST(TileMeshes, LoseThePiecesThatTheWholeLoses) {
   const Field solid = scattered_solid();
   const mesh::Mesh whole = polygonize(volume::voxelize(solid, options_of_tiles()), &solid).mesh;
@@ -109,7 +113,9 @@ TEST(TileMeshes, LoseThePiecesThatTheWholeLoses) {
     EXPECT_EQ(large.removed, expected.removed) << smallest;
     size_t triangles = 0;
     for (size_t i = 0; i < parts.tiles.size(); ++i)
-      triangles += remaining(parts.tiles[i].mesh, large.remains[i]).triangles.size();
+      triangles +=
+          mesh::remaining(parts.tiles[i].mesh, components_of(parts.tiles[i].mesh), large.remains[i])
+              .triangles.size();
     EXPECT_EQ(triangles, expected.mesh.triangles.size()) << smallest;
   }
   EXPECT_GT(all.large(0.5).removed, 0u);

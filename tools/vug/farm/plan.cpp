@@ -11,6 +11,7 @@
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/base/pluralize.h>
+#include <vug/building/stored_drips.h>
 #include <vug/farm/engine_files.h>
 #include <vug/farm/plan_job.h>
 #include <vug/loading/dependencies.h>
@@ -115,7 +116,7 @@ int run_plan(PlanOptions& options, const std::vector<std::string>& arguments) {
   job.render_arguments = arguments;
   job.spp = static_cast<uint32_t>(plan.render.settings.spp);
   // Drips that are in the store are not grown for the estimate, and others are stored.
-  const building::Builder drips(loaded.shot, render.work.build_options(loaded), progress);
+  const auto drips = building::store_drips(loaded.shot, render.work.build_options(loaded).stored);
   job.cost = farm::estimate_picture(plan, options.cores, {}, progress);
   const int machines = options.for_cores > 0 ? options.for_cores : 8 * options.cores;
   job.parts = options.parts ? *options.parts

@@ -9,6 +9,7 @@
 #include <vug/base/parallel.h>
 #include <vug/base/pluralize.h>
 #include <vug/building/product_keys.h>
+#include <vug/building/stored_drips.h>
 #include <vug/farm/budget.h>
 #include <vug/picture/frame_sequence.h>
 #include <vug/shot/queries.h>
@@ -115,7 +116,7 @@ int run_estimate(EstimateOptions& options) {
   job.spp = static_cast<uint32_t>(plan.render.settings.spp);
   Progress& progress = terminal_progress(render.work.bar_mode());
   // Drips that are in the store are not grown for the estimate, and others are stored.
-  const building::Builder drips(loaded.shot, render.work.build_options(loaded), progress);
+  const auto drips = building::store_drips(loaded.shot, render.work.build_options(loaded).stored);
   // Seconds of one core, so that the report does not depend on this machine's number of cores.
   job.cost = farm::estimate_picture(plan, 1, {}, progress);
   clear_progress_bar();

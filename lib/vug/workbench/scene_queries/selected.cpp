@@ -2,8 +2,6 @@
 #include <vug/scene/text_at.h>
 #include <vug/workbench/scene_query.h>
 
-#include <fmt/format.h>
-
 namespace vug::workbench {
 namespace {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/workbench/scene_query.h>
 
-#include <fmt/format.h>
-
 namespace vug::workbench {
 namespace {
 
