@@ -2,6 +2,7 @@
 // For any bytes, the reader returns a cloud of finite points with lists of matching lengths, or
 // fails.
 #include "require.h"
+#include "target.h"
 
 #include <vug/base/error.h>
 #include <vug/scan/read.h>
@@ -9,7 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+VUG_FUZZ_TARGET(cloud) {
   using vug::require;
   try {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
@@ -26,5 +27,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     require(error.where().file == "fuzz" || error.code() == vug::ErrorCode::too_large,
             "faults name the file");
   }
-  return 0;
 }

@@ -3,6 +3,7 @@
 // heights that are plausible or missing.
 #include "file_of_bytes.h"
 #include "require.h"
+#include "target.h"
 
 #include <vug/base/error.h>
 #include <vug/terrain/elevation_file.h>
@@ -37,7 +38,7 @@ void check(const ElevationFile& file) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+VUG_FUZZ_TARGET(elevations) {
   const std::filesystem::path& path = file_of_bytes(data, size, ".asc");
   try {
     const ElevationFile file(path, size % 2 == 0 ? 0 : 1);
@@ -46,5 +47,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     require(error.code() == ErrorCode::bad_input || error.code() == ErrorCode::too_large,
             "errors blame the input");
   }
-  return 0;
 }

@@ -2,6 +2,7 @@
 // Any block of a facade is rejected with error messages or derived twice to the same tree, whose
 // parts lie within their parents; it is also derived by a plan that leaves all choices open.
 #include "require.h"
+#include "target.h"
 
 #include <vug/facade/derive.h>
 #include <vug/facade/tree_output.h>
@@ -30,7 +31,7 @@ void check(const facade::Tree& tree) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+VUG_FUZZ_TARGET(facade) {
   const std::string text =
       "grammar g: facade {\n" + std::string(reinterpret_cast<const char*>(data), size) + "\n}\n";
   scene::ParseOptions parsing;
@@ -44,12 +45,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   for (const scene::Grammar& grammar : document.grammars) {
     if (grammar.kind != "facade" || grammar.broken) continue;
     const facade::Rules rules = facade::read_rules(document, grammar, diagnostics);
-    if (diagnostics.has_errors()) return 0;
+    if (diagnostics.has_errors()) return;
     facade::DeriveOptions options;
     options.limits = {500, 3000};
     try {
       const auto made = facade::derive(rules, evaluator, options);
-      if (!made) return 0;
+      if (!made) return;
       check(made->tree);
       const auto again = facade::derive(rules, evaluator, options);
       require(again && facade::theta(again->tree) == facade::theta(made->tree),
@@ -61,5 +62,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
               "errors blame the text");
     }
   }
-  return 0;
 }

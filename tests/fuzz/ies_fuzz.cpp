@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // For any bytes, the IES reader returns a profile whose intensities are finite and do not exceed
 // its peak, or fails with bad_input.
+#include "target.h"
+
 #include <vug/base/error.h>
 #include <vug/render/lighting/ies_profile.h>
 
@@ -10,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+VUG_FUZZ_TARGET(ies) {
   try {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     const vug::render::IesProfile profile(text, "fuzz.ies");
@@ -25,5 +27,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (error.code() != vug::ErrorCode::bad_input) std::abort();
     if (std::string(error.what()).find("fuzz.ies") == std::string::npos) std::abort();
   }
-  return 0;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // For any bytes: edits a scene as they say and sends a request after each edit. Every request has
 // one answer, which is not an internal error, and the text of the server is that of the edits.
-#include "require.h"
-
 #include "lsp/server.h"
+#include "require.h"
+#include "target.h"
 
 #include <vug/scene/lexer.h>
 
@@ -163,8 +163,8 @@ Json request_params(int line, int character) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  if (size == 0) return 0;
+VUG_FUZZ_TARGET(lsp) {
+  if (size == 0) return;
   Session session;
   session.open("file:///nowhere/part.vug",
                "param size = 2m\ndef slab(h) = box(size: (1m, h, size))\n");
@@ -185,5 +185,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
                     request_params(line, character + 1));
   }
   session.request("shutdown", Json::object());
-  return 0;
 }

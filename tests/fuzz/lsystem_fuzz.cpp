@@ -2,6 +2,7 @@
 // For any block of an L-system: it is rejected with error messages, or it is derived for a few
 // steps with matching brackets, and formatting keeps its meaning and is idempotent.
 #include "require.h"
+#include "target.h"
 
 #include <vug/lsystem/compile.h>
 #include <vug/lsystem/derive.h>
@@ -53,13 +54,13 @@ void grow(lsystem::System system) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+VUG_FUZZ_TARGET(lsystem) {
   const std::string text =
       "grammar g: lsystem {\n" + std::string(reinterpret_cast<const char*>(data), size) + "\n}\n";
   Diagnostics diagnostics;
   const scene::Document document = parse(text, diagnostics);
   const std::string formatted = scene::format(text);
-  if (diagnostics.has_errors()) return 0;
+  if (diagnostics.has_errors()) return;
   Diagnostics again;
   require(dump(parse(formatted, again)) == dump(document), "format keeps the meaning");
   require(scene::format(formatted) == formatted, "format settles after one pass");
@@ -70,5 +71,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       if (const auto system = lsystem::compile(
               grammar, evaluator, [](const auto&, const auto&) { return lsystem::SystemPtr(); }))
         grow(*system);
-  return 0;
 }

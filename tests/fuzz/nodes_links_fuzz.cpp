@@ -3,6 +3,7 @@
 // refused as bad input, or yield a valid network that has finite metrics and is read again from
 // what is written.
 #include "require.h"
+#include "target.h"
 
 #include <vug/base/error.h>
 #include <vug/network/dat.h>
@@ -43,7 +44,7 @@ void check_metrics(const Network& network) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+VUG_FUZZ_TARGET(nodes_links) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const size_t end = std::min(bytes.find('\0'), size);
   const std::string_view links = end < size ? bytes.substr(end + 1) : std::string_view();
@@ -55,10 +56,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     require(error.code() == ErrorCode::bad_input, "errors blame the input");
     require(error.where().known() && error.where().file.starts_with("fuzz_"),
             "errors name the line");
-    return 0;
+    return;
   }
   require_valid(network);
   check_copy(network);
   check_metrics(network);
-  return 0;
 }

@@ -2,13 +2,14 @@
 // For any bytes, the reader of partial renders and checkpoints returns one that can be developed
 // into a picture, or fails with bad_input (too_large if it exceeds any memory).
 #include "file_of_bytes.h"
+#include "target.h"
 
 #include <vug/base/error.h>
 #include <vug/render/film/partial_render.h>
 
 #include <cstdlib>
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+VUG_FUZZ_TARGET(part) {
   const auto& path = file_of_bytes(data, size, ".part");
   const auto refused = [&](const vug::Error& error) {
     if (error.code() != vug::ErrorCode::bad_input && error.code() != vug::ErrorCode::too_large)
@@ -28,5 +29,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   } catch (const vug::Error& error) {
     refused(error);
   }
-  return 0;
 }

@@ -3,13 +3,14 @@
 // with bad_input (too_large if the picture exceeds any memory). The system's OpenEXR and
 // OpenImageIO, which it calls, are not instrumented: report findings in them to their projects.
 #include "file_of_bytes.h"
+#include "target.h"
 
 #include <vug/base/error.h>
 #include <vug/image/io.h>
 
 #include <cstdlib>
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+VUG_FUZZ_TARGET(picture) {
   const auto& path = file_of_bytes(data, size, ".exr");
   try {
     const vug::image::FileInfo info = vug::image::read_info(path);
@@ -18,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     // Larger pictures would slow the fuzzer down.
     const double values =
         static_cast<double>(info.width) * info.height * static_cast<double>(info.channels.size());
-    if (values > 1 << 22) return 0;
+    if (values > 1 << 22) return;
     const vug::image::Image image = vug::image::read(path);
     if (image.pixels.size() != image.pixel_count() * image.channels.size()) std::abort();
     if (image.channels != info.channels) std::abort();
@@ -27,5 +28,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       std::abort();
     if (std::string(error.what()).find(path.string()) == std::string::npos) std::abort();
   }
-  return 0;
 }

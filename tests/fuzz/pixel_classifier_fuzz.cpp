@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // For any bytes, the reader returns a pixel classifier that yields probabilities, or fails.
 #include "require.h"
+#include "target.h"
 
 #include <vug/base/error.h>
 #include <vug/fit/learning/pixel_classifier.h>
@@ -9,10 +10,10 @@
 #include <cmath>
 #include <cstdint>
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+VUG_FUZZ_TARGET(pixel_classifier) {
   using namespace vug;
   const auto text = nlohmann::json::parse(data, data + size, nullptr, false);
-  if (text.is_discarded()) return 0;
+  if (text.is_discarded()) return;
   try {
     const fit::PixelClassifier model = fit::PixelClassifier::from_json(text);
     const fit::Planes maps = model.classify(image::Image(3, 2, {"R", "G", "B"}));
@@ -31,5 +32,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   } catch (const Error& error) {
     require(error.code() == ErrorCode::bad_input, "looks are bad");
   }
-  return 0;
 }

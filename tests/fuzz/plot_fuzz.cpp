@@ -2,6 +2,7 @@
 // For any corners: a polygon that is not simple is rejected as bad input; a simple polygon has an
 // area, contains points, and its sides are at the given positions.
 #include "require.h"
+#include "target.h"
 
 #include <vug/base/error.h>
 #include <vug/flora/plot.h>
@@ -27,8 +28,8 @@ double coordinate(const uint8_t*& at, const uint8_t* end) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  if (size > 400) return 0;
+VUG_FUZZ_TARGET(plot) {
+  if (size > 400) return;
   const uint8_t* const end = data + size;
   flora::Corners corners;
   while (data != end) {
@@ -57,5 +58,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   } catch (const Error& error) {
     require(error.code() == ErrorCode::bad_input, "errors blame the corners");
   }
-  return 0;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any recipe of cells is rejected with error messages, or its cells run for a few steps on a box.
+#include "target.h"
+
 #include <vug/base/error.h>
 #include <vug/building/cell_layer.h>
 #include <vug/loading/load.h>
@@ -9,10 +11,10 @@
 #include <cstdint>
 #include <cstdlib>
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+VUG_FUZZ_TARGET(recipe) {
   using namespace vug;
   const std::string recipe(reinterpret_cast<const char*>(data), size);
-  if (recipe.find('}') != std::string::npos) return 0;  // only the contents of the block
+  if (recipe.find('}') != std::string::npos) return;  // only the contents of the block
   const std::string text =
       "volume rock = level_set(sphere(1m), voxel: 20cm)\nmesh wall on rock {}\n"
       "cells skin on wall { spacing 40cm  run " +
@@ -21,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       std::make_shared<const mesh::Mesh>(mesh::box_mesh(Box3d(Vec3d(-1), Vec3d(1, 0.5, 1))));
   try {
     const loading::Loaded loaded = loading::load_text(text, "fuzz.vug");
-    if (!loaded.usable()) return 0;
+    if (!loaded.usable()) return;
     for (const shot::MeshPtr& mesh : loaded.shot.meshes) {
       if (!mesh->cells) continue;
       shot::CellsPlan plan = *mesh->cells;
@@ -33,5 +35,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_input && error.code() != ErrorCode::too_large) std::abort();
   }
-  return 0;
 }

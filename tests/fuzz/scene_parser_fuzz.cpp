@@ -4,6 +4,7 @@
 // can include the file kit.vug, also as a module.
 #include "../unit/scene/extents.h"
 #include "require.h"
+#include "target.h"
 
 #include <vug/scene/check.h>
 #include <vug/scene/evaluator.h>
@@ -61,7 +62,7 @@ std::string formatted_dump(const std::string& text, const ParseOptions& options)
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+VUG_FUZZ_TARGET(scene_parser) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   const ParseOptions options = with_kit();
   Diagnostics diagnostics;
@@ -80,5 +81,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   Evaluator evaluator(document, resolver, diagnostics);
   evaluate(document, evaluator);
   report(diagnostics, evaluator.sources());
-  return 0;
 }

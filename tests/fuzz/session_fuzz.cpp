@@ -2,6 +2,7 @@
 // Any session file is rejected as bad input or replayed completely; then its text yields the same
 // tree and the same text again, and so does undoing and redoing all edits.
 #include "require.h"
+#include "target.h"
 
 #include <vug/facade/tree_output.h>
 #include <vug/modeller/query.h>
@@ -52,9 +53,9 @@ bool crowded(const std::string& text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+VUG_FUZZ_TARGET(session) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  if (size > 4000 || crowded(text)) return 0;
+  if (size > 4000 || crowded(text)) return;
   try {
     modeller::Session session = read(text);
     const std::string tree = facade::tree_json(session.current().tree());
@@ -72,5 +73,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     require(error.code() == ErrorCode::bad_input || error.code() == ErrorCode::too_large,
             "errors blame the text");
   }
-  return 0;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a .dat file of a survey.
 #include "survey_fuzz.h"
+#include "target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  vug::survey::fuzz("dat", data, size);
-  return 0;
-}
+VUG_FUZZ_TARGET(survey_dat) { vug::survey::fuzz("dat", data, size); }

@@ -2,6 +2,7 @@
 // For any word, including unmatched brackets, huge numbers and NaN: the turtle rejects it as bad
 // input or draws finite axes with orthogonal frames, whose stems have a finite surface.
 #include "require.h"
+#include "target.h"
 
 #include <vug/base/error.h>
 #include <vug/flora/sweep_mesh.h>
@@ -56,7 +57,7 @@ bool finite(const Vec3d& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-bool square(const Frame& frame) {
+bool square(const vug::Frame& frame) {
   const auto unit = [](const Vec3d& v) { return std::fabs(v.length() - 1) < 1e-6; };
   return unit(frame.tangent) && unit(frame.normal) && unit(frame.binormal) &&
          (frame.tangent.cross(frame.normal) - frame.binormal).length() < 1e-6;
@@ -113,8 +114,8 @@ lsystem::TurtleOptions options_of(Numbers& numbers) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-  if (size > 2000) return 0;
+VUG_FUZZ_TARGET(turtle) {
+  if (size > 2000) return;
   Numbers numbers(data, size);
   const lsystem::TurtleOptions options = options_of(numbers);
   flora::SweepOptions sweeping;
@@ -133,7 +134,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (!thing && parameters.size() < commands[which].least) continue;
     word.append(alphabet.add(thing ? "Leaf" : commands[which].name, parameters.size()), parameters);
   }
-  if (word.empty()) return 0;
+  if (word.empty()) return;
   try {
     const lsystem::Drawing drawing = lsystem::draw(word, alphabet, options);
     check(drawing);
@@ -143,5 +144,4 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     require(error.code() == ErrorCode::bad_input || error.code() == ErrorCode::too_large,
             "errors blame the word");
   }
-  return 0;
 }

@@ -40,24 +40,28 @@ function(vug_test name)
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${labels})
 endfunction()
 
-# vug_fuzz(NAME SOURCES... LINK modules...): a fuzz target, i.e. sources with
-# LLVMFuzzerTestOneInput. With VUG_FUZZ it is linked with libFuzzer (clang); with VUG_TESTS a test
-# replays tests/fuzz/corpus/NAME, with any compiler and sanitizer.
+# vug_fuzz(NAME SOURCES... LINK modules...): a fuzz target, i.e. sources with VUG_FUZZ_TARGET(NAME). With VUG_FUZZ it is
+# linked with libFuzzer (clang). With VUG_TESTS the program `replay`, which contains all targets, runs it over
+# tests/fuzz/corpus/NAME as a test, with any compiler and sanitizer.
 function(vug_fuzz name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   list(TRANSFORM ARG_LINK PREPEND vug_)
   if(VUG_FUZZ)
-    add_executable(fuzz_${name} ${ARG_SOURCES})
+    add_executable(fuzz_${name} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/tests/fuzz/libfuzzer.cpp)
     target_link_libraries(fuzz_${name} PRIVATE vug_strict ${ARG_LINK})
     target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
     set_target_properties(fuzz_${name} PROPERTIES
       RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
   endif()
   if(VUG_TESTS)
-    add_executable(replay_${name} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/tests/fuzz/replay.cpp)
-    target_link_libraries(replay_${name} PRIVATE vug_strict ${ARG_LINK})
+    if(NOT TARGET replay)
+      add_executable(replay ${PROJECT_SOURCE_DIR}/tests/fuzz/replay.cpp)
+      target_link_libraries(replay PRIVATE vug_strict vug_light)
+    endif()
+    target_sources(replay PRIVATE ${ARG_SOURCES})
+    target_link_libraries(replay PRIVATE ${ARG_LINK})
     add_test(NAME fuzz_corpus.${name}
-      COMMAND replay_${name} ${PROJECT_SOURCE_DIR}/tests/fuzz/corpus/${name})
+      COMMAND replay ${name} ${PROJECT_SOURCE_DIR}/tests/fuzz/corpus/${name})
     set_tests_properties(fuzz_corpus.${name} PROPERTIES LABELS fuzz)
   endif()
 endfunction()

@@ -98,9 +98,14 @@ TEST(Materials, SampleTheirDensity) {
   const float cosines[] = {1.0f, 0.95f, 0.85f, 0.7f, 0.5f, 0.4f, 0.3f, 0.2f, 0.1f, 0.01f};
   const std::vector<Case> all = cases(false);
   const int tests = static_cast<int>(2 * all.size() * std::size(cosines));
-  for (const Case& each : all)
+  size_t turn = 0;
+  for (const Case& each : all) {
+    ++turn;
     for (const float cosine : cosines) {
-      if (each.variant && &cosine - cosines > 4) continue;  // the basic case covered all of them
+      // The basic case of a kind covers all cosines, its variants and shares half of them.
+      const size_t place = static_cast<size_t>(&cosine - cosines);
+      if (each.variant && place > 4) continue;
+      if (each.name != each.kind && !each.variant && place % 2 != turn % 2) continue;
       const bool inside = cosine == 0.7f || cosine == 0.2f;
       SCOPED_TRACE(each.name + " at cosine " + std::to_string(cosine));
       // Narrower lobes slip through the quadrature of the expected counts.
@@ -135,6 +140,7 @@ TEST(Materials, SampleTheirDensity) {
         EXPECT_LT(result.disagreements, kSamples / 10000);
       }
     }
+  }
 }
 
 // Helmholtz reciprocity; refraction preserves radiance over the square of the index, so f times the
