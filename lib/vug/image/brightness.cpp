@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/log2.h>
+#include <vug/base/quantile.h>
 #include <vug/image/brightness.h>
 #include <vug/image/colour_channels.h>
 
@@ -26,14 +27,6 @@ std::vector<double> luminance_of_pixels(const Image& linear, WorkingSpace space)
     out.push_back(luminance);
   }
   return out;
-}
-
-/// The value below which the fraction `share` of the values lies; reorders them.
-double percentile(std::vector<double>& values, double share) {
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 std::vector<double> above(const std::vector<double>& values, double limit) {
@@ -82,18 +75,18 @@ std::optional<double> metered_exposure(const Image& linear, WorkingSpace space) 
   if (std::none_of(all.begin(), all.end(), [](double luminance) { return luminance > 0; }))
     return {};
   std::vector<double> surfaces = of_surfaces(linear, all);
-  const double bright = percentile(surfaces, 0.9);
+  const double bright = quantile(surfaces, 0.9);
   std::vector<double> lit = above(surfaces, bright / 16);
   const double share = static_cast<double>(lit.size()) / static_cast<double>(surfaces.size());
   if (lit.empty()) lit = above(all, 0);  // only the sky shines
-  const double middle = 0.16 / percentile(lit, 0.5);
-  double exposure = std::min(middle, 6 / percentile(all, 0.995));
+  const double middle = 0.16 / quantile(lit, 0.5);
+  double exposure = std::min(middle, 6 / quantile(all, 0.995));
   std::vector<double> reached = above(surfaces, bright / 1024);
   if (!reached.empty()) {
-    const double shade = 0.06 / percentile(reached, 0.5);
+    const double shade = 0.06 / quantile(reached, 0.5);
     const double raised = middle * std::exp2(std::clamp(25 * (0.3 - share), 0.0, 5.0));
-    exposure = std::max(exposure, std::min({shade, raised, 3 / percentile(surfaces, 0.95),
-                                            8 / percentile(surfaces, 0.98)}));
+    exposure = std::max(exposure, std::min({shade, raised, 3 / quantile(surfaces, 0.95),
+                                            8 / quantile(surfaces, 0.98)}));
   }
   return maths::log2(exposure);
 }

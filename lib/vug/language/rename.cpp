@@ -83,8 +83,9 @@ void require_sound(const Analysis& analysis) {
 SourceLocation renamable_at(const Analysis& analysis, const Position& position) {
   const Reference* found = analysis.symbols.at(analysis.file, position);
   if (!found)
-    refuse("there is no name of the text here",
-           "names that the text declares can be renamed; those of kinds and parameters are fixed");
+    refuse("the cursor is not on a name that can be renamed",
+           "put it on a name that this text declares; the names of kinds and of their parameters "
+           "are fixed");
   const Symbol& symbol = analysis.symbols.of(*found);
   if (is_module(analysis, symbol) && scene::is_turtle_name(symbol.name))
     refuse(fmt::format("'{}' is a command of the turtle", symbol.name),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/maths.h>
 #include <vug/base/parallel.h>
+#include <vug/base/quantile.h>
 #include <vug/image/brightness.h>
 #include <vug/scout/illumination.h>
 #include <vug/scout/trace_view.h>
@@ -123,12 +124,6 @@ image::Image grey_picture(const std::vector<float>& luminance) {
   return out;
 }
 
-float percentile_99(std::vector<float> values) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 99 / 100);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 LightTerms light_terms(const std::vector<float>& luminance, const View& view) {
   LightTerms terms;
   const std::optional<double> stops = image::metered_exposure(grey_picture(luminance));
@@ -138,7 +133,7 @@ LightTerms light_terms(const std::vector<float>& luminance, const View& view) {
   const auto dark = std::count_if(luminance.begin(), luminance.end(),
                                   [&](float value) { return value * factor < kPixelBlack; });
   terms.black = static_cast<double>(dark) / static_cast<double>(luminance.size());
-  terms.bright = static_cast<double>(percentile_99(luminance) * factor);
+  terms.bright = static_cast<double>(quantile(luminance, 0.99) * factor);
   terms.silhouettes = static_cast<double>(silhouette_edges(view, luminance, factor)) / view.width;
   return terms;
 }

@@ -25,9 +25,6 @@ std::vector<float> illuminate(const render::PreparedScene& world,
 /// Luminances as a picture of one row, for the functions of image/brightness.h.
 image::Image grey_picture(const std::vector<float>& luminance);
 
-/// The 99th percentile of at least one value.
-float percentile_99(std::vector<float> values);
-
 /// The lit picture as a judge of exposures.
 struct LightTerms {
   double stops = 0;   ///< The metered exposure; 0 without light.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/quantile.h>
 #include <vug/image/brightness.h>
 #include <vug/picture/exposure.h>
 #include <vug/scout/illumination.h>
@@ -54,7 +55,7 @@ std::vector<PreflightFinding> preflight(const render::PreparedRender& prepared,
   const std::vector<float> luminance =
       of_surfaces(view, illuminate(world, prepared.scene->lights, view, RandomKey(0), {.rays = 4}));
   const image::Image picture = grey_picture(luminance);
-  const auto bright = static_cast<double>(percentile_99(luminance));
+  const auto bright = static_cast<double>(quantile(luminance, 0.99));
   const auto metered = image::metered_exposure(picture, settings.working_space);
   if (!metered || !(bright > 0)) {  // single rays may pass a seam of a mesh
     found.push_back({true, "hardly any light reaches the picture",

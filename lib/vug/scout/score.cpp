@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/maths.h>
+#include <vug/base/quantile.h>
 #include <vug/render/vectors.h>
 #include <vug/scout/regions.h>
 #include <vug/scout/score.h>
@@ -31,13 +32,6 @@ std::vector<double> log_distances(const View& view) {
   for (const Seen& each : view.pixels)
     out.push_back(maths::log(std::clamp(static_cast<double>(each.distance), 0.01, kFarthest)));
   return out;
-}
-
-double percentile(std::vector<double> values, double share) {
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 Vec2d film_position(const View& view, int x, int y) {
@@ -203,7 +197,7 @@ void add_landmarks(const View& view, const Landmarks& landmarks, ScoreTerms& ter
 
 Vec2d deepest_part(const View& view) {
   const std::vector<double> l = log_distances(view);
-  const double threshold = percentile(l, 0.95);
+  const double threshold = quantile(l, 0.95);
   Vec2d sum(0, 0);
   double count = 0;
   for (int y = 0; y < view.height; ++y)
@@ -223,7 +217,7 @@ ScoreTerms score(const View& view, const Landmarks& landmarks) {
   const std::vector<double> l = log_distances(view);
   const OtsuClasses classes = otsu_classes(l);
   const Vec2d deepest = deepest_part(view);
-  terms.depth = clamped((percentile(l, 0.9) - percentile(l, 0.1)) / maths::log(8.0));
+  terms.depth = clamped((quantile(l, 0.9) - quantile(l, 0.1)) / maths::log(8.0));
   terms.layers = clamped(entropy(classes.shares.data(), 3) / maths::log(3.0) * classes.separation);
   terms.lead = lead_of(deepest);
   terms.clear = clamped(1 - (clutter(view, l) - 0.25) / 0.25);
