@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """vug build --tiles: the tiles have what the whole has, whatever their size; errors."""
 import json
+import signal
 import struct
+import time
 import unittest
 
-from vug import VugTest, digest
+from vug import Running, VugTest, digest
 
 # A rough rock with caves, crumbs that smallest_piece removes, and a wide inside.
 SCENE = """let rock = displace(box((5m, 3m, 4m)), noise: fbm(scale: 60cm, octaves: 3), amount: 20cm)
@@ -98,6 +100,32 @@ class Tiles(VugTest):
             path = self.folder / line
             self.assertEqual(digest(path), digest(self.tiles("all") / path.name))
         self.assertFalse((self.tiles("one") / "index.json").exists())
+
+    def test_an_interrupted_run_continues(self):
+        self.build("-o", "all", "--tiles=64")
+        files = sorted(p.name for p in self.tiles("all").iterdir())
+        self.assertEqual([name for name in files if name.startswith(".")], [])
+        run = Running(self.folder, "build", "cave.vug", "-o", "cut", "--tiles=64", "--threads", "1")
+        records = []
+        while run.process.poll() is None and len(records) < 3:
+            records = sorted(self.tiles("cut").glob(".cave_*.tile"))
+            time.sleep(0.01)
+        run.stop(signal.SIGKILL)
+        self.assertFalse((self.tiles("cut") / "index.json").exists(), "the run ended before it was killed")
+        # A damaged record, and one whose file is incomplete, do not count.
+        kept, damaged, incomplete = records[:3]
+        damaged.write_text(damaged.read_text()[:40])
+        file = self.tiles("cut") / next(iter(json.loads(incomplete.read_text())["files"]))
+        file.write_bytes(file.read_bytes()[:100])
+        first = {file: (self.tiles("cut") / file).stat().st_mtime_ns for file in json.loads(kept.read_text())["files"]}
+        said = self.build("-o", "cut", "--tiles=64").out
+        self.assertEqual(len(said.splitlines()), len(files))
+        self.assertEqual(sorted(p.name for p in self.tiles("cut").iterdir()), files)
+        for name in files:
+            self.assertEqual(digest(self.tiles("cut") / name), digest(self.tiles("all") / name), name)
+        for file, time in first.items():
+            if "vdb" in file:
+                self.assertEqual((self.tiles("cut") / file).stat().st_mtime_ns, time)
 
     def test_can_be_rebuilt_from_a_tile(self):
         self.write("cave.vug", SCENE.replace(" smallest_piece 50cm", ""))

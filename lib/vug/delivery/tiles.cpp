@@ -2,8 +2,10 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/building/memory_estimate.h>
+#include <vug/building/product_keys.h>
 #include <vug/building/rock_weights.h>
 #include <vug/building/tile_surface.h>
+#include <vug/delivery/tile_records.h>
 #include <vug/delivery/tiles.h>
 #include <vug/delivery/write_products.h>
 #include <vug/field/deferred.h>
@@ -44,12 +46,22 @@ std::string tile_name(const std::string& product, const Vec3i& tile) {
 Json numbers(const Vec3i& v) { return Json::array({v.x, v.y, v.z}); }
 Json numbers(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
 
+/// The digest of all that determines the bytes of the tiles of a volume and of the meshes on it.
+Digest key_of_tiles(const shot::Shot& shot, const shot::VolumePlan& volume, int edge) {
+  Digester out;
+  out(edge, shot.recipe, shot.draft, volume.name, building::level_set_key(volume));
+  for (const shot::MeshPtr& mesh : shot::declared_meshes(shot))
+    if (mesh->volume.get() == &volume)
+      out(mesh->name, mesh->format, building::surface_mesh_key(*mesh, shot.draft));
+  return out.finish();
+}
+
 /// A mesh whose tiles are being written.
 struct TiledMesh {
   const shot::MeshPlan& plan;
   meshing::TilePieces pieces = {};
-  std::vector<Path> files = {};
-  Json tiles = Json::array();
+  std::vector<std::string> records = {};  ///< The names of the records of its tiles.
+  Json tiles = Json::array();             ///< Its tiles in the index.
 };
 
 /// Writes the tiles of one volume and of the meshes on it.
@@ -61,7 +73,8 @@ class VolumeTiles {
         plan_(plan),
         folder_(std::move(folder)),
         options_(options),
-        voxelize_(building::voxelize_options(plan, builder.memory_budget())) {
+        voxelize_(building::voxelize_options(plan, builder.memory_budget())),
+        records_(folder_, key_of_tiles(builder.shot(), plan, options.edge)) {
     for (const shot::MeshPtr& mesh : shot::declared_meshes(builder.shot())) {
       if (mesh->volume.get() != &plan) continue;
       meshes_.push_back({*mesh});
@@ -137,7 +150,7 @@ class VolumeTiles {
     const auto part = outer.restricted_near({(from + to) * 0.5, (to - from).length() * 0.5}, limit);
     if (part.range.lo > limit) return;
     if (part.range.hi < -limit) return add_inside(low, high);
-    if (low == high) return write(low);
+    if (low == high) return add(low);
     int axis = 0;
     for (int i = 1; i < 3; ++i)
       if (high[i] - low[i] > high[axis] - low[axis]) axis = i;
@@ -152,8 +165,42 @@ class VolumeTiles {
     inside_.push_back({{"from", numbers(low)}, {"to", numbers(high)}});
   }
 
-  void write(const Vec3i& tile) {
+  /// Writes a tile, unless an interrupted run wrote it, and adds it to the index.
+  void add(const Vec3i& tile) {
+    const std::string name = tile_name(plan_.name, tile);
     const LatticeBox box = lattice_box(tile, options_.edge);
+    TileRecord record;
+    if (!options_.only.empty()) {
+      record = write(tile, box);
+    } else if (records_.read(name, record)) {
+      for (TiledMesh& mesh : meshes_) add_pieces_of_file(mesh, record, box);
+    } else {
+      record = write(tile, box);
+      records_.write(name, record);
+    }
+    for (const std::string& file : record.files) written_.push_back(folder_ / file);
+    if (record.content.contains("inside")) add_inside(tile, tile);
+    if (record.content.contains("volume")) tiles_.push_back(std::move(record.content["volume"]));
+    for (TiledMesh& mesh : meshes_) {
+      const auto found = record.content["meshes"].find(mesh.plan.name);
+      if (found == record.content["meshes"].end()) continue;
+      mesh.records.push_back(name);
+      mesh.tiles.push_back(std::move(*found));
+    }
+  }
+
+  void add_pieces_of_file(TiledMesh& mesh, const TileRecord& record, const LatticeBox& box) const {
+    const Json& written = record.content["meshes"];
+    if (mesh.plan.smallest_piece <= 0 || !written.contains(mesh.plan.name)) return;
+    meshing::TileMesh tile;
+    tile.mesh = mesh::read_mesh(folder_ / written[mesh.plan.name]["file"].get<std::string>());
+    tile.keys = meshing::keys_of_attribute(tile.mesh, box);
+    mesh.pieces.add(tile, box);
+  }
+
+  TileRecord write(const Vec3i& tile, const LatticeBox& box) {
+    TileRecord record;
+    record.content["meshes"] = Json::object();
     const Progress::Product product(builder_.progress(), tile_name(plan_.name, tile));
     volume::VoxelizeOptions options = voxelize_;
     options.tile = meshes_.empty() ? box : with_mesh_apron(box);
@@ -161,16 +208,18 @@ class VolumeTiles {
     const volume::LevelSet own = meshes_.empty() ? around : volume::cropped(around, box);
     const volume::Statistics statistics = own.statistics();
     if (statistics.active_voxels == 0) {
-      if (own.holds_solid()) add_inside(tile, tile);
+      if (own.holds_solid()) record.content["inside"] = true;
     } else {
-      const Path file = folder_ / (tile_name(plan_.name, tile) + ".vdb");
-      write_volume(file, tile, own);
-      tiles_.push_back({{"tile", numbers(tile)},
-                        {"file", file.filename().string()},
-                        {"active_voxels", statistics.active_voxels},
-                        {"content", own.content().hex()}});
+      const std::string file = tile_name(plan_.name, tile) + ".vdb";
+      write_volume(folder_ / file, tile, own);
+      record.files.push_back(file);
+      record.content["volume"] = {{"tile", numbers(tile)},
+                                  {"file", file},
+                                  {"active_voxels", statistics.active_voxels},
+                                  {"content", own.content().hex()}};
     }
-    for (TiledMesh& mesh : meshes_) write_mesh(mesh, tile, box, around);
+    for (TiledMesh& mesh : meshes_) write_mesh(mesh, tile, box, around, record);
+    return record;
   }
 
   void write_volume(const Path& file, const Vec3i& tile, const volume::LevelSet& own) {
@@ -180,12 +229,12 @@ class VolumeTiles {
     if (!plan_.fog)
       for (volume::Grid& grid : building::rock_grids(plan_, own, "", builder_.memory_budget()))
         grids.push_back(grid.with(notes));
+    require_writable(file);  // Removes what a killed run left.
     volume::write(file, grids, write_options(builder_.shot()));
-    written_.push_back(file);
   }
 
   void write_mesh(TiledMesh& mesh, const Vec3i& tile, const LatticeBox& box,
-                  const volume::LevelSet& around) {
+                  const volume::LevelSet& around, TileRecord& record) {
     shot::MeshPlan plan = mesh.plan;
     plan.polish = plan.polish && !builder_.shot().draft;
     meshing::TileMesh made =
@@ -194,10 +243,10 @@ class VolumeTiles {
     if (plan.smallest_piece > 0) mesh.pieces.add(made, box);
     meshing::add_key_attribute(made, box);
     const Path file = folder_ / fmt::format("{}.{}", tile_name(plan.name, tile), plan.format);
+    require_writable(file);
     mesh::write_mesh(made.mesh, file, mesh_comments(builder_.shot()));
-    written_.push_back(file);
-    mesh.files.push_back(file);
-    mesh.tiles.push_back(described(made.mesh, numbers(tile), file));
+    record.files.push_back(file.filename().string());
+    record.content["meshes"][plan.name] = described(made.mesh, numbers(tile), file);
   }
 
   static Json described(const mesh::Mesh& mesh, const Json& tile, const Path& file) {
@@ -215,15 +264,17 @@ class VolumeTiles {
     if (mesh.plan.smallest_piece > 0 && options_.only.empty()) {
       const meshing::TilePieces::Large large = mesh.pieces.large(mesh.plan.smallest_piece);
       removed = large.removed;
-      for (size_t i = 0; i < mesh.files.size(); ++i) {
+      for (size_t i = 0; i < mesh.tiles.size(); ++i) {
         const std::vector<char>& remains = large.remains[i];
         if (std::find(remains.begin(), remains.end(), 0) == remains.end()) continue;
-        mesh::Mesh whole = mesh::read_mesh(mesh.files[i]);
+        const Path file = folder_ / mesh.tiles[i]["file"].get<std::string>();
+        mesh::Mesh whole = mesh::read_mesh(file);
         const std::vector<uint32_t> component_of =
             mesh::face_components(whole, mesh::find_edges(whole));
         const mesh::Mesh kept = mesh::remaining(std::move(whole), component_of, remains);
-        mesh::write_mesh(kept, mesh.files[i], mesh_comments(builder_.shot()));
-        mesh.tiles[i] = described(kept, Json(mesh.tiles[i]["tile"]), mesh.files[i]);
+        records_.remove(mesh.records[i]);
+        mesh::write_mesh(kept, file, mesh_comments(builder_.shot()));
+        mesh.tiles[i] = described(kept, Json(mesh.tiles[i]["tile"]), file);
       }
     }
     return {{"name", mesh.plan.name},
@@ -237,6 +288,7 @@ class VolumeTiles {
   Path folder_;
   const TileOptions& options_;
   volume::VoxelizeOptions voxelize_;
+  TileRecords records_;
   field::Field field_;  ///< With the faces of the region.
   std::vector<TiledMesh> meshes_;
   Json tiles_ = Json::array(), inside_ = Json::array();
@@ -321,6 +373,7 @@ std::vector<Path> write_tiles(building::Builder& builder, const Path& folder,
                         {"seed", shot.seed},     {"recipe", shot.recipe}, {"edge", options.edge},
                         {"volumes", volumes},    {"meshes", meshes}};
   write_text(index, content.dump(1) + "\n");
+  remove_tile_records(target);
   written.push_back(index);
   return written;
 }

@@ -25,7 +25,8 @@ std::string obstacle_to_tiles(const shot::Shot& shot);
 /// (I, J, K) * edge to (I + 1, J + 1, K + 1) * edge - 1 of the lattice through the origin. Its
 /// files have the same bytes whichever tiles are written, but for pieces of meshes that are removed
 /// because of their size. Each triangle is in one tile. Vertices on borders have the same positions
-/// in all of their tiles, and the attribute `lattice_key`; see meshing/tile_mesh.h. Returns the
+/// in all of their tiles, and the attribute `lattice_key`; see meshing/tile_mesh.h. Tiles that an
+/// interrupted run of the same scene completed are not built again. Returns the
 /// paths in the order of writing. Error(bad_input) with an obstacle, or for tiles that do not
 /// exist; Error(too_large) if one tile exceeds the memory; Error(io).
 std::vector<std::filesystem::path> write_tiles(building::Builder& builder,

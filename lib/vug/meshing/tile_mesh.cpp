@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/base/error.h>
 #include <vug/mesh/weld.h>
 #include <vug/meshing/tile_mesh.h>
 
@@ -84,6 +85,23 @@ void add_key_attribute(TileMesh& tile, const volume::LatticeBox& box) {
     keys.values.push_back(static_cast<float>(key.number));
   }
   tile.mesh.attributes.push_back(std::move(keys));
+}
+
+LatticeKeys keys_of_attribute(const mesh::Mesh& mesh, const volume::LatticeBox& box) {
+  LatticeKeys out;
+  const mesh::Attribute* keys = mesh::find_attribute(mesh, kLatticeKey, 4);
+  if (!keys)
+    throw Error(ErrorCode::bad_input, "the mesh of a tile has no lattice_key", {},
+                "delete the folder of the tiles, and build them again");
+  out.vertices.reserve(mesh.positions.size());
+  for (size_t i = 0; i + 3 < keys->values.size(); i += 4) {
+    LatticeKey& key = out.vertices.emplace_back();
+    for (size_t axis = 0; axis < 3; ++axis)
+      key.cell[axis] =
+          static_cast<int32_t>(keys->values[i + axis]) + box.min[static_cast<int>(axis)];
+    key.number = static_cast<uint32_t>(keys->values[i + 3]);
+  }
+  return out;
 }
 
 }  // namespace vug::meshing

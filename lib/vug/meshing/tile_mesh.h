@@ -34,5 +34,7 @@ mesh::Mesh joined(const std::vector<TileMesh>& tiles);
 /// number.
 inline constexpr std::string_view kLatticeKey = "lattice_key";
 void add_key_attribute(TileMesh& tile, const volume::LatticeBox& box);
+/// The keys of the vertices of a mesh that has the attribute, without those of its polygons.
+LatticeKeys keys_of_attribute(const mesh::Mesh& mesh, const volume::LatticeBox& box);
 
 }  // namespace vug::meshing
