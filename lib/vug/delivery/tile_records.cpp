@@ -32,7 +32,8 @@ bool TileRecords::read(const std::string& name, TileRecord& record) const {
   const Json known = Json::parse(read_text(path), nullptr, false);
   if (!known.is_object() || known.value("key", "") != key_) return false;
   record = {known.value("content", Json::object()), {}};
-  for (const auto& [file, size] : known.value("files", Json::object()).items()) {
+  const Json files = known.value("files", Json::object());
+  for (const auto& [file, size] : files.items()) {
     if (size != size_of_file(folder_ / file)) return false;
     record.files.push_back(file);
   }
