@@ -123,9 +123,9 @@ class Tiles(VugTest):
         self.assertEqual(sorted(p.name for p in self.tiles("cut").iterdir()), files)
         for name in files:
             self.assertEqual(digest(self.tiles("cut") / name), digest(self.tiles("all") / name), name)
-        for file, time in first.items():
+        for file, modified in first.items():
             if "vdb" in file:
-                self.assertEqual((self.tiles("cut") / file).stat().st_mtime_ns, time)
+                self.assertEqual((self.tiles("cut") / file).stat().st_mtime_ns, modified)
 
     def test_can_be_rebuilt_from_a_tile(self):
         self.write("cave.vug", SCENE.replace(" smallest_piece 50cm", ""))

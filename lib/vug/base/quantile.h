@@ -8,8 +8,8 @@
 
 namespace vug {
 
-/// The value below which the fraction `share`, in 0..1, of the values lies: the element floor(share (n - 1)) of the
-/// sorted list. `values` must not be empty or contain NaN.
+/// The value below which the fraction `share`, in 0..1, of the values lies: the element floor(share
+/// (n - 1)) of the sorted list. `values` must not be empty or contain NaN.
 template <class T>
 T quantile(std::vector<T> values, double share) {
   const auto at =
