@@ -262,8 +262,15 @@ class Placement {
                      fmt::format("does not cover the network: it lies in {}, but the stations in "
                                  "{}{}",
                                  extent(whole_file()), place(to_, stations), in_file),
-                     "compare the coordinate systems and the fixed points of both");
+                     is_surveyed() ? "compare the coordinate systems and the fixed points of both"
+                                   : "keep the network within the file ('from' and 'to' of karst, "
+                                     "'at' of graph), or omit 'around': then the middle of the "
+                                     "file is the origin of the scene");
   }
+
+  /// Whether the network comes from a file, which has real coordinates. Other networks have those
+  /// of the scene text.
+  bool is_surveyed() const { return !options_.around->files.empty(); }
 
   void require_cover(const Box3d& cover, const Box3d& stations) const {
     if (stations.isEmpty()) return;

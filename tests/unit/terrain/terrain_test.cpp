@@ -29,6 +29,14 @@ class Terrains : public testing::Test {
     }
     return "";
   }
+  std::string hint_of(const TerrainOptions& options) {
+    try {
+      terrain(options);
+    } catch (const Error& error) {
+      return error.hint();
+    }
+    return "";
+  }
   std::filesystem::path write(const std::string& name, const GeoTiff& tiff) {
     tiff.write(folder_.file(name));
     return folder_.file(name);
@@ -229,6 +237,13 @@ TEST_F(Terrains, ReportsPlacesThatCannotMatch) {
   const auto far = network_at({kKnown[0].utm + Vec3d(9000, 0, 0)}, "UTM33N");
   const std::filesystem::path file = write("plane.tif", plane_file());
   EXPECT_NE(fault_of({.file = file, .around = far}).find("does not cover the network"),
+            std::string::npos);
+  EXPECT_NE(hint_of({.file = file, .around = far}).find("omit 'around'"), std::string::npos)
+      << "the network is not from a file";
+  auto surveyed = *far;
+  surveyed.files = {"cave.svx"};
+  EXPECT_NE(hint_of({.file = file, .around = std::make_shared<network::Network>(surveyed)})
+                .find("compare the coordinate systems"),
             std::string::npos);
   GeoTiff nowhere = plane_file();
   nowhere.epsg = 0;
