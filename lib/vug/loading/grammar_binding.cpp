@@ -136,12 +136,13 @@ grammar::Content Binder::step(const scene::Item& item, const scene::Rule& rule,
       std::any_of(item.clauses.begin(), item.clauses.end(),
                   [](const scene::Entry& clause) { return clause.key == kConnectClause; });
   for (const scene::Entry& clause : item.clauses) {
-    if (connects && !applies_to_connecting(clause.key))
+    const bool applies = applies_without_glue(clause.key);
+    if (connects && !applies)
       values_.fail(
           clause.where,
           fmt::format("'{}' has no effect on a shape that connects two places", clause.key),
           fmt::format("remove it, or remove '{}'", kConnectClause));
-    if (placed && !connects && !applies_to_placed(clause.key))
+    if (placed && !applies)
       values_.fail(
           clause.where,
           fmt::format("'{}' has no effect on a shape that is placed on a network", clause.key),

@@ -95,8 +95,7 @@ std::pair<std::string, std::string> two_names(const Given& given) {
 /// The shapes that a clause has an effect on.
 enum class Applies {
   to_all,
-  when_glued,     ///< Not on shapes that are placed on a network or connect two places.
-  unless_placed,  ///< Not on shapes that are placed on a network.
+  when_glued,  ///< Not on shapes that are placed on a network or connect two places.
 };
 
 struct Clause {
@@ -146,14 +145,14 @@ const std::vector<Clause>& clauses() {
        Applies::when_glued,
        [](const Given& g, ItemClauses& out) { out.step.heading.azimuths = azimuths(g); }},
       {option_info("within", "field", "solid that must contain the middle of each shape"),
-       Applies::unless_placed,
+       Applies::to_all,
        [](const Given& g, ItemClauses& out) {
          const auto* solid = g.value.object<field::Field>();
          g.expect(solid != nullptr, "a solid");
          out.step.limits.within = *solid;
        }},
       {option_info("apart", "length", "least distance to shapes that are not neighbours"),
-       Applies::unless_placed,
+       Applies::to_all,
        [](const Given& g, ItemClauses& out) {
          out.step.limits.apart =
              g.number(Dimension::length, 0, kInfinity, "a length of at least 0");
@@ -200,14 +199,9 @@ std::vector<ParamInfo> clause_infos() {
 
 bool is_clause(const std::string& name) { return find_clause(name) != nullptr; }
 
-bool applies_to_placed(const std::string& clause) {
+bool applies_without_glue(const std::string& clause) {
   const Clause* found = find_clause(clause);
   return !found || found->applies == Applies::to_all;
-}
-
-bool applies_to_connecting(const std::string& clause) {
-  const Clause* found = find_clause(clause);
-  return !found || found->applies != Applies::when_glued;
 }
 
 void read_clause(const scene::Entry& clause, RandomKey key, const scene::Scope& scope,

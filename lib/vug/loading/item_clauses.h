@@ -22,12 +22,9 @@ std::vector<ParamInfo> clause_infos();
 /// Whether there is a clause of that name.
 bool is_clause(const std::string& name);
 
-/// Whether a clause has an effect on a shape that is placed on a network: it does not describe how
-/// a shape is glued to another one.
-bool applies_to_placed(const std::string& clause);
-
-/// Whether a clause has an effect on a shape that connects two places.
-bool applies_to_connecting(const std::string& clause);
+/// Whether a clause has an effect on a shape that is placed on a network or connects two places: it
+/// does not describe how a shape is glued to another one.
+bool applies_without_glue(const std::string& clause);
 
 /// Reads one clause. Reports unknown names and unsuitable values.
 void read_clause(const scene::Entry& clause, RandomKey key, const scene::Scope& scope,

@@ -99,8 +99,7 @@ const Placement& Growth::apply(const ProductionStep& step, RandomKey key, int no
   } else if (step.connect) {
     connect(step, shape, placement);
   } else if (step.frame) {
-    placement.map = *step.frame;
-    place(step, transformed(shape, *step.frame), placement);
+    place_in_frame(step, transformed(shape, *step.frame), placement);
   } else if (!started_) {
     start(std::move(shape), placement);
   } else {
@@ -109,7 +108,9 @@ const Placement& Growth::apply(const ProductionStep& step, RandomKey key, int no
   if (!placement.effective && !placement.refused)
     diagnostics_.warning(step.where, to_string(step.operation) + " with '" + placement.shape +
                                          "' has no effect: " + placement.note);
-  if (adds(placement)) boxes_.add(static_cast<int>(placements_.size()), placement.field.bounds());
+  const auto index = static_cast<int>(placements_.size());
+  if (adds(placement)) boxes_.add(index, placement.field.bounds());
+  if (placement.in_frame && placement.effective) frame_boxes_.add(index, placement.field.bounds());
   placements_.push_back(std::move(placement));
   return placements_.back();
 }
@@ -121,6 +122,16 @@ void Growth::start(Shape shape, Placement& placement) {
   terms_ = {field_};
   bonds_.add(shape.bonds, size_of(field_));
   started_ = true;
+}
+
+void Growth::place_in_frame(const ProductionStep& step, const Shape& shape, Placement& placement) {
+  placement.map = *step.frame;
+  placement.field = shape.field;
+  placement.in_frame = true;
+  if (is_refused(step, placement))
+    placement.effective = false;
+  else
+    place(step, shape, placement);
 }
 
 void Growth::place(const ProductionStep& step, const Shape& shape, Placement& placement) {
@@ -214,7 +225,8 @@ bool Growth::is_refused(const ProductionStep& step, Placement& placement) const 
   const Limits& limits = step.limits;
   if (limits.within && limits.within->value(placement.middle()) > 0)
     placement.note = "its middle would be outside of 'within'";
-  else if (is_too_near(placement, {placements_, boxes_}, limits.apart))
+  else if (is_too_near(placement, {placements_, placement.in_frame ? frame_boxes_ : boxes_},
+                       limits.apart))
     placement.note = "it would be too near to another shape";
   else
     return false;

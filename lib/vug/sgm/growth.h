@@ -35,11 +35,12 @@ struct Placement {
   Transform map;               ///< From the shape's own space to its final position.
   field::Field field;          ///< The shape at its final position.
   double amount = 0;           ///< Amount of a morph, after the adjustment by the geology.
-  double press = 0;    ///< Distance by which it was pressed in after the label was made, metres.
-  Vec3d heading{0.0};  ///< The direction in which it continues the base, a unit vector; 0: none.
-  int owner = -1;      ///< Index of the placement to which it was glued; -1: none.
-  int other_end = -1;  ///< The placement that a connecting shape joins to `owner`; -1: none.
-  bool glued = false;  ///< base_bond and shape_bond made a label (before pressing).
+  double press = 0;       ///< Distance by which it was pressed in after the label was made, metres.
+  Vec3d heading{0.0};     ///< The direction in which it continues the base, a unit vector; 0: none.
+  bool in_frame = false;  ///< It was placed in a frame instead of being glued.
+  int owner = -1;         ///< Index of the placement to which it was glued; -1: none.
+  int other_end = -1;     ///< The placement that a connecting shape joins to `owner`; -1: none.
+  bool glued = false;     ///< base_bond and shape_bond made a label (before pressing).
   Bond base_bond, shape_bond;  ///< Both are consumed. Undefined unless glued.
   int base_bond_id = -1;       ///< Unique number of the base's bond.
   bool effective = true;       ///< False: the base is unchanged; `note` gives the reason.
@@ -63,10 +64,11 @@ struct Placement {
 /// unchanged. A production that breaks its step's limits is recorded with a note only.
 ///
 /// Steps with a frame are not glued: their shapes are placed, and get and consume no bonds. They
-/// take effect together, before the next glued production. So are steps that connect two places:
-/// their shapes extend from the middle of the last placement with the first name to that with the
-/// second; if the names are equal, from the last but one to the last. They are refused if one of
-/// these was refused, and not effective without these.
+/// take effect together, before the next glued production. They keep apart from each other, whether
+/// they are added or cut, but not from the solid that they dress. Steps that connect two places are
+/// placed, too: their shapes extend from the middle of the last placement with the first name to
+/// that with the second; if the names are equal, from the last but one to the last. They are
+/// refused if one of these was refused, and not effective without these.
 class Growth {
  public:
   explicit Growth(Options options = {});
@@ -84,6 +86,7 @@ class Growth {
   void start(Shape shape, Placement& placement);
   void glue(const ProductionStep& step, Shape shape, RandomKey key, Placement& placement);
   void place(const ProductionStep& step, const Shape& shape, Placement& placement);
+  void place_in_frame(const ProductionStep& step, const Shape& shape, Placement& placement);
   void connect(const ProductionStep& step, const Shape& shape, Placement& placement);
   /// Index of the last placement of a name before index `before`; -1: none.
   int last_named(const std::string& name, size_t before) const;
@@ -110,7 +113,8 @@ class Growth {
   } waiting_;
   BondPool bonds_;
   std::vector<Placement> placements_;
-  BoxIndex boxes_;  ///< Boxes of the placements whose shapes the base contains.
+  BoxIndex boxes_;        ///< Boxes of the placements whose shapes the base contains.
+  BoxIndex frame_boxes_;  ///< Boxes of the placements in a frame.
   Diagnostics diagnostics_;
 };
 

@@ -27,8 +27,9 @@ enum class Reach {
 /// A production whose shape would break a limit has no effect, without a warning.
 struct Limits {
   std::optional<field::Field> within;  ///< The middle of the shape must lie inside.
-  /// Least distance in metres to earlier shapes, except those in a chain of at most two bonds; it
-  /// is tested at the middle of the shape and at 26 points of its surface.
+  /// Least distance in metres to earlier shapes, except those in a chain of at most two bonds; of a
+  /// shape in a frame, to earlier ones in frames. It is tested at the middle of the shape and at 26
+  /// points of its surface.
   double apart = 0;
 };
 
@@ -52,7 +53,7 @@ struct ProductionStep {
   std::optional<Transform> frame;
   std::string name;  ///< The name of the place where the shape is; empty: none.
   Heading heading;   ///< Turns a glued shape.
-  Limits limits;     ///< Where a glued or connecting shape may be.
+  Limits limits;     ///< Where the shape may be.
   /// The names of the two places that the shape connects, instead of being glued or placed.
   std::optional<std::pair<std::string, std::string>> connect;
   SourceLocation where;  ///< Source location for messages.

@@ -116,6 +116,21 @@ TEST(Dressing, TheTreeShowsNamesAndShapesThatAreLeftOut) {
             "box name \"b\"; + sphere connect [\"a\", \"b\"]; ");
 }
 
+TEST(Dressing, LimitsOfTheGrammarHoldForPlacedShapes) {
+  const Loaded scene = scene_of(
+      "grammar dressed {\n  dress plan\n  apart 2m\n  within box(size: (100, 100, 100))\n"
+      "  Leg -> + sphere(1m) + sphere(1m).translate((2.5, 0, 0))\n"
+      "         + sphere(1m).translate((0, 5, 0)) + sphere(1m).translate((0, 90, 0))\n}\n"
+      "volume v = level_set(dressed, voxel: 50cm)\n");
+  ASSERT_EQ(scene.report(), "");
+  EXPECT_EQ(leaves_of(scene).rfind(
+                "+ sphere; + sphere (left out: it would be too near to another shape); + sphere; "
+                "+ sphere (left out: its middle would be outside of 'within'); ",
+                0),
+            0u)
+      << leaves_of(scene);
+}
+
 TEST(Dressing, ReportsFaults) {
   const auto problem = [](const std::string& lines) {
     return scene_of("grammar dressed {\n" + lines + "}\nvolume v = level_set(dressed, voxel: 1m)\n")

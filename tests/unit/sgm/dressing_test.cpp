@@ -105,6 +105,28 @@ TEST(Dressing, LimitsRefuseWithoutAWarning) {
   EXPECT_TRUE(growth.apply(step_of("sphere"), RandomKey(3)).effective) << "the bond is still free";
 }
 
+TEST(Dressing, LimitsHoldForShapesInFrames) {
+  Growth growth;
+  growth.apply(step_of("box"), RandomKey(1));
+  const auto placed = [&](double x, Operation operation = Operation::unite) {
+    ProductionStep step = step_of("sphere", operation);
+    step.frame = Transform::translation({x, 0, 0});
+    step.limits.apart = 1;
+    return growth.apply(step, RandomKey(2));
+  };
+  EXPECT_TRUE(placed(0).effective) << "the solid that is dressed does not count";
+  EXPECT_TRUE(placed(2.5).refused) << "the gap is 0.5 m";
+  EXPECT_TRUE(placed(3.5, Operation::subtract).effective);
+  EXPECT_TRUE(placed(6, Operation::subtract).refused) << "cuts keep apart, too";
+  EXPECT_TRUE(placed(7).effective);
+  ProductionStep outside = step_of("sphere");
+  outside.frame = Transform::translation({20, 0, 0});
+  outside.limits.within = field::make("sphere");
+  EXPECT_TRUE(growth.apply(outside, RandomKey(3)).refused);
+  EXPECT_GT(growth.field().value({20, 0, 0}), 0);
+  EXPECT_TRUE(growth.diagnostics().all().empty());
+}
+
 TEST(Dressing, ShapesKeepApartFromAllButTheirNeighbours) {
   Growth growth;
   growth.apply(step_of("sphere"), RandomKey(1));
