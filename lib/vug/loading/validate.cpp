@@ -118,6 +118,35 @@ void warn_about_dark_portals(const shot::Shot& shot, const scene::Document& docu
           "a portal emits no light itself: declare a sky, as light NAME = daylight()");
 }
 
+/// Whether an expression calls a kind, itself or through the names of lets, which have no cycles in
+/// a scene without errors.
+bool calls(const scene::Expr& expr, const std::string& kind, const scene::Document& document) {
+  if (expr.kind == scene::ExprKind::call && expr.text == kind) return true;
+  if (expr.kind == scene::ExprKind::name)
+    if (const scene::Let* let = document.find_let(full_name(expr)); let && let->value)
+      return calls(*let->value, kind, document);
+  return std::any_of(expr.operands.begin(), expr.operands.end(), [&](const scene::Operand& each) {
+    return each.value && calls(*each.value, kind, document);
+  });
+}
+
+/// Warns about more lights along a network than a picture needs.
+void warn_about_long_rows(const shot::Shot& shot, const scene::Document& document,
+                          Diagnostics& diagnostics) {
+  constexpr std::ptrdiff_t kLongRow = 200;
+  for (const scene::Declaration& row : document.declarations) {
+    if (row.kind != "light" || !row.loop || !calls(*row.loop, "along", document)) continue;
+    const auto count =
+        std::count_if(shot.lights.begin(), shot.lights.end(), [&](const auto& named) {
+          return named.first != row.name && scene::name_without_index(named.first) == row.name;
+        });
+    if (count > kLongRow)
+      diagnostics.warning(row.where, fmt::format("'{}' is a row of {} lights", row.name, count),
+                          "give 'along' a larger 'spacing', or of: part(...) of the network, if "
+                          "fewer are enough");
+  }
+}
+
 }  // namespace
 
 bool is_linkable(const shot::Shot& shot, const std::string& name) {
@@ -207,6 +236,7 @@ void validate(const shot::Shot& shot, const scene::Document& document, Diagnosti
   check_selections(shot, document, whole, diagnostics);
   if (!whole) return;
   warn_about_dark_portals(shot, document, diagnostics);
+  warn_about_long_rows(shot, document, diagnostics);
   for (const shot::RenderPlan& plan : shot.renders) {
     warn_about_unused_exposure(plan, document, diagnostics);
     report_entry("layers", plan, document, diagnostics, [&] { expected_aovs(shot, plan); });

@@ -28,6 +28,24 @@ TEST(NetworkDeclaration, StationsArePointsOfCamerasAndLights) {
   EXPECT_EQ(scene.shot.lights[2].first, "lamp[2]");
 }
 
+TEST(NetworkDeclaration, WarnsAboutLongRowsOfLights) {
+  const auto report = [](const std::string& spacing) {
+    return scene_of("light row[p in along(of: plan, spacing: " + spacing +
+                    ")] = sphere(center: p, radius: 2cm)\n")
+        .report();
+  };
+  EXPECT_EQ(report("20cm"), "");  // About 127 lights.
+  EXPECT_NE(report("10cm").find("t.vug:4:7: warning: 'row' is a row of 254 lights"),
+            std::string::npos)
+      << report("10cm");
+  EXPECT_NE(report("10cm").find("larger 'spacing'"), std::string::npos);
+  EXPECT_NE(scene_of("let points = along(of: plan, spacing: 10cm)\n"
+                     "light row[p in points] = sphere(center: p, radius: 2cm)\n")
+                .report()
+                .find("a row of 254 lights"),
+            std::string::npos);
+}
+
 TEST(NetworkDeclaration, ReportsFaultsOfGraphs) {
   const auto problem = [](const std::string& arguments) {
     return load_text("network plan = graph(" + arguments + ")\n", "t.vug", {}).report();
