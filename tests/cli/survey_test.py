@@ -83,8 +83,25 @@ class Survey(VugTest):
         self.assertEqual(len(lines), 5)
         listed = json.loads(self.expect(0, "survey", "two.vug", "--stations", "--network", "real", "--json").out)
         self.assertEqual(listed[0], {"name": "cave.1", "equated": [], "position": [10, 20, 0], "flags": ["entrance"]})
-        self.assertIn("--stations", self.expect(2, "survey", "two.vug").err)
         self.assertIn("'none'", self.expect(2, "survey", "two.vug", "--stations", "--network", "none").err)
+
+    def test_the_network_of_a_scene_is_a_survey(self):
+        (self.folder / "two.vug").write_text("param far = 18m\n" + SCENE.replace("(18,", "(far,") +
+                                             'network real = survey(file: "cave.svx")\n')
+        self.expect(0, "survey", "two.vug", "-D", "far=28m", "--plan", "plan.svg", "--elevation", "side.svg", "-o", "a.svx")
+        for name in ("plan", "side"):
+            root = xml.etree.ElementTree.parse(self.folder / f"{name}.svg").getroot()
+            self.assertGreaterEqual(len(root.findall("{http://www.w3.org/2000/svg}line")), 3)
+        self.expect(0, "survey", "two.vug", "--network", "plan", "-o", "b.3d")
+        for file, length in (("a.svx", 39.12), ("b.3d", 29.27)):
+            report = json.loads(self.expect(0, "survey", file, "--json").out)
+            self.assertEqual((report["title"], report["stations"], report["legs"]), ("plan of two", 4, 3))
+            self.assertGreaterEqual(report["cross_sections"], 4)
+            self.assertAlmostEqual(report["length"]["measured"], length, delta=0.05)
+        real = json.loads(self.expect(0, "survey", "two.vug", "--network", "real", "--json").out)
+        self.assertEqual((real["title"], real["legs"], real["loops"]), ("real of two", 6, 1))
+        self.assertIn("--network requires a scene", self.expect(2, "survey", "cave.svx", "--network", "plan").err)
+        self.assertIn("-D requires a scene", self.expect(2, "survey", "cave.svx", "-D", "a=1").err)
 
     def test_drawings(self):
         self.expect(0, "survey", "cave.svx", "--plan", "out/plan.svg", "--elevation", "out/side.svg")

@@ -2,10 +2,12 @@
 #include "network_stations.h"
 
 #include "print.h"
-#include "scene_options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <vug/base/atomic_file.h>
+#include <vug/loading/dependencies.h>
+#include <vug/network/from_survey.h>
 #include <vug/shot/queries.h>
 #include <nlohmann/json.hpp>
 
@@ -34,10 +36,18 @@ nlohmann::ordered_json stations_json(const network::Network& network) {
 
 }  // namespace
 
-void print_network_stations(const std::string& scene, const std::string& network, bool json) {
-  SceneOptions options;
-  options.scene = scene;
-  const loading::Loaded loaded = options.load();
+survey::Survey network_survey(const SceneOptions& scene, const std::string& network,
+                              const std::vector<std::filesystem::path>& outputs) {
+  const loading::Loaded loaded = scene.load();
+  require_outputs(outputs, loading::file_dependencies(loaded));
+  const shot::NetworkPlan& plan = shot::find_network(loaded.shot, network);
+  survey::Survey survey = network::to_survey(*plan.network);
+  survey.title = fmt::format("{} of {}", plan.name, loaded.shot.name);
+  return survey;
+}
+
+void print_network_stations(const SceneOptions& scene, const std::string& network, bool json) {
+  const loading::Loaded loaded = scene.load();
   const network::Network& found = *shot::find_network(loaded.shot, network).network;
   if (json) return print_report(stations_json(found), true);
   fmt::print("{:>10}{:>10}{:>10}  name\n", "x", "y", "z");

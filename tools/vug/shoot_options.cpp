@@ -84,12 +84,12 @@ void ShootOptions::add_to(CLI::App& app, CLI::Option* file) {
       ->transform(number_in(Dimension::length, 0.01, 1e6));
   option(app.add_option("--splays", simulation.splays, "Splays at each station; default 24"))
       ->check(integer_in(0, 1000));
-  option(app.add_option("-D", scene.defines, "NAME=VALUE: value of a parameter of the scene"))
+  app.add_option("-D", scene.defines, "NAME=VALUE: value of a parameter of the scene")
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
-  option(app.add_option("--seed", scene.seed,
-                        "Seed that replaces the scene's own, also for the splays"))
+  app.add_option("--seed", scene.seed,
+                 "Seed that replaces the scene's own, with --shoot also for the splays")
       ->check(seed_number());
 }
 

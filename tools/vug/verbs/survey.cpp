@@ -26,15 +26,34 @@ struct SurveyOptions {
   ShootOptions shoot;
 };
 
-/// Reads or shoots the survey, and refuses outputs that would overwrite its files.
+bool is_scene(const std::string& file) { return extension_of(file) == ".vug"; }
+
+/// The scene whose network is surveyed without walls.
+SceneOptions scene_of(const SurveyOptions& options) {
+  SceneOptions scene = options.shoot.scene;
+  scene.scene = options.file;
+  return scene;
+}
+
+/// Refuses options of scenes for other files.
+void require_scene_options(const SurveyOptions& options) {
+  const SceneOptions& scene = options.shoot.scene;
+  if (options.shoot.given() || is_scene(options.file)) return;
+  const char* option = !options.network.empty() ? "--network"
+                       : !scene.defines.empty() ? "-D"
+                       : scene.seed             ? "--seed"
+                                                : nullptr;
+  if (option)
+    throw Error(ErrorCode::bad_input, fmt::format("{} requires a scene, a .vug file", option), {},
+                "omit it, or give a scene instead of the survey");
+}
+
+/// Reads or shoots the survey, or takes it from the network of a scene, and refuses outputs that
+/// would overwrite its files.
 survey::Survey read_or_shoot(const SurveyOptions& options,
                              const std::vector<std::filesystem::path>& outputs) {
   if (options.shoot.given()) return options.shoot.survey(outputs);
-  if (extension_of(options.file) == ".vug")
-    throw Error(ErrorCode::bad_input, fmt::format("'{}' is a scene, not a survey", options.file),
-                {},
-                "vug survey --shoot SCENE surveys its passages, and vug survey SCENE --stations "
-                "lists the stations of its network");
+  if (is_scene(options.file)) return network_survey(scene_of(options), options.network, outputs);
   if (network::is_dat_name(options.file))
     throw Error(ErrorCode::bad_input,
                 fmt::format("'{}' is a network of karst research, not a survey", options.file), {},
@@ -65,8 +84,9 @@ int run_survey(const SurveyOptions& options) {
   if (options.file.empty() && !options.shoot.given())
     throw Error(ErrorCode::bad_input, "the survey is missing", {},
                 "write vug survey FILE, or vug survey --shoot SCENE --along NETWORK");
-  if (options.stations && extension_of(options.file) == ".vug") {
-    print_network_stations(options.file, options.network, options.json);
+  require_scene_options(options);
+  if (options.stations && is_scene(options.file)) {
+    print_network_stations(scene_of(options), options.network, options.json);
     return kDone;
   }
   std::vector<std::filesystem::path> outputs;
@@ -97,22 +117,22 @@ int run_survey(const SurveyOptions& options) {
 Verb survey_verb() {
   return {
       "survey",
-      "Reads a cave survey and closes its loops, or surveys the passages of a scene, and reports, "
-      "draws or converts it.",
+      "Reads a cave survey and closes its loops, or takes the network of a scene or surveys its "
+      "passages, and reports, draws or converts it.",
       [](CLI::App& app) {
         auto options = std::make_shared<SurveyOptions>();
-        CLI::Option* file =
-            app.add_option("file", options->file,
-                           "Survey in a format of Survex, Therion, Compass, Walls or PocketTopo");
+        CLI::Option* file = app.add_option(
+            "file", options->file,
+            "Survey in a format of Survex, Therion, Compass, Walls or PocketTopo, or "
+            "a scene, a .vug file, whose network is taken as it is");
         options->shoot.add_to(app, file);
         app.add_flag("--json", options->json, "Machine-readable output");
-        CLI::Option* stations = app.add_flag(
+        app.add_flag(
             "--stations", options->stations,
             "List the stations with their coordinates instead of the report; of a scene, those of "
             "a network in the space of the scene");
         app.add_option("--network", options->network,
-                       "Network of a scene whose stations are listed; default the first")
-            ->needs(stations);
+                       "Network of a scene that is reported, drawn or listed; default the first");
         app.add_option("--plan", options->plan, "SVG file for a drawing of the plan");
         app.add_option("--elevation", options->elevation,
                        "SVG file for a drawing of the extended elevation");
