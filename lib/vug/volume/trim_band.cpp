@@ -57,6 +57,23 @@ uint64_t dilated_along(uint64_t before, uint64_t own, uint64_t after) {
   return up | down | low | high;
 }
 
+/// The marks of a leaf within `kReach` lattice steps of its own marks.
+template <int kReach>
+LeafBits dilated_own(const LeafBits& bits) {
+  constexpr int kSize = 8 + 2 * kReach;
+  uint64_t words[kSize] = {};  // Word 0 is x = -kReach.
+  for (int x = 0; x < 8; ++x) {
+    const uint64_t along_z = dilated_along<2, kReach>(0, bits[static_cast<size_t>(x)], 0);
+    words[x + kReach] = dilated_along<1, kReach>(0, along_z, 0);
+  }
+  each_window(1 + 2 * kReach, [&](int by) {
+    for (int x = 0; x + by < kSize; ++x) words[x] |= words[x + by];
+  });
+  LeafBits out;
+  std::copy_n(words, 8, out.begin());
+  return out;
+}
+
 /// Marks within `kReach` lattice steps of a leaf's voxels, gathered from it and its 26 neighbours.
 template <int kReach>
 class Neighbourhood {
@@ -117,10 +134,10 @@ void trim_near(openvdb::FloatGrid& grid) {
   const SurfaceMarks marks = surface_marks(grid.tree());
   keep(grid, marks.leaves, [&](size_t n, LeafFinder& find) {
     const Leaf& leaf = *marks.leaves[n];
+    const LeafBits own = dilated_own<kReach>(marks.bits[n]);
+    if (covers(own, leaf)) return own;
     Neighbourhood<kReach> around;
     around.add(marks.bits[n], 0, 0, 0);
-    const LeafBits own = around.dilated();
-    if (covers(own, leaf)) return own;
     for (int side = 0; side < 27; ++side) {
       const int x = side / 9 - 1, y = side / 3 % 3 - 1, z = side % 3 - 1;
       if (side == 13) continue;  // The leaf itself.
