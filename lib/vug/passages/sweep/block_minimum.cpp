@@ -155,11 +155,16 @@ void find_minimum_with_joints(const BlockTask& task, const NearSegments& near,
   std::vector<Duals> arms;
   for (uint32_t i = 0; i < near.set.arms; ++i) arms.emplace_back(room());
   find_minimum<Dual<Pack>>(task, near, least, arms.data());
+  const Pack far(kFar);
   for (size_t run = 0; run < kRuns; ++run) {
     Dual<Pack> value = dual_at(least, run);
     for (const Joint& joint : near.set.joints) {
+      const Dual<Pack> a = dual_at(arms[joint.a], run), b = dual_at(arms[joint.b], run);
       const field::Blend blend{field::Profile::smooth, joint.radius};
-      value = min(value, blend.smin(dual_at(arms[joint.a], run), dual_at(arms[joint.b], run)));
+      // Operands that differ by more than the radius do not blend, and most runs have one arm.
+      const bool blends =
+          any(abs(a.v - b.v) < Pack(1.001 * joint.radius)) && any(min(a.v, b.v) < far);
+      value = min(value, blends ? blend.smin(a, b) : min(a, b));
     }
     const FirstOrder first = field::first_order_of(value);
     out.values[run] = first.value;

@@ -19,7 +19,7 @@ struct BlockTask {
   field::Scratch& scratch;
 };
 
-/// The results of NearSurface::first_order for the segments of a set.
+/// The results of NearSurface::first_order for the segments of a set, which needs no links.
 field::BlockRange first_order_minimum(const BlockTask& task, const ActiveSet& set,
                                       const field::FirstOrderRuns& out);
 

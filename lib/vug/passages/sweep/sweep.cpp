@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <type_traits>
 #include <utility>
 
@@ -78,7 +79,7 @@ class SweepNode final : public field::EvaluationModes<SweepNode>,
 
   template <class T>
   T at(const Point<T>& p) const {
-    return many_ ? at(p, parts_->bvh.nearest(centre_of(p))) : evaluate(*parts_, active_, p);
+    return many_ ? at(p, parts_->bvh.nearest(centre_of(p))) : evaluate(*parts_, linked(), p);
   }
   /// The value of the whole, given the segment with the least value at the point.
   template <class T>
@@ -104,7 +105,7 @@ class SweepNode final : public field::EvaluationModes<SweepNode>,
 
   template <class T>
   void fill(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const {
-    if (!many_) return evaluate(*parts_, active_, points, count, out, scratch);
+    if (!many_) return evaluate(*parts_, linked(), points, count, out, scratch);
     fill_near(points, count, out, scratch);
   }
 
@@ -122,6 +123,12 @@ class SweepNode final : public field::EvaluationModes<SweepNode>,
   }
 
  private:
+  /// The active set with its links, which are found when they are needed: nodes that are only
+  /// restricted further, or evaluated in blocks, do not need them.
+  const ActiveSet& linked() const {
+    std::call_once(linking_, [&] { link(*parts_, active_); });
+    return active_;
+  }
   static Vec3d centre_of(const Point<double>& p) { return field::vector(p); }
   static Vec3d centre_of(const Point<Dual<double>>& p) { return {p.x.v, p.y.v, p.z.v}; }
 
@@ -138,7 +145,8 @@ class SweepNode final : public field::EvaluationModes<SweepNode>,
   void fill_near(const Point<Pack>* points, int count, T* out, field::Scratch& scratch) const;
 
   PartsPtr parts_;
-  ActiveSet active_;  // Empty for the whole sweep.
+  mutable ActiveSet active_;  // Empty for the whole sweep.
+  mutable std::once_flag linking_;
   bool whole_ = false;
   bool many_ = false;  // Points are evaluated with the BVH.
 };
@@ -187,7 +195,6 @@ field::Restriction SweepNode::restrict_to(const Ball& ball) const {
   ActiveSet active;
   active.reserve(count);
   lower.append_below(highest, active);
-  link(*parts_, active);
   return {range, std::make_shared<SweepNode>(traits(), parts_, std::move(active))};
 }
 
@@ -218,7 +225,6 @@ field::Restriction SweepNode::restrict_near(const Ball& ball, double limit) cons
   ActiveSet active;
   active.reserve(count);
   lower.append_near(most, active);
-  link(*parts_, active);
   return {range, std::make_shared<SweepNode>(traits(), parts_, std::move(active))};
 }
 
@@ -232,7 +238,7 @@ field::BlockRange SweepNode::first_order(const field::LatticeBlock& block, doubl
   near.segments.clear();
   parts_->bvh.collect(ball.centre, limit_with_fillet(most, parts_->widest_joint),
                       parts_->sweep.segments.size(), near.segments);
-  complete(*parts_, near);
+  fill_capsules(*parts_, near);
   return first_order_minimum({*parts_, block, limit, scratch}, near, out);
 }
 
