@@ -26,7 +26,7 @@ struct SurveyOptions {
   ShootOptions shoot;
 };
 
-bool is_scene(const std::string& file) { return extension_of(file) == ".vug"; }
+bool is_scene_file(const std::string& file) { return extension_of(file) == ".vug"; }
 
 /// The scene whose network is surveyed without walls.
 SceneOptions scene_of(const SurveyOptions& options) {
@@ -38,7 +38,7 @@ SceneOptions scene_of(const SurveyOptions& options) {
 /// Refuses options of scenes for other files.
 void require_scene_options(const SurveyOptions& options) {
   const SceneOptions& scene = options.shoot.scene;
-  if (options.shoot.given() || is_scene(options.file)) return;
+  if (options.shoot.given() || is_scene_file(options.file)) return;
   const char* option = !options.network.empty() ? "--network"
                        : !scene.defines.empty() ? "-D"
                        : scene.seed             ? "--seed"
@@ -53,7 +53,8 @@ void require_scene_options(const SurveyOptions& options) {
 survey::Survey read_or_shoot(const SurveyOptions& options,
                              const std::vector<std::filesystem::path>& outputs) {
   if (options.shoot.given()) return options.shoot.survey(outputs);
-  if (is_scene(options.file)) return network_survey(scene_of(options), options.network, outputs);
+  if (is_scene_file(options.file))
+    return network_survey(scene_of(options), options.network, outputs);
   if (network::is_dat_name(options.file))
     throw Error(ErrorCode::bad_input,
                 fmt::format("'{}' is a network of karst research, not a survey", options.file), {},
@@ -85,7 +86,7 @@ int run_survey(const SurveyOptions& options) {
     throw Error(ErrorCode::bad_input, "the survey is missing", {},
                 "write vug survey FILE, or vug survey --shoot SCENE --along NETWORK");
   require_scene_options(options);
-  if (options.stations && is_scene(options.file)) {
+  if (options.stations && is_scene_file(options.file)) {
     print_network_stations(scene_of(options), options.network, options.json);
     return kDone;
   }
