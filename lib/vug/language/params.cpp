@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/language/number_literal.h>
 #include <vug/language/params.h>
 #include <vug/language/position.h>
 #include <vug/scene/evaluator.h>
@@ -17,16 +18,6 @@ constexpr int kMaxDecimals = 9;
 
 bool is_whole_number(const std::string& text) {
   return !text.empty() && text.find_first_not_of("-0123456789") == std::string::npos;
-}
-
-/// The number with that many decimals at most, without zeros at its end.
-std::string with_decimals(double value, int decimals) {
-  std::string out = fmt::format("{:.{}f}", value, decimals);
-  if (out.find('.') != std::string::npos) {
-    out.erase(out.find_last_not_of('0') + 1);
-    if (out.back() == '.') out.pop_back();
-  }
-  return out == "-0" ? "0" : out;
 }
 
 double number_in(const Value& value) { return value.get<Number>()->value; }
@@ -71,7 +62,7 @@ std::vector<ParamSetting> params_of(const Analysis& analysis) {
 std::string slider_text(const ParamSetting& param, double fraction) {
   const double low = number_in(param.low), high = number_in(param.high);
   const double value = low + std::clamp(fraction, 0.0, 1.0) * (high - low);
-  if (param.whole) return with_decimals(std::round(value), 0);
+  if (param.whole) return decimal_text(std::round(value), 0);
   const std::string unit_name = param.text.substr(unit_begin(param.text));
   const Number* now = param.value.get<Number>();
   const std::optional<Number> unit =
@@ -80,7 +71,7 @@ std::string slider_text(const ParamSetting& param, double fraction) {
     return quantity_text(value, now->dimension);
   const double step = (high - low) / kSliderSteps / unit->value;
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 0, kMaxDecimals);
-  return with_decimals(value / unit->value, decimals) + unit_name;
+  return decimal_text(value / unit->value, decimals) + unit_name;
 }
 
 }  // namespace vug::language
