@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/image/io.h>
-#include <vug/image/ocio_view.h>
-#include <vug/picture/exposure.h>
 #include <vug/viewport/preview_renderer.h>
 
 #include <algorithm>
@@ -18,13 +16,12 @@ constexpr int kPlainSamples = 16;
 
 int divided(int size, int divider) { return std::max(1, size / divider); }
 
-image::ViewOptions display_of(const image::Image& image, Mode mode,
-                              const picture::PictureOutput& output) {
-  if (mode != Mode::path) return image::plain_view();
-  image::ViewOptions view = image::view_options(output.view(), output.settings.working_space);
-  view.exposure = picture::exposure_stops(output.settings, image);
-  view.dither = false;
-  return view;
+std::vector<uint8_t> codes_of(const Preview& picture) {
+  const picture::PictureOutput& output = picture.scene.scene->job.output;
+  return image::display_codes(*picture.light,
+                              picture.mode == Mode::path
+                                  ? view_options(picture.display, output, *picture.light)
+                                  : image::plain_view());
 }
 
 }  // namespace
@@ -68,6 +65,7 @@ render::Options PreviewRenderer::options(const PreviewRequest& request,
   if (const auto preview = preview_integrator(request.mode, step.occlusion)) {
     out.integrator = preview;
     out.openings = false;
+    out.bright_edges = false;
     out.spp = kPlainSamples;
   }
   return out;
@@ -93,19 +91,27 @@ Preview PreviewRenderer::render(const PreviewRequest& request, const PreviewStep
   const render::PreparedRender& prepared = session_.prepared(progress);
   const auto begin = std::chrono::steady_clock::now();
   session_.proceed(static_cast<uint32_t>(step.samples), progress);
-  const image::Image image = session_.image();
   Preview out;
-  out.width = image.width, out.height = image.height;
-  out.rgb = image::display_codes(image, display_of(image, request.mode, scene_->job.output));
+  out.light = std::make_shared<const image::Image>(session_.image());
+  out.width = out.light->width, out.height = out.light->height;
   if (step.samples == 1) {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    seconds_per_pixel_ = taken.count() / static_cast<double>(image.pixel_count());
+    seconds_per_pixel_ = taken.count() / static_cast<double>(out.light->pixel_count());
   }
   out.mode = request.mode;
+  out.display = request.display;
   out.view = request.view.value_or(scene_->home);
   out.samples = step.samples;
   out.complete = last;
   out.scene = {scene_, prepared.world, own, static_cast<double>(request.width) / request.height};
+  out.rgb = codes_of(out);
+  return out;
+}
+
+Preview PreviewRenderer::displayed(const Preview& picture, const DisplayChoice& display) {
+  Preview out = picture;
+  out.display = display;
+  out.rgb = codes_of(out);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vug/render/session.h>
+#include <vug/viewport/display_choice.h>
 #include <vug/viewport/pick.h>
 #include <vug/viewport/preview_modes.h>
 
@@ -15,6 +16,8 @@ namespace vug::viewport {
 struct Preview {
   int width = 0, height = 0;  ///< Its pixels; fewer than the viewport while it is coarse.
   std::vector<uint8_t> rgb;   ///< Display values (sRGB), row by row from the top.
+  std::shared_ptr<const image::Image> light;  ///< The linear values behind them.
+  DisplayChoice display;
   Mode mode = Mode::clay;
   View view;
   int samples = 0;        ///< Per pixel.
@@ -27,8 +30,14 @@ struct PreviewRequest {
   std::optional<View> view;  ///< None: the camera of the text.
   Mode mode = Mode::clay;
   int width = 320, height = 180;
+  DisplayChoice display = {};
 
   bool operator==(const PreviewRequest&) const = default;
+  /// Whether both have the same samples: only their displays differ.
+  bool same_samples(const PreviewRequest& other) const {
+    return view == other.view && mode == other.mode && width == other.width &&
+           height == other.height;
+  }
 };
 
 /// A step of refinement.
@@ -54,6 +63,9 @@ class PreviewRenderer {
   /// Throws as render::Session::proceed does; after Error(cancelled) it can be called again.
   Preview render(const PreviewRequest& request, const PreviewStep& step, bool last,
                  Progress& progress = Progress::none());
+
+  /// The picture with another display, from the same samples.
+  static Preview displayed(const Preview& picture, const DisplayChoice& display);
 
   const render::SessionCounters& counters() const { return session_.counters(); }
 

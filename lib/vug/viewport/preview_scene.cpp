@@ -80,9 +80,9 @@ PreviewScene build_preview(LiveText& text, const picture::PictureOptions& option
   plan.render.settings.crop = {};
   PreviewScene out;
   out.job = picture::prepare_picture(text.builder(), plan, true);
-  out.job.options.bright_edges = false;
   out.camera = picture::camera_name(shot, plan.render);
   out.declared = declarations_of(text.loaded());
+  out.gizmos = gizmos_of(text.loaded());
   for (const render::Object& object : out.job.scene.objects)
     out.bounds.extendBy(render::object_bounds(object));
   const auto aspect = static_cast<double>(out.job.options.width) / out.job.options.height;

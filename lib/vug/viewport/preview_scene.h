@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vug/picture/render_job.h>
+#include <vug/viewport/gizmo.h>
 #include <vug/viewport/live_text.h>
 #include <vug/viewport/view.h>
 
@@ -28,7 +29,8 @@ struct PreviewScene {
   /// The declarations of each object or place of the shot: itself, then its mesh, cells, volume and
   /// material.
   std::map<std::string, std::vector<DeclaredPlace>> declared;
-  Box3d bounds;  ///< The box around all objects.
+  std::vector<Gizmo> gizmos;  ///< Lights and cameras.
+  Box3d bounds;               ///< The box around all objects.
 };
 using PreviewScenePtr = std::shared_ptr<const PreviewScene>;
 

@@ -85,6 +85,23 @@ void Viewport::set_size(int width, int height) {
   request_picture();
 }
 
+void Viewport::set_display(const DisplayChoice& display) {
+  request_.display = display;
+  request_picture();
+}
+
+void Viewport::set_paused(bool paused) {
+  update([&](ViewportStatus& status) {
+    if (status.paused == paused) return;
+    status.paused = paused;
+    if (paused && refining_) render_->cancel();
+    if (paused) return;
+    ++requests_;
+    status.rendering = scene_ != nullptr;
+    status.stopped = false;
+  });
+}
+
 void Viewport::request_picture() {
   update([&](ViewportStatus& status) {
     if (shown_ == request_ && requests_ > 0) return;
@@ -197,7 +214,7 @@ void Viewport::build_texts() {
   }
 }
 
-void Viewport::publish(Preview picture, size_t trees) {
+void Viewport::publish(Preview picture, const render::SessionCounters& counters) {
   std::optional<View> home;
   if (picture.view == picture.scene.scene->home)
     home = with_surface_target(picture.view, picture.scene);
@@ -205,7 +222,8 @@ void Viewport::publish(Preview picture, size_t trees) {
   update([&](ViewportStatus& status) {
     status.picture = shared;
     ++status.counters.pictures;
-    status.counters.trees = trees;
+    status.counters.trees = counters.trees.built;
+    status.counters.samples = counters.samples;
     if (home && scene_ == shared->scene.scene) home_ = home;
   });
 }
@@ -214,6 +232,10 @@ void Viewport::render_pictures() {
   PreviewRenderer renderer;
   PreviewScenePtr known;
   uint64_t done = 0;
+  // The steps for the last request whose samples differ from those before it, and the next of them.
+  std::optional<PreviewRequest> rendered;
+  std::vector<PreviewStep> steps;
+  size_t next = 0;
   while (true) {
     PreviewRequest request;
     PreviewScenePtr scene;
@@ -233,14 +255,24 @@ void Viewport::render_pictures() {
     }
     if (notify_) notify_();
     try {
+      const bool continues = scene == known && next > 0 && rendered->same_samples(request);
       if (scene != known) renderer.set_scene(known = scene);
-      const std::vector<PreviewStep> steps = renderer.steps(request);
-      for (size_t i = 0; i < steps.size(); ++i) {
-        publish(renderer.render(request, steps[i], i + 1 == steps.size(), *progress),
-                renderer.counters().trees.built);
-        const std::lock_guard lock(mutex_);
-        if (requests_ != done) break;  // the coarse picture is complete: now to the next request
-        refining_ = true;
+      if (!continues) {
+        rendered = request;
+        steps = renderer.steps(request);
+        next = 0;
+      } else if (const PreviewPtr last = status().picture; last->display != request.display) {
+        publish(PreviewRenderer::displayed(*last, request.display), renderer.counters());
+      }
+      while (next < steps.size()) {
+        {
+          const std::lock_guard lock(mutex_);
+          if (next > 0 && (requests_ != done || status_.paused)) break;
+          refining_ = next > 0;
+        }
+        publish(renderer.render(request, steps[next], next + 1 == steps.size(), *progress),
+                renderer.counters());
+        ++next;
       }
     } catch (const Error& error) {
       if (error.code() == ErrorCode::cancelled) continue;

@@ -27,7 +27,8 @@ struct ViewportCounters {
   size_t scenes = 0;    ///< Texts whose products were built.
   size_t products = 0;  ///< Level sets, meshes, surfaces and cell layers that were made or read.
   size_t pictures = 0;
-  size_t trees = 0;  ///< BVHs that were built.
+  size_t trees = 0;      ///< BVHs that were built.
+  uint64_t samples = 0;  ///< Sum over all pixels.
 };
 
 /// The state of a viewport at a time. Copies are cheap.
@@ -41,6 +42,7 @@ struct ViewportStatus {
   bool building = false;   ///< A text is evaluated, or its products are built.
   bool rendering = false;  ///< A finer picture, or one of another view, follows.
   bool stopped = false;    ///< `stop` was called after the last change.
+  bool paused = false;     ///< Pictures stay coarse until the pause ends.
   std::string stage;       ///< The stage of the build.
   double fraction = 0;     ///< Finished share of the stage, 0..1.
   ViewportCounters counters;
@@ -70,6 +72,11 @@ class Viewport {
   void set_mode(Mode mode);
   /// Pixels; at least 1.
   void set_size(int width, int height);
+  /// The display of the light, without new samples. A view must be a known one.
+  void set_display(const DisplayChoice& display);
+  /// A pause ends the refinement of the picture and keeps its samples; afterwards they continue.
+  /// Changes of the text or the view still show their coarsest picture.
+  void set_paused(bool paused);
   /// Ends all work soon. The last picture stays.
   void stop();
 
@@ -84,7 +91,7 @@ class Viewport {
  private:
   void build_texts();
   void render_pictures();
-  void publish(Preview picture, size_t trees);
+  void publish(Preview picture, const render::SessionCounters& counters);
   void update(const std::function<void(ViewportStatus&)>& change);
   void request_picture();
 

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Look development: the display changes without samples, pauses keep them, and the complete picture
+// is that of a render.
+#include "scene.h"
+
+#include <vug/picture/picture.h>
+#include <vug/viewport/inspect.h>
+#include <vug/viewport/screen_view.h>
+#include <vug/viewport/viewport.h>
+
+namespace vug::viewport {
+namespace {
+
+/// A scene with much light, a bright lamp in the picture, an opening to the sky and guiding.
+std::string lit_text() {
+  return scene_text() +
+         "light near = sphere(center: (-1, 1, 1), radius: 20cm, radiance: (9, 8, 6))\n"
+         "light spot = spot(center: (0, 3, 1), direction: (0, -2, 0), lumen: 900)\n"
+         "light sky = sky(radiance: (0.4, 0.5, 0.6))\n";
+}
+
+class LookDev : public testing::Test {
+ protected:
+  void SetUp() override {
+    viewport_.set_size(64, 36);
+    viewport_.set_mode(Mode::path);
+    viewport_.set_text(lit_text());
+    viewport_.wait();
+    ASSERT_TRUE(viewport_.status().picture) << viewport_.status().report;
+  }
+  ViewportStatus after() {
+    viewport_.wait();
+    return viewport_.status();
+  }
+  Viewport viewport_{"scene.vug", {}};
+};
+
+TEST_F(LookDev, TheCompletePictureIsThatOfARender) {
+  const PreviewPtr shown = viewport_.status().picture;
+  ASSERT_TRUE(shown->complete);
+  EXPECT_EQ(shown->samples, 4) << "the spp of the render block";
+  LiveText live("scene.vug", {});
+  ASSERT_TRUE(live.load(lit_text(), std::make_shared<Progress>())) << live.report();
+  picture::PictureOptions options;
+  options.settings = {{"spp", 4}};
+  const auto rendered =
+      picture::render_picture(live.builder(), picture::plan_picture(live.loaded().shot, options));
+  ASSERT_TRUE(rendered.image);
+  const std::vector<std::string> colours = {"R", "G", "B"};
+  EXPECT_EQ(shown->light->select(colours), rendered.image->select(colours));
+}
+
+TEST_F(LookDev, TheDisplayChangesWithoutSamples) {
+  const ViewportStatus before = viewport_.status();
+  viewport_.set_display({1.5, ""});
+  const ViewportStatus bright = after();
+  EXPECT_EQ(bright.counters.samples, before.counters.samples);
+  EXPECT_EQ(bright.counters.pictures, before.counters.pictures + 1);
+  EXPECT_EQ(bright.picture->light, before.picture->light);
+  EXPECT_TRUE(bright.picture->complete);
+  size_t brighter = 0, darker = 0;
+  for (size_t i = 0; i < bright.picture->rgb.size(); ++i) {
+    brighter += bright.picture->rgb[i] > before.picture->rgb[i];
+    darker += bright.picture->rgb[i] < before.picture->rgb[i];
+  }
+  EXPECT_GT(brighter, bright.picture->rgb.size() / 2);
+  EXPECT_EQ(darker, 0u);
+  viewport_.set_display({0, "standard"});
+  EXPECT_NE(after().picture->rgb, before.picture->rgb);
+  viewport_.set_display({});
+  const ViewportStatus restored = after();
+  EXPECT_EQ(restored.picture->rgb, before.picture->rgb);
+  EXPECT_EQ(restored.counters.samples, before.counters.samples);
+  EXPECT_THROW(view_options({0, "nothing"}, restored.picture->scene.scene->job.output,
+                            *restored.picture->light),
+               Error);
+}
+
+TEST_F(LookDev, APauseKeepsTheSamples) {
+  const ViewportStatus whole = viewport_.status();
+  viewport_.set_paused(true);
+  viewport_.set_view(orbit(viewport_.view(), 0.3, 0));
+  const ViewportStatus coarse = after();
+  EXPECT_TRUE(coarse.paused);
+  EXPECT_FALSE(coarse.picture->complete);
+  EXPECT_EQ(coarse.picture->samples, 1) << "the coarsest picture of the new view";
+  viewport_.set_display({1, ""});
+  const ViewportStatus bright = after();
+  EXPECT_EQ(bright.counters.samples, coarse.counters.samples) << "a display needs no samples";
+  EXPECT_NE(bright.picture->rgb, coarse.picture->rgb);
+  viewport_.set_paused(false);
+  const ViewportStatus complete = after();
+  EXPECT_TRUE(complete.picture->complete);
+  // Both views have 64 x 36 pixels; the second was not begun again after the pause.
+  const uint64_t first = whole.counters.samples;
+  EXPECT_EQ(complete.counters.samples, 2 * first);
+}
+
+TEST_F(LookDev, PixelsReportTheirThings) {
+  const PreviewPtr picture = viewport_.status().picture;
+  const PixelReport ball = inspect(*picture, 0.5, 0.5);
+  EXPECT_EQ(ball.x, 32);
+  EXPECT_EQ(ball.y, 18);
+  ASSERT_TRUE(ball.pick);
+  EXPECT_EQ(ball.pick->object, "ball");
+  ASSERT_TRUE(ball.material);
+  EXPECT_EQ(ball.material->name, "stone");
+  EXPECT_EQ(ball.material->where.line, 4);
+  EXPECT_EQ(ball.light.x, static_cast<double>(picture->light->at(32, 18, 0)));
+  EXPECT_EQ(ball.shown[0], picture->rgb[3 * (18 * 64 + 32)]);
+  EXPECT_NE(describe(ball).find("object ball, material stone"), std::string::npos);
+  EXPECT_FALSE(inspect(*picture, 0, 0).pick);
+  EXPECT_EQ(inspect(*picture, 2, 2).x, 63) << "the nearest pixel";
+}
+
+TEST_F(LookDev, GizmosAreTheLightsAndCameras) {
+  std::vector<std::string> names;
+  for (const Gizmo& each : viewport_.status().picture->scene.scene->gizmos) {
+    names.push_back(each.kind + " " + each.name);
+    EXPECT_TRUE(each.where.known()) << each.name;
+    EXPECT_EQ(each.direction.has_value(), each.name == "spot" || each.kind == "camera");
+    if (each.name == "spot") {
+      EXPECT_LT((*each.direction - Vec3d(0, -1, 0)).length(), 1e-6);
+    }
+  }
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"light lamp", "light near", "light spot", "camera main"}));
+}
+
+TEST(ScreenViews, ProjectAndCastRays) {
+  const ScreenView view{camera_of({{0, 0, 4}, {0, 0, 0}, 1.0}), 640, 360};
+  const Vec3d point(0.3, -0.2, 0.7);
+  const std::optional<Vec2d> pixel = view.project(point);
+  ASSERT_TRUE(pixel);
+  const PixelRay ray = view.ray(*pixel);
+  const Vec3d offset = point - ray.origin;
+  EXPECT_LT((offset - ray.direction * offset.dot(ray.direction)).length(), 1e-5);
+  // The width of 640 pixels at a distance of 4 m.
+  EXPECT_NEAR(view.pixel_size({0, 0, 0}), 8 * std::tan(0.5) / 640, 1e-4);
+  EXPECT_EQ(view.pixel_size({0, 0, 9}), 0) << "behind the camera";
+  EXPECT_NEAR(*nearest_on_line({0, 0, 0}, {0, 2, 0}, view.ray({320, 180})), 0, 1e-5);
+  EXPECT_FALSE(nearest_on_line({0, 0, 0}, {0, 0, 1}, view.ray({320, 180})));
+}
+
+}  // namespace
+}  // namespace vug::viewport
