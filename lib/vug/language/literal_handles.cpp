@@ -266,7 +266,9 @@ std::vector<std::string> number_texts(const LiteralHandle& handle,
   for (size_t i = 0; i < handle.numbers.size(); ++i) {
     // A number that hardly changes keeps its text.
     if (std::abs(values[i] - handle.numbers[i].value) < 0.5 * step) continue;
-    texts[i] = number_text(texts[i], std::max(values[i], handle.least + step), step, unit);
+    // Zeros are written without a unit; other numbers without one are metres.
+    const std::string own = handle.numbers[i].value == 0 ? unit : "";
+    texts[i] = number_text(texts[i], std::max(values[i], handle.least + step), step, own);
   }
   return texts;
 }

@@ -105,6 +105,9 @@ TEST(LiteralHandles, OtherNumbersKeepTheNotation) {
   const StatementHandles found = handles_of(text);
   EXPECT_EQ(number_texts(found.find("center"), {-1.5, 0.25, 1.4}, 0.01),
             (std::vector<std::string>{"-1.5m", "0.25m", "140cm"}));
+  const MarkedText plain("light l = |sphere(center: (1.5m, 0, 0.5))\n");
+  EXPECT_EQ(number_texts(handles_of(plain).find("center"), {1.5, 0.25, 1.4}, 0.01),
+            (std::vector<std::string>{"1.5m", "0.25m", "1.4"}));
 }
 
 TEST(LiteralHandles, SizesStayAboveTheirLimit) {
