@@ -78,12 +78,16 @@ void SceneBench::open(const std::filesystem::path& file, const std::optional<std
 void SceneBench::attach(const std::filesystem::path& file) {
   viewport::PreviewRequest request;
   if (viewport_) request = viewport_->request();
+  const bool paused = status().paused;
   viewport_ = std::make_unique<viewport::Viewport>(file, viewport_options(file), notify_);
   viewport_->set_mode(request.mode);
   viewport_->set_size(request.width, request.height);
+  viewport_->set_paused(paused);
   file_ = file;
   workspace_ = language::Workspace({loading::data_folders()});
   picked_.reset();
+  inspected_.reset();
+  grip_.reset();
   ++revision_;
   build();
 }
@@ -113,6 +117,15 @@ void SceneBench::edit(const TextChange& change, const std::string& step, const s
   changed(change);
 }
 
+void SceneBench::edit_recorded(const TextChange& change, const std::string& step,
+                               const std::string& merge) {
+  if (change.empty()) return;
+  edit(change, step, merge);
+  if (journal)
+    journal(fmt::format("edit {} {} {} {} {}", change.begin, change.removed, quoted(change.text),
+                        quoted(step), quoted(merge)));
+}
+
 void SceneBench::restored(const std::string& before, const char* step) {
   const TextChange change = change_between(before, text());
   changed(change);
@@ -137,6 +150,7 @@ bool SceneBench::redo() {
 
 void SceneBench::end_step() {
   require_document();
+  grip_.reset();
   stack_->end_merge();
 }
 
@@ -197,6 +211,7 @@ void SceneBench::write_view() {
 
 void SceneBench::select(const SourceLocation& range) {
   selection_ = range;
+  if (range.file == file_.string()) caret_line_ = range.line;
   ++jumps_;
 }
 
@@ -220,7 +235,10 @@ void SceneBench::select_declaration(size_t index) {
     throw Error(ErrorCode::bad_input, fmt::format("the picked object has no declaration {}", index),
                 {}, "pick an object in the picture first");
   picked_declaration_ = index;
-  const viewport::DeclaredPlace& place = picked_->declared[index];
+  select_place(picked_->declared[index]);
+}
+
+void SceneBench::select_place(const viewport::DeclaredPlace& place) {
   // The name, in the present text: it may have moved since the picture was built.
   const scene::Declaration* declared =
       analysis()->document.find(scene::name_without_index(place.name), place.kind);

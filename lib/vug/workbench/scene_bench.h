@@ -4,14 +4,20 @@
 // display.
 #pragma once
 
+#include <vug/language/literal_handles.h>
 #include <vug/language/params.h>
 #include <vug/language/workspace.h>
+#include <vug/viewport/inspect.h>
+#include <vug/viewport/screen_view.h>
 #include <vug/viewport/viewport.h>
+#include <vug/workbench/preset_store.h>
+#include <vug/workbench/scene_overlay.h>
 #include <vug/workbench/scene_text.h>
 #include <vug/workbench/undo_stack.h>
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,6 +52,9 @@ class SceneBench {
   /// `step`: the name of the undo step. Changes with the same `merge`, which is not empty, are one
   /// step; with the key "typing" only if they are adjacent.
   void edit(const TextChange& change, const std::string& step, const std::string& merge = "");
+  /// The same, and journals the change, for commands whose lines do not determine it alone.
+  void edit_recorded(const TextChange& change, const std::string& step,
+                     const std::string& merge = "");
   bool undo();
   bool redo();
   /// The next change is a step of its own.
@@ -58,6 +67,19 @@ class SceneBench {
   /// Error(bad_input) with the nearest name.
   const language::ParamSetting& param(const std::string& name) const;
   void set_param(const std::string& name, const std::string& value, const std::string& merge = "");
+  /// Its value in the saved text; nothing if that does not declare it.
+  std::optional<std::string> saved_param(const std::string& name) const;
+  bool is_changed(const language::ParamSetting& param) const;
+  /// Restores the value of the saved text.
+  void reset_param(const std::string& name);
+  /// Sets the params of a preset that the text has, as one step.
+  void apply_preset(const std::string& name);
+  /// Keeps the present values of all params.
+  void save_preset(const std::string& name);
+  /// The presets of the scene's file.
+  PresetStore presets() const;
+  std::filesystem::path preset_folder;  ///< Empty: the folder of the scene.
+
   /// Writes the view of the viewport into the camera of the text, or adds a camera.
   void write_view();
 
@@ -66,6 +88,21 @@ class SceneBench {
   /// Increases with each `select`, so that editors follow.
   uint64_t jumps() const { return jumps_; }
   void select(const SourceLocation& range);
+
+  // The handles of the statement at the caret.
+  int caret_line() const { return caret_line_; }
+  void set_caret(int line) { caret_line_ = line; }
+  const language::StatementHandles& handles() const;
+  /// The projection of the present picture. Error(bad_input) before the first one.
+  viewport::ScreenView screen_view() const;
+  /// The symbols over the picture; empty before the first one.
+  SceneOverlay overlay() const;
+  bool shows_gizmos() const { return shows_gizmos_; }
+  void show_gizmos(bool shown) { shows_gizmos_ = shown; }
+  /// Moves a handle by an offset in pixels of the viewport; only its numbers change. Drags with the
+  /// same `merge`, which is not empty, count from the place of the first one and are one step.
+  void drag_handle(const std::string& name, const Vec2d& offset, std::optional<int> axis = {},
+                   const std::string& merge = "");
 
   // The picture.
   viewport::Viewport& viewport();
@@ -82,6 +119,13 @@ class SceneBench {
   /// corner; another pick of the same object selects its next declaration.
   void pick(double x, double y);
   const std::optional<viewport::Pick>& picked() const { return picked_; }
+  /// Reads the pixel at a position of the picture.
+  void inspect(double x, double y);
+  const std::optional<viewport::PixelReport>& inspected() const { return inspected_; }
+  /// Selects the declaration of the material of the inspected pixel.
+  void select_material();
+  /// Error(bad_input) for an unknown view.
+  void set_display(const viewport::DisplayChoice& display);
   /// Selects a declaration of the picked object.
   void select_declaration(size_t index);
 
@@ -96,6 +140,8 @@ class SceneBench {
   /// Gives the text to a new viewport, whose relative paths begin at the file.
   void attach(const std::filesystem::path& file);
   void require_document() const;
+  /// Selects the name of a declaration in the present text.
+  void select_place(const viewport::DeclaredPlace& place);
   /// The picture of the viewport. Error(bad_input) before the first one.
   viewport::PreviewPtr picture() const;
 
@@ -110,10 +156,25 @@ class SceneBench {
   mutable uint64_t analysed_ = 0;  ///< The revision of the workspace.
   mutable std::vector<language::ParamSetting> params_;
   mutable uint64_t params_revision_ = 0;
+  mutable std::map<std::string, std::string> saved_params_;
+  mutable SceneText saved_params_of_;
+  mutable language::StatementHandles handles_;
+  mutable uint64_t handles_revision_ = 0;
+  mutable int handles_line_ = 0;
+  int caret_line_ = 1;
+  bool shows_gizmos_ = true;
+  /// The drag whose steps merge.
+  struct Grip {
+    std::string name, merge;
+    language::LiteralHandle start;
+    viewport::ScreenView view;
+  };
+  std::optional<Grip> grip_;
   SourceLocation selection_;
   uint64_t jumps_ = 0;
   std::optional<viewport::Pick> picked_;
   size_t picked_declaration_ = 0;
+  std::optional<viewport::PixelReport> inspected_;
   std::unique_ptr<viewport::Viewport> viewport_;
 };
 

@@ -166,6 +166,106 @@ TEST_F(SceneBenches, RefuseWithAReason) {
   EXPECT_EQ(bench_.text(), kText);
 }
 
+TEST_F(SceneBenches, ADraggedHandleChangesOnlyItsNumbers) {
+  const std::string lamp = "light lamp = sphere(center: (-1.0m, 50cm, 0),  radius: 4cm)  # left\n";
+  run("edit " + std::to_string(kText.size()) + " 0 " + quoted(lamp));
+  build();
+  run("end_step");
+  run("go 8 3");
+  EXPECT_NO_THROW(expect(bench_, {"handles", "=", "center radius"}));
+  EXPECT_NO_THROW(expect(bench_, {"gizmos", "=", "lamp*"}));
+  const Vec2d before = bench_.overlay().handles.at(0).at;
+  std::vector<std::string> lines;
+  bench_.journal = [&](const std::string& line) { lines.push_back(line); };
+  run("drag_handle center 2 -1 - \"drag 1\"");
+  run("drag_handle center 7 -3 - \"drag 1\"");
+  run("end_step");
+  EXPECT_LT((bench_.overlay().handles.at(0).at - before - Vec2d(7, -3)).length(), 1)
+      << "offsets count from the beginning of the drag";
+  const std::string after = bench_.text();
+  EXPECT_EQ(after.substr(0, kText.size()), kText);
+  EXPECT_NE(after.find("),  radius: 4cm)  # left\n"), std::string::npos) << after;
+  EXPECT_NE(after.find("sphere(center: (-0."), std::string::npos) << after;
+  EXPECT_NE(after.find("cm, "), std::string::npos) << "the unit of the second number stays";
+  EXPECT_EQ(bench_.stack().undo_name(), "Drag center");
+  // The journal contains edits, which need no picture.
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0].substr(0, 5), "edit ");
+  run("undo");
+  EXPECT_EQ(bench_.text(), kText + lamp) << "a drag is one step";
+  run("drag_handle center 0 -4 y");
+  EXPECT_NE(bench_.text().find("(-1.0m, "), std::string::npos) << bench_.text();
+  EXPECT_NE(bench_.text().find("cm, 0),"), std::string::npos) << bench_.text();
+  EXPECT_NE(refusal("drag_handle center 1 1 up"), "");
+  EXPECT_NE(refusal("drag_handle centre 1 1"), "");
+  run("go 3");
+  EXPECT_NO_THROW(expect(bench_, {"no_handle", "radius", "=", "it is an expression"}));
+  EXPECT_EQ(refusal("drag_handle radius 1 1"), "'radius' has no handle: it is an expression");
+}
+
+TEST_F(SceneBenches, ChangedParamsCanBeReset) {
+  EXPECT_NO_THROW(expect(bench_, {"changed", "=", ""}));
+  run("param RADIUS 70cm");
+  EXPECT_NO_THROW(expect(bench_, {"changed", "=", "RADIUS"}));
+  run("reset RADIUS");
+  EXPECT_EQ(bench_.text(), kText);
+  EXPECT_NO_THROW(expect(bench_, {"changed", "=", ""}));
+  EXPECT_EQ(bench_.stack().undo_name(), "Reset RADIUS");
+  run("param RADIUS 70cm");
+  run("save");
+  EXPECT_NO_THROW(expect(bench_, {"changed", "=", ""})) << "the saved text counts";
+  EXPECT_NE(refusal("reset RADIUX"), "");
+}
+
+TEST_F(SceneBenches, PresetsSetAllParamsInOneStep) {
+  bench_.preset_folder = folder_.file("state");
+  run("save_preset small");
+  run("param RADIUS 80cm");
+  run("save_preset big");
+  run("preset small");
+  EXPECT_EQ(bench_.text(), kText);
+  EXPECT_EQ(bench_.stack().undo_name(), "Preset small");
+  run("undo");
+  run("lock_preset big");
+  EXPECT_NO_THROW(expect(bench_, {"presets", "=", "big* small"}));
+  EXPECT_EQ(refusal("save_preset big"), "cannot replace the preset 'big': it is locked");
+  EXPECT_EQ(refusal("delete_preset big"), "cannot delete the preset 'big': it is locked");
+  // Another window of the same scene has them.
+  SceneBench other;
+  other.preset_folder = bench_.preset_folder;
+  other.open(file_);
+  run_command(other, "preset big");
+  EXPECT_EQ(other.param("RADIUS").text, "80cm");
+  EXPECT_NE(refusal("preset bi"), "");
+}
+
+TEST_F(SceneBenches, APixelLeadsToItsMaterial) {
+  run("edit " + std::to_string(kText.size()) +
+      " 0 \"material stone = lambert(albedo: (0.5, 0.4, 0.3))\n\"");
+  run(edit_line("object ball on ball { }", "object ball on ball { material stone }"));
+  build();
+  EXPECT_NO_THROW(expect(bench_, {"inspected", "=", ""}));
+  EXPECT_NE(refusal("go_material"), "");
+  run("inspect 0.5 0.5");
+  EXPECT_NO_THROW(expect(bench_, {"inspected", "contains", "object ball, material stone"}));
+  run("go_material");
+  EXPECT_NO_THROW(expect(bench_, {"selected", "=", "stone"}));
+  run("inspect 0.01 0.01");
+  EXPECT_NO_THROW(expect(bench_, {"inspected", "contains", "no object"}));
+}
+
+TEST_F(SceneBenches, TheDisplayIsRefusedWithAReason) {
+  build();
+  run("exposure 1.5");
+  run("tone standard");
+  EXPECT_EQ(bench_.viewport().request().display, (viewport::DisplayChoice{1.5, "standard"}));
+  run("tone scene");
+  EXPECT_EQ(bench_.viewport().request().display, (viewport::DisplayChoice{1.5, ""}));
+  EXPECT_NE(refusal("tone sepia"), "");
+  EXPECT_NE(refusal("exposure 99"), "");
+  EXPECT_EQ(bench_.viewport().request().display, (viewport::DisplayChoice{1.5, ""}));
+}
+
 TEST(SceneCommands, HaveDocumentationAndNoSharedKeys) {
   std::set<std::string> keys;
   for (const SceneCommand* each : scene_commands()) {
