@@ -69,6 +69,10 @@ constexpr KeyRow kPictureRows[] = {
     {"", "Shift + left button, drag", "Moves the view"},
     {"", "Ctrl + left button, drag; wheel", "Moves the eye nearer or farther away"},
     {"", "Left button, click", "Selects the declaration of the object, then its next one"},
+    {"", "Left button on a handle, drag", "Changes its numbers in the text"},
+    {"", "Left button on a light or a camera", "Selects its declaration"},
+    {"", "Ctrl + left button, click", "Reads the values of a pixel"},
+    {"", "Ctrl + Shift + left button, click", "Selects the material of the pixel"},
     {"", "Right button", "Lists all declarations of the object"},
     {"", "Arrow keys; + and -", "Turn the view; move the eye nearer or farther away"},
     {"", "Enter", "Selects the declaration of the object in the middle"}};

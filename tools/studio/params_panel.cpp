@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -60,6 +61,7 @@ void ParamsPanel::refresh() {
     }
     const QString text = text_of(params[i].text);
     if (row.field->text() != text) row.field->setText(text);
+    show_changed(row, studio_.bench().saved_param(row.name), text);
   }
 }
 
@@ -100,6 +102,14 @@ ParamsPanel::Row ParamsPanel::add_row(const language::ParamSetting& param) {
     each->setToolTip(doc);
   first->addWidget(row.label, 1);
   first->addWidget(row.field);
+  row.reset = new QToolButton;
+  row.reset->setObjectName("reset " + name);
+  row.reset->setAccessibleName(tr("Reset %1").arg(name));
+  row.reset->setText(QStringLiteral("\u21ba"));
+  row.reset->setFocusPolicy(Qt::StrongFocus);
+  first->addWidget(row.reset);
+  connect(row.reset, &QToolButton::clicked, this,
+          [this, own = param.name] { studio_.run("reset " + own); });
   lines->addLayout(first);
   connect(row.field, &QLineEdit::editingFinished, this,
           [this, field = row.field, own = param.name] {
@@ -124,6 +134,22 @@ ParamsPanel::Row ParamsPanel::add_row(const language::ParamSetting& param) {
   }
   column_->addWidget(box);
   return row;
+}
+
+/// Values that differ from the saved text are bold and can be reset.
+void ParamsPanel::show_changed(const Row& row, const std::optional<std::string>& saved,
+                               const QString& text) {
+  const bool changed = saved && text_of(*saved) != text;
+  for (QWidget* each : {static_cast<QWidget*>(row.label), static_cast<QWidget*>(row.field)}) {
+    QFont font = each->font();
+    font.setBold(changed);
+    each->setFont(font);
+  }
+  row.label->setProperty("changed", changed ? "yes" : "no");
+  row.reset->setEnabled(changed);
+  row.reset->setToolTip(changed
+                            ? tr("Restores %1, the value of the saved text").arg(text_of(*saved))
+                            : tr("The value is that of the saved text"));
 }
 
 const language::ParamSetting* ParamsPanel::find(const std::string& name) const {

@@ -5,10 +5,12 @@
 #include "scene_studio.h"
 
 #include <QScrollArea>
+#include <optional>
 #include <vector>
 
 class QLabel;
 class QLineEdit;
+class QToolButton;
 class QSlider;
 class QVBoxLayout;
 
@@ -28,10 +30,12 @@ class ParamsPanel : public QScrollArea {
     QLabel* label = nullptr;
     QSlider* slider = nullptr;  ///< Null without a range of numbers.
     QLineEdit* field = nullptr;
+    QToolButton* reset = nullptr;
   };
   void refresh();
   void rebuild(const std::vector<language::ParamSetting>& params);
   Row add_row(const language::ParamSetting& param);
+  void show_changed(const Row& row, const std::optional<std::string>& saved, const QString& text);
   void slide(const std::string& name, int value);
   /// Null if the text does not declare it.
   const language::ParamSetting* find(const std::string& name) const;

@@ -75,6 +75,9 @@ SceneEditor::SceneEditor(SceneStudio& studio) : studio_(studio) {
     follow();
     show_selection();
   });
+  connect(this, &QPlainTextEdit::cursorPositionChanged, this, [this] {
+    if (!following_) studio_.set_caret(textCursor().blockNumber() + 1);
+  });
   connect(&studio_, &SceneStudio::analysed, this, &SceneEditor::show_meanings);
   connect(&studio_, &SceneStudio::news, this, &SceneEditor::show_problems);
   connect(&studio_, &SceneStudio::restyled, this, &SceneEditor::restyle);

@@ -41,12 +41,17 @@ void SceneWindow::build_menus() {
   add_action(edit, "complete", tr("Complete"), [this] { editor_->complete(); });
   add_command(edit, "go");
   add_command(edit, "write_view");
+  add_command(edit, "save_preset");
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
   add_command(view, "home");
   add_command(view, "frame", "frame");
   add_command(view, "refresh");
   add_command(view, "stop");
+  add_command(view, "pause");
+  add_command(view, "continue");
+  add_command(view, "go_material");
+  add_command(view, "gizmos");
   view->addSeparator();
   for (const auto& [name, widget] :
        {std::pair<QString, QWidget*>("edit text", editor_), {"look at picture", viewport_}})

@@ -20,6 +20,38 @@ QPoint picture_point(const QWidget& viewport, const std::string& x, const std::s
           static_cast<int>(workbench::parse_number(y) * viewport.height())};
 }
 
+/// Presses the left button, moves in steps and releases it.
+void drag_mouse(QWidget& viewport, const QPoint& from, const QPoint& to,
+                Qt::KeyboardModifiers keys) {
+  QTest::mousePress(&viewport, Qt::LeftButton, keys, from);
+  for (int step = 1; step <= 8; ++step) {
+    const QPoint at = from + (to - from) * step / 8;
+    QMouseEvent move(QEvent::MouseMove, at, viewport.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                     keys);
+    QApplication::sendEvent(&viewport, &move);
+  }
+  QTest::mouseRelease(&viewport, Qt::LeftButton, keys, to);
+}
+
+/// drag handle NAME DX DY [x|y|z]: by pixels of the window, at the grip or at the end of an axis.
+void drag_handle_by_mouse(QWidget& viewport, const workbench::SceneBench& bench,
+                          const Words& words) {
+  require_words(words, 5, "drag handle NAME DX DY [x|y|z]");
+  const double ratio = viewport.devicePixelRatioF();
+  for (const workbench::OverlayHandle& each : bench.overlay().handles) {
+    if (each.name != words[2]) continue;
+    const std::string axis = words.size() > 5 ? words[5] : "";
+    const std::optional<Vec2d> at =
+        axis.empty() ? std::optional(each.at) : each.axes.at(static_cast<size_t>(axis[0] - 'x'));
+    if (!at) break;
+    const QPointF from(at->x / ratio, at->y / ratio);
+    const QPointF by(workbench::parse_number(words[3]), workbench::parse_number(words[4]));
+    return drag_mouse(viewport, from.toPoint(), (from + by).toPoint(), Qt::NoModifier);
+  }
+  throw Error(ErrorCode::bad_input, "the picture shows no handle '" + words[2] + "'", {},
+              "go to its statement, and turn the view until it is visible");
+}
+
 /// drag viewport X Y to X Y [shift|ctrl]
 void drag_picture(QWidget& viewport, const Words& words) {
   require_words(words, 7, "drag viewport X Y to X Y [shift|ctrl]");
@@ -29,14 +61,7 @@ void drag_picture(QWidget& viewport, const Words& words) {
   const Qt::KeyboardModifiers keys = modifier == "shift"  ? Qt::ShiftModifier
                                      : modifier == "ctrl" ? Qt::ControlModifier
                                                           : Qt::NoModifier;
-  QTest::mousePress(&viewport, Qt::LeftButton, keys, from);
-  for (int step = 1; step <= 8; ++step) {
-    const QPoint at = from + (to - from) * step / 8;
-    QMouseEvent move(QEvent::MouseMove, at, viewport.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
-                     keys);
-    QApplication::sendEvent(&viewport, &move);
-  }
-  QTest::mouseRelease(&viewport, Qt::LeftButton, keys, to);
+  drag_mouse(viewport, from, to, keys);
 }
 
 }  // namespace
@@ -78,7 +103,11 @@ bool SceneScript::send_event(const Words& words) {
   QWidget& viewport = window_.viewport();
   const bool on_picture = words.size() > 3 && words[1] == "viewport";
   if (words[0] == "click" && on_picture)
-    QTest::mouseClick(&viewport, Qt::LeftButton, {}, picture_point(viewport, words[2], words[3]));
+    QTest::mouseClick(&viewport, Qt::LeftButton,
+                      words.size() > 4 && words[4] == "ctrl" ? Qt::ControlModifier : Qt::NoModifier,
+                      picture_point(viewport, words[2], words[3]));
+  else if (words[0] == "drag" && words.size() > 2 && words[1] == "handle")
+    drag_handle_by_mouse(viewport, studio_.bench(), words);
   else if (words[0] == "drag" && on_picture)
     drag_picture(viewport, words);
   else

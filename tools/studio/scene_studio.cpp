@@ -13,6 +13,13 @@ constexpr int kTyped = 250, kRest = 700;
 /// Milliseconds that a drag lets a build run before it begins the next one.
 constexpr int kDragBuild = 1000;
 
+/// Whether more lines of this kind follow while the mouse moves: they have a key for merging.
+bool is_drag(const std::string& command, const std::string& line) {
+  const size_t words =
+      command == "param" || command == "drag_handle" ? workbench::split_words(line).size() : 0;
+  return command == "param" ? words > 3 : words > 5;
+}
+
 }  // namespace
 
 SceneStudio::SceneStudio(QObject* parent)
@@ -22,12 +29,19 @@ SceneStudio::SceneStudio(QObject* parent)
           QMetaObject::invokeMethod(this, &SceneStudio::poll, Qt::QueuedConnection);
       }),
       recorder_(bench_, workbench::journal_folder()) {
+  bench_.preset_folder = recorder_.folder();
   typed_.setSingleShot(true);
   rest_.setSingleShot(true);
   connect(&typed_, &QTimer::timeout, this, &SceneStudio::build);
   connect(&rest_, &QTimer::timeout, this, [this] {
     if (bench_.has_document()) recorder_.run("end_step");
   });
+}
+
+void SceneStudio::set_caret(int line) {
+  if (!bench_.has_document() || bench_.caret_line() == line) return;
+  bench_.set_caret(line);
+  Q_EMIT changed();
 }
 
 void SceneStudio::poll() {
@@ -69,8 +83,7 @@ void SceneStudio::execute(const std::string& line) {
   if (!bench_.has_document()) return;
   if (bench_.revision() != known_) {
     known_ = bench_.revision();
-    const bool drag = command->name == "param" && workbench::split_words(line).size() > 3;
-    schedule(command->name == "edit", drag);
+    schedule(command->name == "edit", is_drag(command->name, line));
   }
   Q_EMIT news();
 }

@@ -24,6 +24,8 @@ class SceneStudio : public BenchStudio {
 
   void execute(const std::string& line) override;
   bool recover(const workbench::LostJournal& lost) override;
+  /// The user moved the caret to another line.
+  void set_caret(int line);
   /// Takes the news of the viewport.
   void poll();
   /// Whether a thread works, or a change waits for the end of the typing.

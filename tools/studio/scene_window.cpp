@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_window.h"
 
+#include "look_bar.h"
 #include "params_panel.h"
+#include "preset_bar.h"
 #include "scene_lists.h"
 
 #include <vug/base/pluralize.h>
@@ -28,6 +30,16 @@ QSplitter* splitter(Qt::Orientation orientation, const QList<QWidget*>& parts,
   out->setChildrenCollapsible(false);
   out->setSizes(sizes);
   return out;
+}
+
+/// Widgets one below the other; the one at `wide` takes the room.
+QWidget* stacked(const QList<QWidget*>& parts, int wide) {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  for (int i = 0; i < parts.size(); ++i) column->addWidget(parts[i], i == wide ? 1 : 0);
+  return box;
 }
 
 QWidget* titled(const QString& title, QWidget* content) {
@@ -63,11 +75,13 @@ void SceneWindow::build_panels() {
   viewport_ = new ViewportWidget(studio_);
   auto* problems = titled(tr("Problems"), new ProblemList(studio_));
   auto* left = splitter(Qt::Vertical, {editor_, problems}, {600, 130});
-  auto* side = splitter(Qt::Vertical,
-                        {titled(tr("Parameters"), new ParamsPanel(studio_)),
-                         titled(tr("Outline"), new OutlineTree(studio_))},
-                        {380, 340});
-  auto* all = splitter(Qt::Horizontal, {left, viewport_, side}, {480, 540, 260});
+  auto* side = splitter(
+      Qt::Vertical,
+      {titled(tr("Parameters"), stacked({new PresetBar(studio_), new ParamsPanel(studio_)}, 1)),
+       titled(tr("Outline"), new OutlineTree(studio_))},
+      {380, 340});
+  auto* middle = stacked({viewport_, new LookBar(studio_)}, 0);
+  auto* all = splitter(Qt::Horizontal, {left, middle, side}, {480, 540, 260});
   left->setStretchFactor(0, 1);
   all->setStretchFactor(1, 1);
   set_content(all);
@@ -114,6 +128,13 @@ void SceneWindow::ask_and_run(const std::string& name) {
   if (name == "open" && !may_discard()) return;
   if (name == "open") file = QFileDialog::getOpenFileName(this, tr("Open scene"), folder, kinds);
   if (name == "save") file = QFileDialog::getSaveFileName(this, tr("Save scene"), folder, kinds);
+  if (name == "save_preset") {
+    bool given = false;
+    const QString preset =
+        QInputDialog::getText(this, tr("Save preset"), tr("Name"), QLineEdit::Normal, "", &given);
+    if (given) studio_.run(name + " " + workbench::quoted(preset.toStdString()));
+    return;
+  }
   if (name == "go") {
     bool given = false;
     const int line =

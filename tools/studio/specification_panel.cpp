@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "specification_panel.h"
 
+#include "focused_box.h"
+
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
@@ -9,28 +11,12 @@
 #include <QScrollArea>
 #include <QSpinBox>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 #include <algorithm>
 
 namespace vug::studio {
 namespace {
 
 constexpr int kFieldWidth = 106;  // pixels
-
-/// Ignores the wheel without the focus, so that scrolling never changes numbers.
-template <class Box>
-class FocusedBox : public Box {
- public:
-  using Box::Box;
-
- protected:
-  void wheelEvent(QWheelEvent* event) override {
-    if (this->hasFocus())
-      Box::wheelEvent(event);
-    else
-      event->ignore();
-  }
-};
 
 bool same_fields(const workbench::Specification& a, const workbench::Specification& b) {
   return a.node == b.node && std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(),

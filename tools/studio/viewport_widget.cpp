@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewport_widget.h"
 
+#include "overlay_painter.h"
 #include "studio.h"
 #include "theme.h"
+
+#include <vug/workbench/words.h>
 
 #include <fmt/format.h>
 #include <QContextMenuEvent>
@@ -17,6 +20,8 @@ namespace {
 constexpr double kDegreesPerPixel = 0.4, kKeyDegrees = 5, kWheelStep = 0.85;
 /// Pixels within which a press and a release are a click.
 constexpr double kClick = 4;
+/// Pixels of the window within which the mouse takes a handle.
+constexpr double kReach = 9;
 
 }  // namespace
 
@@ -26,9 +31,14 @@ ViewportWidget::ViewportWidget(SceneStudio& studio) : studio_(studio) {
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(160, 120);
   setAttribute(Qt::WA_OpaquePaintEvent);
+  setMouseTracking(true);
   setToolTip(tr("Drag to turn the view; click an object to find its declaration."));
   connect(&studio_, &SceneStudio::news, this, &ViewportWidget::take_news);
-  connect(&studio_, &SceneStudio::changed, this, [this] { send_size(); });
+  connect(&studio_, &SceneStudio::analysed, this, &ViewportWidget::follow_overlay);
+  connect(&studio_, &SceneStudio::changed, this, [this] {
+    send_size();
+    follow_overlay();
+  });
 }
 
 void ViewportWidget::take_news() {
@@ -51,7 +61,23 @@ void ViewportWidget::take_news() {
   setAccessibleDescription(!picture_ ? tr("The first picture is not finished.")
                            : stale_  ? tr("The picture shows an earlier text.")
                                      : tr("The picture shows the present text."));
+  follow_overlay();
   update();
+}
+
+/// While the user types, the symbols stay those of the last analysis: it is not repeated at each
+/// key.
+void ViewportWidget::follow_overlay() {
+  const workbench::SceneBench& bench = studio_.bench();
+  if (!bench.has_document() || (bench.needs_build() && !grip_)) return;
+  overlay_ = bench.overlay();
+  setProperty("handles", static_cast<int>(overlay_.handles.size()));
+  update();
+}
+
+Vec2d ViewportWidget::pixel_of(const QPointF& at) const {
+  const double ratio = devicePixelRatioF();
+  return {at.x() * ratio, at.y() * ratio};
 }
 
 void ViewportWidget::send_size() {
@@ -72,6 +98,7 @@ void ViewportWidget::paintEvent(QPaintEvent*) {
   if (!image_.isNull()) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(rect(), image_);
+    paint_overlay(painter, overlay_, grip_ ? grip_->hit.name : hovered_, devicePixelRatioF());
   }
   QString note;
   if (!picture_)
@@ -101,13 +128,19 @@ std::string ViewportWidget::pick_line(const QPointF& at) const {
 void ViewportWidget::mousePressEvent(QMouseEvent* event) {
   pressed_ = last_ = event->position();
   moved_ = false;
+  grip_.reset();
+  if (event->button() != Qt::LeftButton || event->modifiers() != Qt::NoModifier) return;
+  if (const auto hit = handle_at(overlay_, pixel_of(pressed_), kReach * devicePixelRatioF()))
+    grip_ = Grip{*hit, QString("drag %1").arg(++drags_)};
 }
 
 void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons() == Qt::NoButton) return hover(event->position());
   const QPointF by = event->position() - last_;
   if (!moved_ && (event->position() - pressed_).manhattanLength() < kClick) return;
   moved_ = true;
   last_ = event->position();
+  if (grip_) return drag_handle(last_);
   move_view(by, event->buttons(), event->modifiers());
 }
 
@@ -122,8 +155,49 @@ void ViewportWidget::move_view(const QPointF& by, Qt::MouseButtons buttons,
         fmt::format("orbit {:.3f} {:.3f}", by.x() * kDegreesPerPixel, by.y() * kDegreesPerPixel));
 }
 
+void ViewportWidget::drag_handle(const QPointF& at) {
+  const Vec2d offset = pixel_of(at) - pixel_of(pressed_);
+  const std::optional<int> axis = grip_->hit.axis;
+  studio_.run(fmt::format("drag_handle {} {:.3f} {:.3f} {} {}", workbench::quoted(grip_->hit.name),
+                          offset.x, offset.y, axis ? std::string(1, "xyz"[*axis]) : "-",
+                          workbench::quoted(grip_->drag.toStdString())));
+}
+
+void ViewportWidget::hover(const QPointF& at) {
+  const auto hit = handle_at(overlay_, pixel_of(at), kReach * devicePixelRatioF());
+  const std::string name = hit ? hit->name : "";
+  if (name == hovered_) return;
+  hovered_ = name;
+  setCursor(hit ? Qt::SizeAllCursor : Qt::ArrowCursor);
+  update();
+}
+
+void ViewportWidget::leaveEvent(QEvent* event) {
+  hovered_.clear();
+  QWidget::leaveEvent(event);
+  update();
+}
+
 void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
-  if (!moved_ && event->button() == Qt::LeftButton) studio_.run(pick_line(event->position()));
+  const bool dragged = grip_ && moved_;
+  grip_.reset();
+  if (dragged)
+    studio_.run("end_step");
+  else if (!moved_ && event->button() == Qt::LeftButton)
+    click(event->position(), event->modifiers());
+}
+
+/// A symbol is above the objects. Ctrl reads the pixel, and with Shift goes to its material.
+void ViewportWidget::click(const QPointF& at, Qt::KeyboardModifiers modifiers) {
+  if (modifiers & Qt::ControlModifier) {
+    studio_.run(fmt::format("inspect {:.5f} {:.5f}", at.x() / width(), at.y() / height()));
+    if (modifiers & Qt::ShiftModifier) studio_.run("go_material");
+    return;
+  }
+  const auto* gizmo = gizmo_at(overlay_, pixel_of(at), kReach * devicePixelRatioF());
+  const bool own = gizmo && gizmo->where.file == studio_.bench().file().string();
+  studio_.run(own ? fmt::format("go {} {}", gizmo->where.line, gizmo->where.column)
+                  : pick_line(at));
 }
 
 void ViewportWidget::contextMenuEvent(QContextMenuEvent* event) {

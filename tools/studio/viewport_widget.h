@@ -7,6 +7,7 @@
 
 #include <QImage>
 #include <QWidget>
+#include <optional>
 
 namespace vug::studio {
 
@@ -25,10 +26,22 @@ class ViewportWidget : public QWidget {
   void contextMenuEvent(QContextMenuEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
 
  private:
+  /// A handle that the mouse holds; offsets count from the press.
+  struct Grip {
+    workbench::OverlayHit hit;
+    QString drag;  ///< The drags of a press are one step.
+  };
   void take_news();
   void send_size();
+  void follow_overlay();
+  /// A position of the mouse in pixels of the picture.
+  Vec2d pixel_of(const QPointF& at) const;
+  void drag_handle(const QPointF& at);
+  void hover(const QPointF& at);
+  void click(const QPointF& at, Qt::KeyboardModifiers modifiers);
   void move_view(const QPointF& by, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers);
   std::string pick_line(const QPointF& at) const;
 
@@ -38,6 +51,10 @@ class ViewportWidget : public QWidget {
   bool stale_ = false, building_ = false;
   double fraction_ = 0;
   QString stage_;
+  workbench::SceneOverlay overlay_;
+  std::optional<Grip> grip_;
+  std::string hovered_;
+  int drags_ = 0;
   QPointF pressed_, last_;
   bool moved_ = false;  ///< The button was pressed for a motion, not for a pick.
 };
