@@ -21,7 +21,9 @@ std::vector<Gizmo> gizmos_of(const loading::Loaded& loaded) {
     Gizmo gizmo{"light", name, Vec3d(light->center()), std::nullopt,
                 declared_at(loaded, "light", name)};
     exchange::Light data;
-    if (light->as_data(data) && data.shape != exchange::Light::Shape::sphere)
+    // Measured lights are spheres with a profile.
+    if (light->as_data(data) &&
+        (data.shape != exchange::Light::Shape::sphere || !data.profile.empty()))
       gizmo.direction = -data.place.column(2);
     out.push_back(std::move(gizmo));
   }

@@ -127,6 +127,17 @@ TEST_F(LookDev, GizmosAreTheLightsAndCameras) {
             (std::vector<std::string>{"light lamp", "light near", "light spot", "camera main"}));
 }
 
+TEST(Gizmos, OfMeasuredLightsHaveDirections) {
+  const std::string file = VUG_DATA "/scenes/teaching/lantern.ies";
+  const PreviewScenePtr scene = build(scene_text() + "light panes = ies(file: \"" + file +
+                                      "\", center: (1, 2, 3), direction: (0, 0, -3))\n");
+  const Gizmo& panes = scene->gizmos.at(1);
+  EXPECT_EQ(panes.name, "panes");
+  EXPECT_LT((panes.position - Vec3d(1, 2, 3)).length(), 1e-6);
+  ASSERT_TRUE(panes.direction);
+  EXPECT_LT((*panes.direction - Vec3d(0, 0, -1)).length(), 1e-6);
+}
+
 TEST(ScreenViews, ProjectAndCastRays) {
   const ScreenView view{camera_of({{0, 0, 4}, {0, 0, 0}, 1.0}), 640, 360};
   const Vec3d point(0.3, -0.2, 0.7);
