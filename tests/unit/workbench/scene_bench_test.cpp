@@ -203,6 +203,21 @@ TEST_F(SceneBenches, ADraggedHandleChangesOnlyItsNumbers) {
   EXPECT_EQ(refusal("drag_handle radius 1 1"), "'radius' has no handle: it is an expression");
 }
 
+TEST_F(SceneBenches, ADraggedLampBuildsNothing) {
+  run("edit " + std::to_string(kText.size()) + " 0 \"light lamp = sphere(center: (-1, 1, 0))\n\"");
+  run("mode path");
+  build();
+  const viewport::ViewportStatus before = bench_.status();
+  run("go 8");
+  run("drag_handle center 3 2");
+  build();
+  const viewport::ViewportStatus after = bench_.status();
+  EXPECT_EQ(after.counters.scenes, before.counters.scenes + 1);
+  EXPECT_EQ(after.counters.products, before.counters.products);
+  EXPECT_EQ(after.counters.trees, before.counters.trees);
+  EXPECT_NE(after.picture->rgb, before.picture->rgb);
+}
+
 TEST_F(SceneBenches, ChangedParamsCanBeReset) {
   EXPECT_NO_THROW(expect(bench_, {"changed", "=", ""}));
   run("param RADIUS 70cm");
