@@ -52,6 +52,17 @@ void drag_handle_by_mouse(QWidget& viewport, const workbench::SceneBench& bench,
               "go to its statement, and turn the view until it is visible");
 }
 
+/// click symbol NAME: that of a light or a camera.
+void click_symbol(QWidget& viewport, const workbench::SceneBench& bench, const Words& words) {
+  const double ratio = viewport.devicePixelRatioF();
+  for (const workbench::OverlayGizmo& each : bench.overlay().gizmos)
+    if (each.name == words[2])
+      return QTest::mouseClick(&viewport, Qt::LeftButton, {},
+                               QPointF(each.at.x / ratio, each.at.y / ratio).toPoint());
+  throw Error(ErrorCode::bad_input, "the picture shows no symbol '" + words[2] + "'", {},
+              "turn the view until the light or the camera is visible");
+}
+
 /// drag viewport X Y to X Y [shift|ctrl]
 void drag_picture(QWidget& viewport, const Words& words) {
   require_words(words, 7, "drag viewport X Y to X Y [shift|ctrl]");
@@ -106,6 +117,8 @@ bool SceneScript::send_event(const Words& words) {
     QTest::mouseClick(&viewport, Qt::LeftButton,
                       words.size() > 4 && words[4] == "ctrl" ? Qt::ControlModifier : Qt::NoModifier,
                       picture_point(viewport, words[2], words[3]));
+  else if (words[0] == "click" && words.size() == 3 && words[1] == "symbol")
+    click_symbol(viewport, studio_.bench(), words);
   else if (words[0] == "drag" && words.size() > 2 && words[1] == "handle")
     drag_handle_by_mouse(viewport, studio_.bench(), words);
   else if (words[0] == "drag" && on_picture)

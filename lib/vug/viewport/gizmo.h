@@ -15,7 +15,7 @@ struct Gizmo {
   std::string name;
   Vec3d position{0, 0, 0};
   std::optional<Vec3d> direction;  ///< Unit; nothing for lights that shine to all sides.
-  SourceLocation where;            ///< The name in the text; unknown without a declaration.
+  SourceLocation where;            ///< The declaration; unknown if the text has none.
 };
 
 /// The lights that are not infinite, and the cameras, in the order of the text.
