@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace vug::drips {
 namespace {
 
 constexpr int kNewtonSteps = 12;
 constexpr double kOnSurface = 1e-7;  // Metres.
+constexpr size_t kFewSamples = 12;   // Of a line; more are divided.
 
 }  // namespace
 
@@ -39,26 +41,48 @@ double VerticalLine::clearance(double value) const {
   return size > 1e-6 ? (size - 1e-6) / rock_.lipschitz() * (1 - 1e-6) : 0;
 }
 
+/// The ball around the part of the line between two heights.
+field::Ball VerticalLine::ball(double a, double b) const {
+  return {{at_.x, 0.5 * (a + b), at_.z}, 0.5 * std::fabs(b - a) * (1 + 1e-9) + 1e-9};
+}
+
 std::optional<double> VerticalLine::crossing(double from, double to) const {
   const double way = to < from ? -1 : 1, length = std::fabs(to - from);
-  const double first = value(rock_, from);
-  const bool inside = first <= 0;
-  for (double s = 0, known = clearance(first); s < length;) {
-    const double next = std::min(s + step_, length);
-    if (next >= known) {
-      const double there = value(rock_, from + way * next);
-      if ((there <= 0) != inside) return refined(from + way * s, from + way * next, inside);
-      known = next + clearance(there);
-    }
-    s = next;
+  std::vector<double> heights = {from};
+  for (double s = 0; s < length;) {
+    s = std::min(s + step_, length);
+    heights.push_back(from + way * s);
+  }
+  return first_change(rock_, heights, solid(from));
+}
+
+/// The change between the first of these samples, which is `inside`, and the others. Bisects the
+/// samples, because the expression is short in a small ball and often has one sign there.
+std::optional<double> VerticalLine::first_change(const field::Field& rock,
+                                                 std::span<const double> heights,
+                                                 bool inside) const {
+  if (heights.size() < 2) return std::nullopt;
+  const auto local = rock.restricted(ball(heights.front(), heights.back()));
+  if (inside ? local.range.hi <= 0 : local.range.lo > 0) return std::nullopt;
+  if (heights.size() > kFewSamples) {
+    const size_t middle = heights.size() / 2;
+    if (const auto found = first_change(local.field, heights.first(middle + 1), inside))
+      return found;
+    return first_change(local.field, heights.subspan(middle), inside);
+  }
+  double known = heights.front(), clear = 0;
+  for (size_t i = 1; i < heights.size(); ++i) {
+    if (std::fabs(heights[i] - known) < clear) continue;
+    const double there = value(local.field, heights[i]);
+    if ((there <= 0) != inside) return refined(local.field, heights[i - 1], heights[i], inside);
+    known = heights[i];
+    clear = clearance(there);
   }
   return std::nullopt;
 }
 
-double VerticalLine::refined(double near, double far, bool inside) const {
-  const field::Ball ball{{at_.x, 0.5 * (near + far), at_.z},
-                         0.5 * std::fabs(far - near) * (1 + 1e-9) + 1e-9};
-  const field::Field local = rock_.restricted(ball).field;
+double VerticalLine::refined(const field::Field& rock, double near, double far, bool inside) const {
+  const field::Field local = rock.restricted(ball(near, far)).field;
   for (int i = 0; i < 24; ++i) {
     const double middle = 0.5 * (near + far);
     ((value(local, middle) <= 0) == inside ? near : far) = middle;

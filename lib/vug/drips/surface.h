@@ -5,6 +5,7 @@
 #include <vug/field/field.h>
 
 #include <optional>
+#include <span>
 
 namespace vug::drips {
 
@@ -16,7 +17,7 @@ Vec3d normal_at(const field::Field& rock, const Vec3d& p);
 std::optional<Vec3d> onto_surface(const field::Field& rock, const Vec3d& p, double reach);
 
 /// The vertical line through a point. Heights are sampled at fixed steps; samples whose sign
-/// follows from the Lipschitz constant and an earlier value are not evaluated.
+/// follows from bounds of the field or from an earlier value are not evaluated.
 class VerticalLine {
  public:
   /// The rock must outlive the line.
@@ -31,7 +32,10 @@ class VerticalLine {
  private:
   double value(const field::Field& rock, double y) const { return rock.value({at_.x, y, at_.z}); }
   double clearance(double value) const;
-  double refined(double near, double far, bool inside) const;
+  field::Ball ball(double a, double b) const;
+  std::optional<double> first_change(const field::Field& rock, std::span<const double> heights,
+                                     bool inside) const;
+  double refined(const field::Field& rock, double near, double far, bool inside) const;
 
   const field::Field& rock_;
   Vec3d at_;
