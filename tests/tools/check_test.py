@@ -236,6 +236,10 @@ class CheckTest(unittest.TestCase):
         self.finds("links", {"docs/a.md": "[x](theory.md#three-words)\n"}, "unknown heading")
         self.finds("links", {"docs/a.md": "![x](picture.png)\n"}, "picture.png")
         self.passes("links", {"docs/a.md": "```\n[x](nowhere.md)\n```\n[y](https://a.b/c)\n"})
+        navigation = {"tools/docs.d/mkdocs.yml": "nav:\n  - One: guides/one.md\n"}
+        self.passes("links", {"docs/guides/one.md": "# One\n", **navigation})
+        self.finds("links", {"docs/guides/two.md": "# Two\n", **navigation},
+                   "guides/two.md is not in the navigation")
 
     def test_paths(self):
         for text, what in (("see `mesh/nowhere.cpp`", "docs/a.md:2: missing file: mesh/nowhere.cpp"),

@@ -18,6 +18,8 @@ NAVIGATION = "tools/docs.d/mkdocs.yml"
 
 
 def missing_pages(tree):
+    if NAVIGATION not in tree.files:
+        return
     listed = tree.text(NAVIGATION)
     for name in tree.select(".md"):
         page = name.removeprefix("docs/")
