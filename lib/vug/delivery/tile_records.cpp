@@ -26,18 +26,18 @@ Path TileRecords::path_of(const std::string& name) const {
   return folder_ / ("." + name + ".tile");
 }
 
-bool TileRecords::read(const std::string& name, TileRecord& record) const {
+std::optional<TileRecord> TileRecords::read(const std::string& name) const {
   const Path path = path_of(name);
-  if (!unreadable_reason(path).empty()) return false;
+  if (!unreadable_reason(path).empty()) return std::nullopt;
   const Json known = Json::parse(read_text(path), nullptr, false);
-  if (!known.is_object() || known.value("key", "") != key_) return false;
-  record = {known.value("content", Json::object()), {}};
+  if (!known.is_object() || known.value("key", "") != key_) return std::nullopt;
+  TileRecord record{known.value("content", Json::object()), {}};
   const Json files = known.value("files", Json::object());
   for (const auto& [file, size] : files.items()) {
-    if (size != size_of_file(folder_ / file)) return false;
+    if (size != size_of_file(folder_ / file)) return std::nullopt;
     record.files.push_back(file);
   }
-  return true;
+  return record;
 }
 
 void TileRecords::write(const std::string& name, const TileRecord& record) const {

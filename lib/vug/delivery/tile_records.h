@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,7 @@ class TileRecords {
 
   /// The record of a tile. Nothing if none was written with this key, or if a file of the tile is
   /// missing or has another size than it had then.
-  bool read(const std::string& name, TileRecord& record) const;
+  std::optional<TileRecord> read(const std::string& name) const;
   /// Call it after the files of the tile are complete. Throws Error(io).
   void write(const std::string& name, const TileRecord& record) const;
   /// Call it before a file of the tile changes.

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace vug::delivery {
@@ -169,15 +170,13 @@ class VolumeTiles {
   void add(const Vec3i& tile) {
     const std::string name = tile_name(plan_.name, tile);
     const LatticeBox box = lattice_box(tile, options_.edge);
-    TileRecord record;
-    if (!options_.only.empty()) {
-      record = write(tile, box);
-    } else if (records_.read(name, record)) {
+    const bool all = options_.only.empty();
+    const std::optional<TileRecord> known = all ? records_.read(name) : std::nullopt;
+    TileRecord record = known ? *known : write(tile, box);
+    if (known)
       for (TiledMesh& mesh : meshes_) add_pieces_of_file(mesh, record, box);
-    } else {
-      record = write(tile, box);
+    else if (all)
       records_.write(name, record);
-    }
     for (const std::string& file : record.files) written_.push_back(folder_ / file);
     if (record.content.contains("inside")) add_inside(tile, tile);
     if (record.content.contains("volume")) tiles_.push_back(std::move(record.content["volume"]));
