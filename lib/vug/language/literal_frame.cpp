@@ -12,17 +12,6 @@ namespace {
 /// Lets that use each other; a longer chain is a cycle.
 constexpr int kMostLets = 40;
 
-bool draws_at_random(const scene::Expr& expr) {
-  bool draws = false;
-  EnclosingChain chain;
-  walk(expr, chain, [&](const scene::Expr& each, const EnclosingChain&) {
-    draws = draws || each.kind == scene::ExprKind::range ||
-            (each.kind == scene::ExprKind::call && each.text == "pick");
-    return !draws;
-  });
-  return draws;
-}
-
 OpenCall open_call(const scene::Expr& call) {
   OpenCall out;
   out.name = call.text;
@@ -84,6 +73,17 @@ LiteralFrame map_of_chain(const Analysis& analysis, PlainEvaluator& values,
 }
 
 }  // namespace
+
+bool draws_at_random(const scene::Expr& expr) {
+  bool draws = false;
+  EnclosingChain chain;
+  walk(expr, chain, [&](const scene::Expr& each, const EnclosingChain&) {
+    draws = draws || each.kind == scene::ExprKind::range ||
+            (each.kind == scene::ExprKind::call && each.text == "pick");
+    return !draws;
+  });
+  return draws;
+}
 
 Value PlainEvaluator::value(const scene::Expr& expr) {
   if (draws_at_random(expr)) return {};

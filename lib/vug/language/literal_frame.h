@@ -14,6 +14,9 @@
 
 namespace vug::language {
 
+/// Whether an expression contains a range or a `pick`.
+bool draws_at_random(const scene::Expr& expr);
+
 /// Values of expressions that contain neither objects nor random draws.
 class PlainEvaluator {
  public:

@@ -23,15 +23,8 @@ using GivenValue = std::function<const Expr*(const std::string& param)>;
 
 constexpr const char* kComponents[] = {"x", "y", "z"};
 
-bool depends_on_chance(const Expr& expr) {
-  if (expr.kind == ExprKind::range) return true;
-  return std::any_of(expr.operands.begin(), expr.operands.end(), [](const scene::Operand& each) {
-    return each.value && depends_on_chance(*each.value);
-  });
-}
-
 std::string reason_for(const Expr& expr) {
-  return depends_on_chance(expr) ? "it is drawn at random" : "it is an expression";
+  return draws_at_random(expr) ? "it is drawn at random" : "it is an expression";
 }
 
 class HandleCollector {

@@ -31,6 +31,10 @@ std::optional<NumberLiteral> number_literal(const Analysis& analysis, const scen
                        sign ? -number.number.value : number.number.value};
 }
 
+int decimals_for(double step) {
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 0, kMostDecimals);
+}
+
 std::string decimal_text(double value, int decimals, int least) {
   std::string out = fmt::format("{:.{}f}", value, decimals);
   if (const size_t point = out.find('.'); point != std::string::npos) {
@@ -49,8 +53,7 @@ std::string number_text(const std::string& before, double value, double step,
   const std::optional<Number> one = scene::read_number("1" + own);
   const double size = one && one->value > 0 ? one->value : 1;
   const int least = decimals_of(before);
-  const int needed = static_cast<int>(std::ceil(-std::log10(step / size)));
-  const int decimals = std::clamp(std::max(least, needed), 0, kMostDecimals);
+  const int decimals = std::min(std::max(least, decimals_for(step / size)), kMostDecimals);
   return decimal_text(value / size, decimals, least) + own;
 }
 

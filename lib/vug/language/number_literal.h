@@ -19,6 +19,9 @@ struct NumberLiteral {
 /// The expression as a number; nothing for other expressions, and outside of the text.
 std::optional<NumberLiteral> number_literal(const Analysis& analysis, const scene::Expr& expr);
 
+/// The decimals that an error below `step`, which is positive, needs; at most nine.
+int decimals_for(double step);
+
 /// The number with that many decimals at most, without zeros at its end; never "-0".
 std::string decimal_text(double value, int decimals, int least = 0);
 

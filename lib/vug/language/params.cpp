@@ -14,8 +14,6 @@
 namespace vug::language {
 namespace {
 
-constexpr int kMaxDecimals = 9;
-
 bool is_whole_number(const std::string& text) {
   return !text.empty() && text.find_first_not_of("-0123456789") == std::string::npos;
 }
@@ -70,8 +68,7 @@ std::string slider_text(const ParamSetting& param, double fraction) {
   if (!unit || unit->dimension != now->dimension || !(unit->value > 0))
     return quantity_text(value, now->dimension);
   const double step = (high - low) / kSliderSteps / unit->value;
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 0, kMaxDecimals);
-  return decimal_text(value / unit->value, decimals) + unit_name;
+  return decimal_text(value / unit->value, decimals_for(step)) + unit_name;
 }
 
 }  // namespace vug::language

@@ -18,7 +18,7 @@ namespace vug::viewport {
 struct DeclaredPlace {
   std::string kind;  ///< "object", "place", "mesh", "volume", ...
   std::string name;
-  SourceLocation where;  ///< The name in the text.
+  SourceLocation where;  ///< The whole declaration.
 };
 
 struct PreviewScene {

@@ -22,6 +22,17 @@ void refuse_locked(const Preset& preset, const char* doing) {
                 "unlock it, or use another name");
 }
 
+/// Error(bad_input) with the nearest name.
+Preset& named(std::vector<Preset>& presets, const std::string& name) {
+  std::vector<std::string> names;
+  for (Preset& each : presets) {
+    if (each.name == name) return each;
+    names.push_back(each.name);
+  }
+  throw Error(ErrorCode::bad_input, fmt::format("the scene has no preset '{}'", name), {},
+              names.empty() ? "save one first: save_preset NAME" : suggestion(name, names));
+}
+
 /// "preset NAME locked|free PARAM VALUE ..."; nothing for other lines.
 bool read_preset(const std::string& line, Preset& preset) {
   const std::vector<std::string> words = split_words(line);
@@ -52,13 +63,8 @@ std::vector<Preset> PresetStore::all() const {
 }
 
 Preset PresetStore::find(const std::string& name) const {
-  std::vector<std::string> names;
-  for (const Preset& each : all()) {
-    if (each.name == name) return each;
-    names.push_back(each.name);
-  }
-  throw Error(ErrorCode::bad_input, fmt::format("the scene has no preset '{}'", name), {},
-              names.empty() ? "save one first: save_preset NAME" : suggestion(name, names));
+  std::vector<Preset> presets = all();
+  return named(presets, name);
 }
 
 void PresetStore::save(const Preset& preset) {
@@ -76,16 +82,14 @@ void PresetStore::save(const Preset& preset) {
 }
 
 void PresetStore::lock(const std::string& name, bool locked) {
-  find(name);
   std::vector<Preset> presets = all();
-  for (Preset& each : presets)
-    if (each.name == name) each.locked = locked;
+  named(presets, name).locked = locked;
   write(std::move(presets));
 }
 
 void PresetStore::remove(const std::string& name) {
-  refuse_locked(find(name), "delete");
   std::vector<Preset> presets = all();
+  refuse_locked(named(presets, name), "delete");
   std::erase_if(presets, [&](const Preset& each) { return each.name == name; });
   write(std::move(presets));
 }
