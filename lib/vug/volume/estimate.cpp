@@ -21,21 +21,35 @@ struct Sample {
   Vec3d centre;
 };
 
-/// Cells of edge `size` that may be within `size` of the surface.
+/// Cells of edge `size` that may be within `size` of the surface, each of which represents
+/// `weight` of them.
 struct Shell {
   std::vector<Sample> cells;
   double size = 0;
+  double weight = 1;
 };
 
 // Refinement ends when it no longer changes the area, that is when the features of a crowded scene
-// are resolved; a shell with this many cells is always fine enough.
-constexpr size_t kEnough = 2048, kTooMany = 60000;
+// are resolved. From kEnough cells on, the area is estimated; of more than kMost cells, a sample
+// is refined, because each cell holds the part of the expression that matters in it.
+constexpr size_t kEnough = 1024, kMost = 3 * kEnough;
 constexpr double kSettled = 0.05;
-constexpr size_t kSampled = 16384;  // Cells whose points are evaluated, evenly spaced in the shell.
+
+/// Every n-th cell. Cells follow each other in the order of an octree, so each of these represents
+/// its neighbours; n is odd, so that all eight children of cells take their turn.
+void thin(Shell& shell) {
+  if (shell.cells.size() <= kMost) return;
+  const size_t every = (shell.cells.size() + kMost - 1) / kMost | 1;
+  std::vector<Sample> kept;
+  for (size_t i = 0; i < shell.cells.size(); i += every) kept.push_back(std::move(shell.cells[i]));
+  shell.weight *= static_cast<double>(shell.cells.size()) / static_cast<double>(kept.size());
+  shell.cells = std::move(kept);
+}
 
 Shell refine(const Shell& outer) {
   Shell inner;
   inner.size = outer.size / 2;
+  inner.weight = outer.weight;
   std::vector<std::vector<Sample>> kept(outer.cells.size());
   parallel_for(outer.cells.size(), [&](size_t i) {
     const Sample& cell = outer.cells[i];
@@ -52,20 +66,16 @@ Shell refine(const Shell& outer) {
   });
   for (auto& list : kept)
     for (Sample& s : list) inner.cells.push_back(std::move(s));
+  thin(inner);
   return inner;
 }
 
 /// Each point of a lattice with spacing a = size/2 that is nearer than a to the surface represents
-/// a^3 / (2a) of its area. Cells follow each other in the order of an octree, so every n-th one
-/// represents its neighbours.
+/// a^3 / (2a) of its area.
 double area(const Shell& shell) {
-  if (shell.cells.empty()) return 0;
   const double a = 0.5 * shell.size;
-  // Odd, so that all eight children of cells take their turn.
-  const size_t every = (shell.cells.size() + kSampled - 1) / kSampled | 1,
-               sampled = (shell.cells.size() + every - 1) / every;
-  const double near = ordered_sum(sampled, 0.0, [&](size_t i) {
-    const Sample& cell = shell.cells[every * i];
+  const double near = ordered_sum(shell.cells.size(), 0.0, [&](size_t i) {
+    const Sample& cell = shell.cells[i];
     double count = 0;
     for (int n = 0; n < 8; ++n) {
       const double step = 0.5 * a;
@@ -75,7 +85,7 @@ double area(const Shell& shell) {
     }
     return count;
   });
-  return near * a * a / 2 * static_cast<double>(shell.cells.size()) / static_cast<double>(sampled);
+  return shell.weight * near * a * a / 2;
 }
 
 double cubes(double area, double edge, double band) {
@@ -94,7 +104,7 @@ VoxelizeEstimate estimate(const field::Field& whole, const VoxelizeOptions& opti
   Shell shell;
   shell.size = std::max({extent.x, extent.y, extent.z});
   shell.cells = {{region.field, box.center()}};
-  while (!shell.cells.empty() && shell.size > 4 * options.voxel && shell.cells.size() < kTooMany) {
+  while (!shell.cells.empty() && shell.size > 4 * options.voxel) {
     shell = refine(shell);
     if (shell.cells.size() < kEnough) continue;
     const double before = out.surface_area;
