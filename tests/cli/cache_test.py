@@ -16,7 +16,7 @@ SCENE = """
 param lamp = 3
 let rough = displace(union([sphere(1m), sphere(60cm).translate((0.5, 0.8, 0))], blend: smooth(20cm)),
   noise: fbm(scale: 40cm, octaves: 16), amount: 10cm)
-volume rock = level_set(rough, voxel: 12mm)
+volume rock = level_set(rough, voxel: 2cm)
 mesh skin on rock {}
 object thing on skin { material lambert(albedo: (0.5, 0.4, 0.3)) }
 light key = sphere(center: (lamp, 3, 3), radius: 30cm, radiance: (50, 50, 50))

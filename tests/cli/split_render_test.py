@@ -2,7 +2,6 @@
 """Long renders: merged partial renders and resumed renders are identical to uninterrupted ones."""
 import json
 import random
-import resource
 import signal
 import subprocess
 import time
@@ -54,12 +53,6 @@ class Farm(VugTest):
         self.expect(0, "merge", "c1", "c2", "-o", "joint.exr")
         self.expect_whole("joint", "crop")
 
-    def processor_seconds(self, *args):
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        self.expect(0, "render", "s.vug", *args)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-
     def test_parts_share_what_was_learned(self):
         args = ("--guiding", "light.vugguide")
         learned = self.expect(0, "render", "s.vug", *args)
@@ -103,18 +96,6 @@ class Farm(VugTest):
             self.write(name, content)
             self.assertIn(why, self.expect(2, "render", "s.vug", "-o", "no.exr", "--guiding", name).err)
         self.assertIn("--guiding", self.expect(2, "render", "s.vug").err)
-
-    def test_the_cost_of_learning_does_not_grow_with_the_parts(self):
-        if SLOW:
-            self.skipTest("times of a sanitizer")
-        size = ("--size", "320x200")
-        whole = self.processor_seconds("-o", "large.exr", *size)
-        self.processor_seconds("--guiding", "large.vugguide", *size)
-        parts = sum(self.processor_seconds("--part", f"p{i}", "--tile", f"{i}/25", "--guiding", "large.vugguide", *size)
-                    for i in range(1, 26))
-        self.expect(0, "merge", *[f"p{i}" for i in range(1, 26)], "-o", "merged.exr")
-        self.expect_whole("merged", "large")
-        self.assertLess(parts, 1.5 * whole)
 
     def test_parts_that_do_not_form_a_picture(self):
         self.part("a", "--tile", "1/2")
