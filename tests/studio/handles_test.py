@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Handles of the text in the picture, presets, and the display of the light, by the mouse."""
+import json
 import os
 import re
 import signal
@@ -81,6 +82,51 @@ class Handles(StudioTest):
         os.kill(process.pid, signal.SIGKILL)
         process.wait()
         self.studio('expect presets = "big* other"\npreset big\nexpect param RADIUS = 70cm', str(self.scene))
+
+
+    def start(self, script, journalled):
+        """Runs a script until its journal contains a text."""
+        self.script(script)
+        process = subprocess.Popen([PROGRAM, "--scene", "--script", self.folder / "script.txt"],
+                                   env=self.environment(), cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
+            if any(journalled in journal.read_text() for journal in (self.folder / "state").glob("*.vugjournal")):
+                break
+            time.sleep(0.01)
+        return process
+
+    def test_a_file_that_another_program_writes_is_not_replaced(self):
+        mine = SCENE.replace(line_of(self.scene, "param RADIUS"), "param RADIUS = 55cm")
+        theirs = SCENE + "# from another program\n"
+        process = self.start(f"""open {self.scene}
+edit 0 {len(SCENE)} {json.dumps(mine)}
+wait 3000
+expect widget changed_file text = "Another program has changed line 13 of the file."
+expect audit = ""
+key Ctrl+S
+expect dirty = yes
+click reload_file
+expect changed_on_disk = ""
+expect dirty = no
+undo
+expect param RADIUS = 55cm
+save
+expect dirty = no
+""", "edit")
+        self.scene.write_text(theirs)
+        error = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 0, error)
+        self.assertEqual(self.scene.read_text(), mine)
+
+    def test_a_second_window_is_announced(self):
+        first = self.start(f"open {self.scene}\nwait 60000", "open")
+        try:
+            self.studio(f'open {self.scene}\nexpect message = "This scene is open in another window, too. '
+                        'What is saved there is reported here."', "--scene")
+        finally:
+            first.kill()
+            first.communicate()
 
 
 if __name__ == "__main__":

@@ -30,6 +30,7 @@ void SceneWindow::build_menus() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   add_command(file, "open", "open");
   add_command(file, "save", "save");
+  add_command(file, "reload");
   add_action(file, "save as", tr("Save as..."), [this] { ask_and_run("save"); });
   file->addSeparator();
   add_action(file, "quit", tr("Quit"), [this] { close(); });

@@ -12,6 +12,8 @@ namespace {
 constexpr int kTyped = 250, kRest = 700;
 /// Milliseconds that a drag lets a build run before it begins the next one.
 constexpr int kDragBuild = 1000;
+/// Milliseconds after which a file that another program writes is read.
+constexpr int kTouched = 100;
 
 /// Whether more lines of this kind follow while the mouse moves: they have a key for merging.
 bool is_drag(const std::string& command, const std::string& line) {
@@ -32,7 +34,10 @@ SceneStudio::SceneStudio(QObject* parent)
   bench_.preset_folder = recorder_.folder();
   typed_.setSingleShot(true);
   rest_.setSingleShot(true);
+  touched_.setSingleShot(true);
   connect(&typed_, &QTimer::timeout, this, &SceneStudio::build);
+  connect(&touched_, &QTimer::timeout, this, &SceneStudio::check_file);
+  connect(&watcher_, &QFileSystemWatcher::fileChanged, this, [this] { touched_.start(kTouched); });
   connect(&rest_, &QTimer::timeout, this, [this] {
     if (bench_.has_document()) recorder_.run("end_step");
   });
@@ -42,6 +47,17 @@ void SceneStudio::set_caret(int line) {
   if (!bench_.has_document() || bench_.caret_line() == line) return;
   bench_.set_caret(line);
   Q_EMIT changed();
+}
+
+void SceneStudio::check_file() {
+  if (!bench_.has_document()) return;
+  // A file that is replaced, as all programs with safe writing do, is no longer watched.
+  const QString file = text_of(std::filesystem::absolute(bench_.file()).string());
+  if (watcher_.files() != QStringList(file)) {
+    if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
+    if (std::filesystem::exists(bench_.file())) watcher_.addPath(file);
+  }
+  Q_EMIT file_changed(text_of(bench_.changed_on_disk()));
 }
 
 void SceneStudio::poll() {
@@ -81,6 +97,11 @@ void SceneStudio::execute(const std::string& line) {
   Q_EMIT message("", false);
   Q_EMIT changed();
   if (!bench_.has_document()) return;
+  if (command->opens || command->saves) check_file();
+  if (command->opens && recorder_.is_open_elsewhere())
+    Q_EMIT message(tr("This scene is open in another window, too. What is saved there is reported "
+                      "here."),
+                   false);
   if (bench_.revision() != known_) {
     known_ = bench_.revision();
     schedule(command->name == "edit", is_drag(command->name, line));

@@ -8,6 +8,7 @@
 #include <vug/workbench/scene_bench.h>
 
 #include <QElapsedTimer>
+#include <QFileSystemWatcher>
 #include <QTimer>
 #include <atomic>
 
@@ -34,8 +35,12 @@ class SceneStudio : public BenchStudio {
  Q_SIGNALS:
   void analysed();  ///< The meaning of the words, the outline and the parameters.
   void news();      ///< The status of the viewport.
+  /// Another program has changed these lines of the file; empty: none.
+  void file_changed(const QString& lines);
 
  private:
+  /// Watches the file of the document, and compares it with the text that was opened or saved.
+  void check_file();
   /// Builds a changed text, at once or after a rest of the typing.
   void schedule(bool typing, bool drag);
   /// Whether the build of an earlier step of a drag may soon end.
@@ -47,6 +52,8 @@ class SceneStudio : public BenchStudio {
   workbench::SceneRecorder recorder_;
   QTimer typed_;  ///< Ends when the user stops typing.
   QTimer rest_;   ///< Ends when the undo step of the typing is complete.
+  QFileSystemWatcher watcher_;
+  QTimer touched_;  ///< Ends when a program that writes the file should have finished.
   QElapsedTimer since_build_;
   bool waits_ = false;  ///< A change waits for the end of a build.
   uint64_t known_ = 0;  ///< The revision that was announced.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_window.h"
 
+#include "changed_file_bar.h"
 #include "look_bar.h"
 #include "params_panel.h"
 #include "preset_bar.h"
@@ -84,7 +85,7 @@ void SceneWindow::build_panels() {
   auto* all = splitter(Qt::Horizontal, {left, middle, side}, {480, 540, 260});
   left->setStretchFactor(0, 1);
   all->setStretchFactor(1, 1);
-  set_content(all);
+  set_content(stacked({new ChangedFileBar(studio_), all}, 1));
 }
 
 void SceneWindow::refresh() {

@@ -95,6 +95,23 @@ std::vector<LostJournal> lost_journals(const fs::path& folder) {
   return out;
 }
 
+std::vector<std::string> held_opening_lines(const fs::path& folder, const fs::path& own) {
+  std::vector<std::string> out;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() != kExtension || entry.path() == own) continue;
+    if (!is_locked(entry.path())) continue;
+    std::vector<std::string> lines;
+    try {
+      lines = complete_lines(read_text(entry.path()));
+    } catch (const Error&) {  // its program has just ended
+      continue;
+    }
+    if (!lines.empty()) out.push_back(std::move(lines.front()));
+  }
+  return out;
+}
+
 fs::path journal_folder() {
   if (const char* own = std::getenv("VUG_STATE_HOME")) return own;
   if (const char* state = std::getenv("XDG_STATE_HOME")) return fs::path(state) / "vug";

@@ -37,6 +37,10 @@ struct LostJournal {
 /// their document; the newest one first. A last line that was not written completely is omitted.
 std::vector<LostJournal> lost_journals(const std::filesystem::path& folder);
 
+/// The first lines of the journals in a folder that running programs hold, except for `own`.
+std::vector<std::string> held_opening_lines(const std::filesystem::path& folder,
+                                            const std::filesystem::path& own);
+
 /// The user's folder for journals: $VUG_STATE_HOME, else vug below $XDG_STATE_HOME or
 /// ~/.local/state.
 std::filesystem::path journal_folder();

@@ -2,6 +2,8 @@
 #include <vug/workbench/recovery.h>
 #include <vug/workbench/words.h>
 
+#include <algorithm>
+
 namespace vug::workbench {
 
 template <class Bench>
@@ -45,6 +47,19 @@ void RecorderOf<Bench>::recover(const LostJournal& lost) {
   }
   adopt();
   std::filesystem::remove(lost.file, ignored);
+}
+
+template <class Bench>
+bool RecorderOf<Bench>::is_open_elsewhere() const {
+  if (!journal_) return false;
+  const auto document = [](const std::string& line) {
+    const std::vector<std::string> words = split_words(line);
+    return words.size() > 1 ? words[1] : std::string();
+  };
+  const std::string own = document(bench_.opening_line());
+  const std::vector<std::string> lines = held_opening_lines(folder_, journal_->file());
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& line) { return document(line) == own; });
 }
 
 template class RecorderOf<FacadeBench>;

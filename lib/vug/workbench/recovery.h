@@ -26,6 +26,8 @@ class RecorderOf {
   /// it are in effect, and the lost journal is renamed to `rejected_file`.
   void recover(const LostJournal& lost);
   const std::filesystem::path& folder() const { return folder_; }
+  /// Whether another window has the file of this document open.
+  bool is_open_elsewhere() const;
 
  private:
   Bench& bench_;

@@ -61,29 +61,24 @@ void SceneBench::open(const std::filesystem::path& file, const std::optional<std
   if (const std::string why = unreadable_reason(file); !why.empty() && !text)
     throw Error(ErrorCode::bad_input, fmt::format("cannot open '{}': {}", file.string(), why), {},
                 "name a scene text, such as scene.vug");
-  std::error_code missing;
-  const bool exists = std::filesystem::is_regular_file(file, missing);
-  const std::string saved = exists ? read_text(file) : "";
-  const std::string on_disk = scene::normalise_text(saved);
-  UndoStack<SceneText> stack(std::make_shared<const std::string>(on_disk));
-  if (text && *text != on_disk)
+  SavedFile saved(file);
+  UndoStack<SceneText> stack(saved.text());
+  if (text && *text != *saved.text())
     stack.push("Recover", std::make_shared<const std::string>(scene::normalise_text(*text)));
-  saved_ = stack.start();
+  file_ = std::move(saved);
   stack_ = std::move(stack);
-  conventions_ = conventions_of(saved);
-  attach(file);
-  select(language::range_at(file_.string(), {1, 1}));
+  attach();
+  select(language::range_at(file.string(), {1, 1}));
 }
 
-void SceneBench::attach(const std::filesystem::path& file) {
+void SceneBench::attach() {
   viewport::PreviewRequest request;
   if (viewport_) request = viewport_->request();
   const bool paused = status().paused;
-  viewport_ = std::make_unique<viewport::Viewport>(file, viewport_options(file), notify_);
+  viewport_ = std::make_unique<viewport::Viewport>(file(), viewport_options(file()), notify_);
   viewport_->set_mode(request.mode);
   viewport_->set_size(request.width, request.height);
   viewport_->set_paused(paused);
-  file_ = file;
   workspace_ = language::Workspace({loading::data_folders()});
   picked_.reset();
   inspected_.reset();
@@ -92,15 +87,33 @@ void SceneBench::attach(const std::filesystem::path& file) {
   build();
 }
 
-void SceneBench::save(const std::filesystem::path& file) {
-  write_text(file, with_conventions(text(), conventions_));
-  saved_ = stack().current();
+void SceneBench::save(const std::filesystem::path& path, bool replace) {
+  const bool moves = path != file();
+  if (moves)
+    file_.write_as(path, stack().current());
+  else
+    file_.write(stack().current(), replace);
   stack_->end_merge();
-  if (file != file_) attach(file);
+  if (moves) attach();
+}
+
+std::string SceneBench::changed_on_disk() const {
+  const SceneText others = has_document() ? file_.changed_by_others() : nullptr;
+  return others ? changed_lines(*file_.text(), *others) : "";
+}
+
+void SceneBench::reload() {
+  require_document();
+  file_.reload();
+  const TextChange change = change_between(text(), *file_.text());
+  if (change.empty()) return;
+  stack_->push("Reload", file_.text());
+  changed(change);
 }
 
 std::string SceneBench::opening_line() const {
-  return fmt::format("open {} {}", quoted(file_.string()), quoted(text()));
+  return fmt::format("open {} {}", quoted(std::filesystem::absolute(file()).string()),
+                     quoted(text()));
 }
 
 void SceneBench::changed(const TextChange& change) {
@@ -156,9 +169,9 @@ void SceneBench::end_step() {
 
 language::AnalysisPtr SceneBench::analysis() const {
   require_document();
-  if (analysed_ != revision_) workspace_.open(file_, text());
+  if (analysed_ != revision_) workspace_.open(file(), text());
   analysed_ = revision_;
-  return workspace_.analyse(file_);
+  return workspace_.analyse(file());
 }
 
 const std::vector<language::ParamSetting>& SceneBench::params() const {
@@ -201,9 +214,9 @@ void SceneBench::write_view() {
     // One entry after the other: added entries move the ranges of the text.
     for (const auto& [key, value] : viewport::camera_entries(view)) {
       language::Workspace draft({loading::data_folders()});
-      draft.open(file_, after);
+      draft.open(file(), after);
       after = language::apply(
-          after, {language::set_entry(*draft.analyse(file_), "camera", name, key, value)});
+          after, {language::set_entry(*draft.analyse(file()), "camera", name, key, value)});
     }
   }
   edit(change_between(text(), after), "Write view");
@@ -211,7 +224,7 @@ void SceneBench::write_view() {
 
 void SceneBench::select(const SourceLocation& range) {
   selection_ = range;
-  if (range.file == file_.string()) caret_line_ = range.line;
+  if (range.file == file().string()) caret_line_ = range.line;
   ++jumps_;
 }
 

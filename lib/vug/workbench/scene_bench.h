@@ -11,6 +11,7 @@
 #include <vug/viewport/screen_view.h>
 #include <vug/viewport/viewport.h>
 #include <vug/workbench/preset_store.h>
+#include <vug/workbench/saved_file.h>
 #include <vug/workbench/scene_overlay.h>
 #include <vug/workbench/scene_text.h>
 #include <vug/workbench/undo_stack.h>
@@ -36,16 +37,22 @@ class SceneBench {
   bool has_document() const { return stack_.has_value(); }
   const UndoStack<SceneText>& stack() const;
   const std::string& text() const { return *stack().current(); }
-  const std::filesystem::path& file() const { return file_; }
+  const std::filesystem::path& file() const { return file_.path(); }
   /// Whether the text differs from the saved one.
-  bool is_modified() const { return text() != *saved_; }
+  bool is_modified() const { return text() != *file_.text(); }
   uint64_t revision() const { return revision_; }  ///< Increases with each change of the text.
 
   /// Error(bad_input) if the file cannot be read. `text` replaces that of the file, unless it is
   /// none.
   void open(const std::filesystem::path& file, const std::optional<std::string>& text = {});
-  /// Keeps the line ends of the file. Error(io).
-  void save(const std::filesystem::path& file);
+  /// Keeps the line ends of the file. Error(bad_input) if another program has changed the file of
+  /// the document, unless `replace` is true. Error(io).
+  void save(const std::filesystem::path& file, bool replace = false);
+  /// The lines of the file that another program has changed since it was opened, saved or
+  /// reloaded; empty: none. Reads the file.
+  std::string changed_on_disk() const;
+  /// Takes the text of the file, as one step. Error(bad_input) if the file is missing, Error(io).
+  void reload();
   /// The command that opens this document with its present text.
   std::string opening_line() const;
 
@@ -138,7 +145,7 @@ class SceneBench {
   /// pass.
   void restored(const std::string& before, const char* step);
   /// Gives the text to a new viewport, whose relative paths begin at the file.
-  void attach(const std::filesystem::path& file);
+  void attach();
   void require_document() const;
   /// Selects the name of a declaration in the present text.
   void select_place(const viewport::DeclaredPlace& place);
@@ -147,9 +154,7 @@ class SceneBench {
 
   std::function<void()> notify_;
   std::optional<UndoStack<SceneText>> stack_;
-  SceneText saved_;
-  std::filesystem::path file_;
-  FileConventions conventions_;
+  SavedFile file_;
   uint64_t revision_ = 0, built_ = 0;
   size_t typed_to_ = 0;  ///< End of the last change.
   mutable language::Workspace workspace_;

@@ -11,13 +11,13 @@ namespace vug::workbench {
 
 std::optional<std::string> SceneBench::saved_param(const std::string& name) const {
   require_document();
-  if (saved_params_of_ != saved_) {
+  if (saved_params_of_ != file_.text()) {
     language::Workspace draft({loading::data_folders()});
-    draft.open(file_, *saved_);
+    draft.open(file(), *file_.text());
     saved_params_.clear();
-    for (const language::ParamSetting& each : language::params_of(*draft.analyse(file_)))
+    for (const language::ParamSetting& each : language::params_of(*draft.analyse(file())))
       saved_params_[each.name] = each.text;
-    saved_params_of_ = saved_;
+    saved_params_of_ = file_.text();
   }
   const auto found = saved_params_.find(name);
   return found == saved_params_.end() ? std::nullopt : std::optional(found->second);
@@ -43,8 +43,8 @@ void SceneBench::reset_param(const std::string& name) {
 PresetStore SceneBench::presets() const {
   require_document();
   return PresetStore(
-      preset_folder.empty() ? std::filesystem::absolute(file_).parent_path() : preset_folder,
-      file_);
+      preset_folder.empty() ? std::filesystem::absolute(file()).parent_path() : preset_folder,
+      file());
 }
 
 void SceneBench::save_preset(const std::string& name) {

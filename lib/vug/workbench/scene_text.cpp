@@ -41,6 +41,17 @@ std::string with_change(const std::string& text, const TextChange& change) {
   return out.replace(change.begin, change.removed, change.text);
 }
 
+std::string changed_lines(const std::string& before, const std::string& after) {
+  const TextChange change = change_between(before, after);
+  const auto line = [&](size_t at) {
+    return 1 + std::count(after.begin(), after.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+  };
+  // The end of a change is behind its last character.
+  const auto first = line(change.begin),
+             last = line(change.text.empty() ? change.begin : change.end() - 1);
+  return first == last ? fmt::format("line {}", first) : fmt::format("lines {} to {}", first, last);
+}
+
 FileConventions conventions_of(const std::string& file_text) {
   return {file_text.find("\r\n") != std::string::npos, file_text.rfind(kByteOrderMark, 0) == 0};
 }

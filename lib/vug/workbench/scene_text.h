@@ -26,6 +26,9 @@ TextChange change_between(const std::string& before, const std::string& after);
 /// Error(bad_input) for a range outside of the text or inside of a character.
 std::string with_change(const std::string& text, const TextChange& change);
 
+/// The lines of the new text in which it differs from the old one: "line 3" or "lines 3 to 7".
+std::string changed_lines(const std::string& before, const std::string& after);
+
 /// How a file stores a text, so that saving keeps its conventions.
 struct FileConventions {
   bool crlf = false;  ///< Lines end with "\r\n".

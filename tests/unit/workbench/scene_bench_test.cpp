@@ -254,6 +254,58 @@ TEST_F(SceneBenches, PresetsSetAllParamsInOneStep) {
   EXPECT_NE(refusal("preset bi"), "");
 }
 
+TEST_F(SceneBenches, AFileThatAnotherWindowSavedIsNotReplaced) {
+  SceneBench other;
+  other.open(file_);
+  run("param RADIUS 70cm");
+  run_command(other, "param RADIUS 80cm");
+  run_command(other, "save");
+  EXPECT_NO_THROW(expect(bench_, {"changed_on_disk", "=", "line 2"}));
+  const std::string refused = refusal("save");
+  EXPECT_NE(refused.find("another program has changed line 2 of"), std::string::npos) << refused;
+  EXPECT_EQ(read_text(file_), other.text());
+  EXPECT_TRUE(bench_.is_modified());
+  run("reload");
+  EXPECT_EQ(bench_.text(), other.text());
+  EXPECT_FALSE(bench_.is_modified());
+  EXPECT_NO_THROW(expect(bench_, {"changed_on_disk", "=", ""}));
+  run("undo");
+  EXPECT_EQ(bench_.param("RADIUS").text, "70cm") << "no text is lost";
+  run("save");
+  EXPECT_EQ(read_text(file_), bench_.text());
+  EXPECT_NE(other.changed_on_disk(), "");
+  run_command(other, "overwrite");
+  EXPECT_EQ(read_text(file_), other.text());
+  std::filesystem::remove(file_);
+  EXPECT_EQ(bench_.changed_on_disk(), "") << "a removed file holds no work";
+  EXPECT_NE(refusal("reload"), "");
+  run("save");
+  EXPECT_EQ(read_text(file_), bench_.text());
+}
+
+TEST_F(SceneBenches, TheSameTextFromAnotherWindowIsNoConflict) {
+  SceneBench other;
+  other.open(file_);
+  for (SceneBench* each : {&bench_, &other}) run_command(*each, "param RADIUS 70cm");
+  run_command(other, "save");
+  EXPECT_EQ(refusal("save"), "");
+}
+
+TEST_F(SceneBenches, AnotherWindowOfTheSameSceneIsNoticed) {
+  SceneBench other, elsewhere;
+  SceneRecorder first(bench_, folder_.file("state")), second(other, folder_.file("state")),
+      third(elsewhere, folder_.file("state"));
+  write_text(folder_.file("other.vug"), kText);
+  const std::string open = "open " + quoted(file_.string());
+  first.run(open);
+  EXPECT_FALSE(first.is_open_elsewhere());
+  third.run("open " + quoted(folder_.file("other.vug").string()));
+  EXPECT_FALSE(third.is_open_elsewhere());
+  second.run(open);
+  EXPECT_TRUE(first.is_open_elsewhere());
+  EXPECT_TRUE(second.is_open_elsewhere());
+}
+
 TEST_F(SceneBenches, APixelLeadsToItsMaterial) {
   run("edit " + std::to_string(kText.size()) +
       " 0 \"material stone = lambert(albedo: (0.5, 0.4, 0.3))\n\"");
