@@ -143,6 +143,37 @@ void add_noise(const render::NoiseReport& report, PictureOutput& output) {
   output.metadata.emplace_back(kSamples, fmt::format("{:.2f}", report.samples));
 }
 
+/// Reports samples that were discarded or clamped.
+void add_sample_warnings(building::Builder& builder, const SourceLocation& where,
+                         render::RenderCallbacks& callbacks) {
+  callbacks.invalid_samples = [&builder, where](uint64_t refused, uint64_t cut) {
+    if (refused > 0)
+      builder.warn(where,
+                   fmt::format("{} samples were NaN or infinite and were discarded", refused),
+                   "a material or a light returns invalid values");
+    if (cut > 0)
+      builder.warn(where, fmt::format("{} samples were clamped to {:.0f}", cut, render::kMaxLight),
+                   "a light exceeds the range of pictures");
+  };
+}
+
+/// Writes the checkpoint of the options while rendering.
+void add_saving(const RenderOptions& options, const render::PartialRenderHeader& header,
+                render::RenderCallbacks& callbacks) {
+  if (options.checkpoint.empty()) return;
+  callbacks.save_every = options.checkpoint_every;
+  callbacks.save = [&](const render::RenderState& state) {
+    render::write_partial_render(options.checkpoint, header, state);
+  };
+}
+
+/// An error while rendering, with a hint on how to continue after a stop.
+Error stop_error(const Error& error, const RenderOptions& options,
+                 const render::RenderState& state) {
+  if (error.code() != ErrorCode::cancelled || options.checkpoint.empty()) return error;
+  return Error(error.code(), error.what(), error.where(), resume_hint(options, state));
+}
+
 }  // namespace
 
 RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
@@ -159,15 +190,7 @@ RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
                         render::memory_estimate(job.scene, job.options, kept);
   if (options.estimate)
     callbacks.estimate = [&](double seconds) { options.estimate(seconds, memory); };
-  callbacks.invalid_samples = [&](uint64_t refused, uint64_t cut) {
-    if (refused > 0)
-      builder.warn(where,
-                   fmt::format("{} samples were NaN or infinite and were discarded", refused),
-                   "a material or a light returns invalid values");
-    if (cut > 0)
-      builder.warn(where, fmt::format("{} samples were clamped to {:.0f}", cut, render::kMaxLight),
-                   "a light exceeds the range of pictures");
-  };
+  add_sample_warnings(builder, where, callbacks);
   callbacks.noise = [&](const render::NoiseReport& report, double seconds) {
     add_noise(report, rendered.output);
     if (options.noise) options.noise(report, seconds);
@@ -186,12 +209,7 @@ RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
     rendered.image = render::render(prepared, builder.progress(), callbacks, deep);
     return rendered;
   }
-  if (!options.checkpoint.empty()) {
-    callbacks.save_every = options.checkpoint_every;
-    callbacks.save = [&](const render::RenderState& state) {
-      render::write_partial_render(options.checkpoint, header, state);
-    };
-  }
+  add_saving(options, header, callbacks);
   if (!options.preview.empty())
     callbacks.pass = [&](const render::RenderState& state) {
       write_preview(options.preview, render::develop(state, job.options.aovs), job.output);
@@ -206,8 +224,7 @@ RenderResult render_picture(building::Builder& builder, const PicturePlan& plan,
                    "parts that name the same --guiding FILE share it, and it is learned once");
     render::continue_render(prepared, state, callbacks, builder.progress());
   } catch (const Error& error) {
-    if (error.code() != ErrorCode::cancelled || options.checkpoint.empty()) throw;
-    throw Error(error.code(), error.what(), error.where(), resume_hint(options, state));
+    throw stop_error(error, options, state);
   }
   if (!options.part.empty()) {
     render::write_partial_render(options.part, header, state);
@@ -232,5 +249,52 @@ void remove_checkpoint(const RenderOptions& options) {
   std::error_code ignored;
   if (!options.checkpoint.empty()) fs::remove(options.checkpoint, ignored);
 }
+
+struct PartRenderer::Picture {
+  building::Builder& builder;
+  SourceLocation where;
+  fs::path guiding;
+  PictureJob job;
+  render::PartialRenderHeader header;
+  std::optional<render::PreparedRender> prepared;  // refers to `job`
+  size_t preparations = 0;
+};
+
+PartRenderer::PartRenderer(building::Builder& builder, const PicturePlan& plan,
+                           const fs::path& guiding)
+    : picture_(new Picture{
+          builder, plan.render.where, guiding, prepare_picture(builder, plan, true), {}, {}, 0}) {
+  picture_->header = file_header(picture_->job, builder.shot(), plan);
+}
+
+PartRenderer::~PartRenderer() = default;
+
+void PartRenderer::render(const RenderOptions& options) {
+  if (options.part.empty())
+    throw Error(ErrorCode::bad_input, "a partial render needs a file of its own", {},
+                "name the file with --part, and combine all parts with vug merge");
+  require_consistent(options);
+  Picture& picture = *picture_;
+  Progress& progress = picture.builder.progress();
+  render::RenderCallbacks callbacks;
+  add_sample_warnings(picture.builder, picture.where, callbacks);
+  add_saving(options, picture.header, callbacks);
+  render::RenderState state = initial_state(picture.job, picture.header, options);
+  try {
+    if (!picture.prepared || !(picture.prepared->region == state.region)) {
+      picture.prepared.reset();  // before the memory of the next one is needed
+      picture.prepared =
+          prepare_region(picture.job, picture.header, state.region, picture.guiding, progress);
+      ++picture.preparations;
+    }
+    render::continue_render(*picture.prepared, state, callbacks, progress);
+  } catch (const Error& error) {
+    throw stop_error(error, options, state);
+  }
+  render::write_partial_render(options.part, picture.header, state);
+  remove_checkpoint(options);
+}
+
+size_t PartRenderer::preparations() const { return picture_->preparations; }
 
 }  // namespace vug::picture

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace vug::render {
@@ -62,5 +63,30 @@ void remove_checkpoint(const RenderOptions& options);
 /// belongs to this picture. Throws as render_picture does.
 void learn_light(building::Builder& builder, const PicturePlan& plan,
                  const std::filesystem::path& guiding);
+
+/// Renders several parts of one picture, which share its scene, ray trees, learned light and bright
+/// edges. Each file has the bytes that render_picture writes.
+class PartRenderer {
+ public:
+  /// Builds the scene. `guiding`: see RenderOptions. The builder must outlive this object. Throws
+  /// as render_picture does.
+  PartRenderer(building::Builder& builder, const PicturePlan& plan,
+               const std::filesystem::path& guiding);
+  ~PartRenderer();
+  PartRenderer(const PartRenderer&) = delete;
+  PartRenderer& operator=(const PartRenderer&) = delete;
+
+  /// Renders the slice of the options, writes its part, and removes its checkpoint. The options
+  /// have neither a session nor a preview nor a guiding file of their own. Throws as render_picture
+  /// does; other parts can be rendered after an error.
+  void render(const RenderOptions& options);
+
+  /// Times that the ray trees, light and edges were prepared: once for all parts of equal pixels.
+  size_t preparations() const;
+
+ private:
+  struct Picture;
+  std::unique_ptr<Picture> picture_;
+};
 
 }  // namespace vug::picture
