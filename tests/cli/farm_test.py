@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Jobs of `vug farm`: any order, division, repetition and interruption of tasks gives the picture of `vug render`."""
 import json
+import os
+import pathlib
 import random
 import shutil
+import signal
 import subprocess
 import time
 import unittest
@@ -17,6 +20,20 @@ medium dust = haze(extinction: 5%/m)
 camera pair { interaxial 20cm  eye (-1.2, 0.3, 0.4)  target (1, 0, 0) }
 render main { size 64x40  spp 24 }
 """
+
+
+def children(process):
+    """The renders that a process has started and that have not ended."""
+    found = []
+    for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = stat.read_text().rsplit(")", 1)[1].split()
+            if fields[1] == str(process.pid) and fields[0] != "Z":
+                if b"\0render\0" in (stat.parent / "cmdline").read_bytes():
+                    found.append(int(stat.parent.name))
+        except OSError:  # it has ended
+            pass
+    return found
 
 
 class Farm(VugTest):
@@ -112,6 +129,130 @@ class Farm(VugTest):
         self.render("-o", "whole.exr")
         self.expect_picture()
 
+    def runs(self, name):
+        path = self.folder / f"job/state/s.{name}.runs"
+        return [line.split()[0] for line in path.read_text().splitlines()] if path.exists() else []
+
+    def chunk(self, tasks):
+        return subprocess.Popen([PROGRAM, "farm", "run", "job", "--tasks", tasks], cwd=self.folder,
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def wait_until(self, process, condition):
+        """Waits for the condition; returns False if the process has ended before."""
+        while not condition():
+            if process.poll() is not None:
+                return False
+            time.sleep(0.01)
+        return True
+
+    def test_chunks_make_each_task_in_one_process(self):
+        self.render("-o", "whole.exr")
+        self.plan("--parts", 6, "--chunk", 3)
+        self.assertIn("waits for", self.expect(3, "farm", "run", "job", "--tasks", "1-2").err)
+        self.expect(0, "farm", "run", "job", "--task", 0)
+        running, seen = self.chunk("1-5"), set()
+        while running.poll() is None:
+            seen.update(children(running))
+            time.sleep(0.002)
+        self.assertEqual(running.returncode, 0)
+        self.assertEqual(len(seen), 1, "one process renders all parts")
+        parts = [self.folder / "job" / task["makes"] for task in self.tasks()[1:]]
+        self.assertEqual([part.exists() for part in parts], [True] * 5 + [False])
+        for part in range(5):
+            self.assertEqual(self.runs(f"part0{part}"), ["done"])
+            self.assertTrue((self.folder / f"job/state/s.part0{part}.log").exists())
+        self.assertEqual(list((self.folder / "job/state").glob("*.claim")), [])
+        self.assertEqual(list((self.folder / "job/state").glob("*.checkpoint")), [])
+        # The bytes of a part do not depend on the chunk.
+        before = digest(parts[2])
+        parts[2].unlink()
+        self.expect(0, "farm", "run", "job", "--task", 3)
+        self.assertEqual(digest(parts[2]), before)
+        self.expect(0, "farm", "run", "job", "--tasks", "4,6-6,0-2:2")
+        self.expect_picture()
+        self.assertEqual(self.runs("part00"), ["done"], "tasks that are done do not run again")
+
+    def test_a_stopped_chunk_keeps_its_finished_parts(self):
+        self.write("s.vug", SCENE.replace("spp 24", "spp 1200"))
+        self.plan("--parts", 3)
+        self.expect(0, "farm", "run", "job", "--task", 0)
+        running = self.chunk("1-3")
+        first = self.folder / "job" / self.tasks()[1]["makes"]
+        self.wait_until(running, lambda: self.runs("part00") and children(running))
+        running.terminate()
+        code = running.wait()
+        before = first.stat().st_mtime_ns
+        if code != 0:  # else the machine was faster than the signal
+            self.assertEqual(code, 3)
+            self.assertIn("stopped", self.runs("part01") + self.runs("part02"))
+            self.assertFalse((self.folder / "job/s.exr").exists())
+        self.assertEqual(list((self.folder / "job/state").glob("*.claim")), [])
+        self.expect(0, "farm", "run", "job", "--tasks", "1-3")
+        self.assertEqual(first.stat().st_mtime_ns, before)
+        self.assertEqual(self.runs("part00"), ["done"])
+        self.render("-o", "whole.exr")
+        self.expect_picture()
+
+    def test_a_killed_render_costs_a_chunk_one_part(self):
+        self.write("s.vug", SCENE.replace("spp 24", "spp 1200"))
+        self.plan("--parts", 3)
+        self.expect(0, "farm", "run", "job", "--task", 0)
+        running = self.chunk("1-3")
+        self.wait_until(running, lambda: self.runs("part00") and children(running))
+        for child in children(running):
+            os.kill(child, signal.SIGKILL)
+        code = running.wait()
+        if code != 0:
+            self.assertEqual(code, 3)
+            ends = [self.runs(f"part0{part}") for part in range(3)]
+            self.assertEqual(sorted(ends), [["done"], ["done"], ["killed"]])
+        self.expect(0, "farm", "run", "job", "--tasks", "1-3")
+        self.render("-o", "whole.exr")
+        self.expect_picture()
+
+    def test_a_part_that_cannot_work_does_not_stop_its_chunk(self):
+        self.render("-o", "whole.exr")
+        self.plan("--parts", 3)
+        self.expect(0, "farm", "run", "job", "--task", 0)
+        checkpoint = self.folder / "job/state/s.part01.checkpoint"
+        checkpoint.write_text("damaged")
+        done = self.expect(2, "farm", "run", "job", "--tasks", "1-3")
+        self.assertIn("warning: task s.part01 cannot work: see ", done.err)
+        self.assertIn("error: 1 of 3 tasks are not done", done.err)
+        self.assertEqual([self.runs(f"part0{part}") for part in range(3)], [["done"], ["unusable"], ["done"]])
+        self.assertIn("checkpoint", (self.folder / "job/state/s.part01.log").read_text())
+        self.assertNotIn("checkpoint", (self.folder / "job/state/s.part02.log").read_text())
+        checkpoint.unlink()
+        (self.folder / "job/state/s.part01.runs").unlink()
+        self.expect(0, "farm", "run", "job", "--tasks", "1-3")
+        self.expect_picture()
+
+    def test_part_requests_share_what_the_first_has_prepared(self):
+        self.render("--guiding", "light")
+        for part, samples in (("a", "0..5"), ("b", "5..24")):
+            self.render("--guiding", "light", "--part", f"{part}.alone", "--samples", samples)
+        command = [PROGRAM, "render", "s.vug", "--quiet", "--guiding", "light", "--part-requests"]
+        with subprocess.Popen(command, cwd=self.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL, text=True) as running:
+            def request(text):
+                running.stdin.write(text + "\n")
+                running.stdin.flush()
+                return json.loads(running.stdout.readline())["exit"]
+            self.assertEqual(request('{"part": "a", "samples": "0..5"}'), 0)
+            (self.folder / "light").unlink()
+            self.assertEqual(request("nonsense"), 2)
+            self.assertEqual(request('{"part": "c", "samples": "5..5"}'), 2)
+            self.assertEqual(request('{"part": "s.vug", "samples": "5..24"}'), 2)
+            self.assertEqual(request('{"part": "b", "samples": "5..24", "log": "b.log"}'), 0)
+            running.stdin.close()
+            self.assertEqual(running.wait(), 0)
+        self.assertFalse((self.folder / "light").exists(), "it is not learned again")
+        for part in "ab":
+            self.assertEqual(digest(self.folder / part), digest(self.folder / f"{part}.alone"))
+        self.assertTrue((self.folder / "b.log").exists())
+        self.expect(2, "render", "s.vug", "--part-requests")
+        self.expect(2, "render", "s.vug", "--guiding", "light", "--part-requests", "--part", "a")
+
     def test_damaged_parts_are_made_again(self):
         self.render("-o", "whole.exr")
         self.plan("--parts", 3)
@@ -181,21 +322,31 @@ class Farm(VugTest):
         self.assertIn("job.json", self.expect(2, "farm", "run", "nothing").err)
         self.plan("--parts", 2)
         self.assertIn("0 to 2", self.expect(2, "farm", "run", "job", "--task", 7).err)
+        self.assertIn("0 to 2", self.expect(2, "farm", "run", "job", "--tasks", "1-3").err)
+        self.assertIn("0-20:5", self.expect(2, "farm", "run", "job", "--tasks", "2-1").err)
+        self.expect(2, "farm", "run", "job", "--task", 1, "--tasks", "1-2")
 
     @unittest.skipUnless(shutil.which("ninja"), "ninja is not installed")
     def test_ninja(self):
         self.render("-o", "whole.exr")
-        self.plan("--parts", 3, "--cores", 1)
-        subprocess.run(["ninja", "-j", "2"], cwd=self.folder / "job", check=True, stdout=subprocess.DEVNULL)
-        self.expect_picture()
+        for chunk in (1, 2):
+            job = f"job{chunk}"
+            self.plan("--parts", 3, "--cores", 1, "--chunk", chunk, job=job)
+            for _ in range(2):  # the second time, all is done
+                subprocess.run(["ninja", "-j", "2"], cwd=self.folder / job, check=True, stdout=subprocess.DEVNULL)
+                self.expect_picture(job=job)
+            self.assertEqual((self.folder / job / "state/s.part00.runs").read_text().count("done"), 1)
 
     @unittest.skipUnless(shutil.which("parallel"), "GNU parallel is not installed")
     def test_gnu_parallel(self):
         self.render("-o", "whole.exr")
-        self.plan("--parts", 3, "--cores", 1)
-        subprocess.run(["./parallel.sh"], cwd=self.folder / "job", check=True, stdout=subprocess.DEVNULL,
-                       stderr=subprocess.DEVNULL, env={"JOBS": "2", "PATH": "/usr/bin:/bin", "HOME": str(self.folder)})
-        self.expect_picture()
+        for chunk in (1, 2):
+            job = f"job{chunk}"
+            self.plan("--parts", 3, "--cores", 1, "--chunk", chunk, job=job)
+            subprocess.run(["./parallel.sh"], cwd=self.folder / job, check=True, stdout=subprocess.DEVNULL,
+                           stderr=subprocess.DEVNULL,
+                           env={"JOBS": "2", "PATH": "/usr/bin:/bin", "HOME": str(self.folder)})
+            self.expect_picture(job=job)
 
 
 if __name__ == "__main__":

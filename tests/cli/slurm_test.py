@@ -139,9 +139,9 @@ class Slurm(VugTest):
     def prepare(self):
         self.write("s.vug", SCENE)
         self.expect(0, "render", "s.vug", "-o", "whole.exr")
-        self.expect(0, "farm", "plan", "s.vug", "-o", "job", "--parts", 6, "--cores", 1)
 
-    def submit(self):
+    def submit(self, chunk):
+        self.expect(0, "farm", "plan", "s.vug", "-o", "job", "--parts", 6, "--cores", 1, "--chunk", chunk)
         subprocess.run(["./slurm.sh"], cwd=self.folder / "job", env=self.cluster.environment, check=True,
                        stdout=subprocess.DEVNULL)
 
@@ -155,15 +155,15 @@ class Slurm(VugTest):
             raise AssertionError("\n".join([str(error), self.cluster.output("squeue"), *logs])) from error
         self.assertEqual(digest(picture), digest(self.folder / "whole.exr"))
 
-    def test_arrays_survive_a_lost_node(self):
-        self.submit()
+    def test_arrays_of_chunks_survive_a_lost_node(self):
+        self.submit(chunk=2)
         self.cluster.wait(lambda: re.search(r"\d_\d", self.cluster.output("squeue", "-h", "-t", "R", "-w", "n2")),
                           "a task on the second node")
         self.cluster.daemons["n2"].kill()
         self.expect_picture()
 
     def test_a_requeued_task_runs_twice_at_once(self):
-        self.submit()
+        self.submit(chunk=1)
 
         def running():
             return re.findall(r"\d+_\d+", self.cluster.output("squeue", "-h", "-r", "-t", "R", "-o", "%i"))

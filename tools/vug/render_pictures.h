@@ -27,6 +27,7 @@ struct RenderOptions {
   std::string ocio;
   std::vector<std::string> renders;
   bool anyway = false, untested = false;
+  bool part_requests = false;  ///< The parts are those of the lines of the standard input.
   SettingOptions settings;
   picture::PictureOptions picture;
   picture::RenderOptions render;
@@ -44,7 +45,7 @@ struct PlannedPicture {
   picture::PicturePlan plan;
 };
 
-/// Whether the guiding file is the only product.
+/// Whether the guiding file is the only product of the command line.
 bool learns_only(const RenderOptions& options);
 
 /// The options with the frame number inserted into file names that contain a placeholder.

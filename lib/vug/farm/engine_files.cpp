@@ -26,4 +26,22 @@ std::vector<std::vector<std::pair<size_t, size_t>>> levels(const Job& job) {
   return out;
 }
 
+std::vector<std::vector<ChunkedRange>> chunked_levels(const Job& job, size_t chunk) {
+  std::vector<std::vector<ChunkedRange>> out;
+  for (const auto& ranges : levels(job)) {
+    auto& level = out.emplace_back();
+    for (const auto& [first, last] : ranges)
+      for (size_t i = first; i <= last; ++i) {
+        const std::optional<size_t>& picture = job.tasks[i].part_of;
+        const bool joins =
+            i > first && (chunk <= 1 || picture == job.tasks[level.back().last].part_of);
+        if (joins)
+          level.back().last = i;
+        else
+          level.push_back({i, i, picture ? std::max<size_t>(1, chunk) : 1});
+      }
+  }
+  return out;
+}
+
 }  // namespace vug::farm

@@ -21,6 +21,7 @@ struct EngineFile {
 struct EngineOptions {
   std::string program = "vug";
   int cores = 1;
+  size_t chunk = 1;  ///< Parts of one picture that share a process.
 };
 
 EngineFile ninja_file(const Job& job, const EngineOptions& options);
@@ -32,6 +33,17 @@ EngineFile openjd_file(const Job& job, const EngineOptions& options);
 
 /// All of them.
 std::vector<EngineFile> engine_files(const Job& job, const EngineOptions& options);
+
+/// Tasks first to last, of which each `chunk` are one call of `vug farm run`; the last call may
+/// have fewer.
+struct ChunkedRange {
+  size_t first = 0, last = 0, chunk = 1;
+  bool operator==(const ChunkedRange&) const = default;
+};
+
+/// The levels of the job, whose ranges are divided so that each chunk contains parts of one picture
+/// or a single task.
+std::vector<std::vector<ChunkedRange>> chunked_levels(const Job& job, size_t chunk);
 
 /// The tasks in the order in which arrays of tasks can run one after the other: those of each level
 /// only need tasks of lower ones. Each level is a list of ranges [first, last] of task numbers.

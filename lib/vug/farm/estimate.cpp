@@ -46,6 +46,8 @@ PictureCost estimate_picture(const picture::PicturePlan& plan, int cores, const 
   out.bytes += std::max(meshing, render::kTriangleBytes * out.triangles + kPixelBytes * pixels);
   out.build_seconds =
       (out.voxels / rates.voxels + out.triangles / rates.triangles) / std::max(1, cores);
+  out.start_seconds =
+      (rates.start_seconds + out.triangles / rates.loaded_triangles) / std::max(1, cores);
   out.render_seconds = out.samples / rates.samples / std::max(1, cores);
   out.learn_seconds =
       static_cast<double>(render::training_paths(static_cast<uint64_t>(out.samples))) /

@@ -15,6 +15,7 @@ struct PictureCost {
   double triangles = 0;  ///< Triangles of their meshes; plants, files and cells are not counted.
   double samples = 0;    ///< Samples of all pixels.
   double build_seconds = 0;   ///< Making the products, in each task.
+  double start_seconds = 0;   ///< Loading the scene and products that exist, in each process.
   double learn_seconds = 0;   ///< Learning the light, once per picture.
   double render_seconds = 0;  ///< All samples.
   double bytes = 0;           ///< Peak memory of a task.
@@ -27,6 +28,10 @@ struct Rates {
   double voxels = 4e5;
   double triangles = 1.5e5;
   double samples = 5e4;
+  /// Triangles that are read from the store and sorted into ray trees, after a fixed time that a
+  /// process takes to start. Of the grotto at 12 cm, see docs/performance.md.
+  double loaded_triangles = 5e5;
+  double start_seconds = 1;
 };
 
 /// From a sampling of the fields (see volume::estimate), the settings of the picture, and the

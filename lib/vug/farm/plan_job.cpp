@@ -13,6 +13,8 @@ namespace {
 constexpr int kLeastSamples = 4;       // Of a part.
 constexpr double kLeastSeconds = 120;  // Of a part; shorter tasks mostly repeat the preparation.
 
+constexpr double kMostStart = 0.05;  // Share of a process that loading may take.
+
 /// Adds the tasks of one picture.
 class PictureTasks {
  public:
@@ -121,6 +123,12 @@ int default_parts(const JobOptions& options, int cores) {
   const double most = std::min(options.cost.render_seconds / kLeastSeconds,
                                static_cast<double>(options.spp) / kLeastSamples);
   return static_cast<int>(std::clamp(std::min(wanted, most), 1.0, 1e4));
+}
+
+int default_chunk(const JobOptions& options) {
+  const double part = options.cost.render_seconds / options.parts;
+  const double wanted = (1 / kMostStart - 1) * options.cost.start_seconds / std::max(part, 1e-9);
+  return static_cast<int>(std::clamp(std::ceil(wanted), 1.0, 1.0 * options.parts));
 }
 
 }  // namespace vug::farm

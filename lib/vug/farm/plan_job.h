@@ -29,4 +29,8 @@ Job plan_job(const JobOptions& options);
 /// few minutes and four samples.
 int default_parts(const JobOptions& options, int cores);
 
+/// The number of parts of one picture that a process must run so that its start takes at most a
+/// twentieth of its time; at most all of them.
+int default_chunk(const JobOptions& options);
+
 }  // namespace vug::farm

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -99,6 +100,19 @@ TEST(PlanJob, DefaultPartsLeaveEachTaskMinutesAndSamples) {
   EXPECT_EQ(default_parts(options(240, 1), 16), 1);
 }
 
+TEST(PlanJob, DefaultChunksLoadForATwentiethOfTheirTime) {
+  JobOptions many = options(0, 25);
+  many.cost.render_seconds = 250;  // 10 s for each part
+  many.cost.start_seconds = 2;
+  EXPECT_EQ(default_chunk(many), 4);  // 2 s of 42 s; 3 parts would be 2 s of 32 s
+  many.cost.start_seconds = 0.1;
+  EXPECT_EQ(default_chunk(many), 1);
+  many.cost.start_seconds = 60;
+  EXPECT_EQ(default_chunk(many), 25) << "at most the whole picture";
+  many.cost.render_seconds = 0;
+  EXPECT_EQ(default_chunk(many), 25);
+}
+
 TEST(Job, IsTheSameAfterWritingAndReading) {
   const ScratchFolder folder("vug_job");
   const Job job = plan_job(options(2, 3));
@@ -135,10 +149,68 @@ TEST(EngineFiles, LevelsRunEachTaskOnceAfterItsNeeds) {
   EXPECT_EQ(done.size(), job.tasks.size());
 }
 
+TEST(EngineFiles, ChunksContainPartsOfOnePictureOrOneTask) {
+  const Job job = plan_job(options(3, 7));
+  for (const size_t chunk : {1U, 3U, 7U, 100U}) {
+    std::multiset<size_t> covered;
+    for (const auto& level : chunked_levels(job, chunk))
+      for (const ChunkedRange& range : level)
+        for (size_t i = range.first; i <= range.last; i += range.chunk) {
+          const size_t last = std::min(range.last, i + range.chunk - 1);
+          EXPECT_LE(last - i, chunk - 1);
+          EXPECT_TRUE(last == i || job.tasks[i].part_of) << "only parts share a process";
+          for (size_t each = i; each <= last; ++each) {
+            covered.insert(each);
+            EXPECT_EQ(job.tasks[each].part_of, job.tasks[i].part_of);
+          }
+        }
+    EXPECT_EQ(covered.size(), job.tasks.size()) << "each task once";
+    EXPECT_EQ(std::set<size_t>(covered.begin(), covered.end()).size(), job.tasks.size());
+  }
+}
+
+TEST(EngineFiles, ChunksOfSlurmArraysCountChunks) {
+  JobOptions many = options(0, 2500);
+  many.spp = 5000;
+  const std::string text = slurm_file(plan_job(many), {.chunk = 2}).text;
+  // 2,500 parts after the task that learns: 1,000 chunks and 250.
+  for (const char* call : {"submit 0 0 1 ", "submit 1 2000 2 ", "submit 2001 2500 2 "})
+    EXPECT_NE(text.find(call), text.npos) << call << text;
+}
+
+TEST(EngineFiles, NinjaRunsChunksThatDoNotNameTheirFiles) {
+  const Job job = plan_job(options(0, 5));
+  const std::string text = ninja_file(job, {.chunk = 2}).text;
+  EXPECT_NE(text.find("build parts/cave.learned: task\n"), text.npos) << text;
+  EXPECT_NE(text.find("build chunk.1-2: chunk || parts/cave.learned\n  ids = 1-2\n"), text.npos);
+  EXPECT_NE(text.find("build chunk.3-4: chunk || parts/cave.learned\n  ids = 3-4\n"), text.npos);
+  EXPECT_NE(text.find("build parts/cave.part04: task || parts/cave.learned\n  id = 5\n"),
+            text.npos);
+  EXPECT_EQ(text.find("parts/cave.part00"), text.npos);
+}
+
+// Of the extension TASK_CHUNKING: the type, and at most 150 tasks in a chunk.
+TEST(EngineFiles, OpenJdChunksUseTheExtension) {
+  JobOptions many = options(2, 400);
+  many.spp = 800;
+  const Job job = plan_job(many);
+  const auto alone = nlohmann::json::parse(openjd_file(job, {}).text);
+  EXPECT_FALSE(alone.contains("extensions"));
+  const auto text = nlohmann::json::parse(openjd_file(job, {.chunk = 400}).text);
+  EXPECT_EQ(text.at("extensions"), nlohmann::json::array({"TASK_CHUNKING"}));
+  for (const auto& step : text.at("steps")) {
+    const auto& parameters = step.at("parameterSpace").at("taskParameterDefinitions");
+    ASSERT_EQ(parameters.size(), 1U) << "at most one chunked parameter";
+    EXPECT_EQ(parameters.at(0).at("type"), "CHUNK[INT]");
+    EXPECT_EQ(parameters.at(0).at("chunks").at("defaultTaskCount"), 150);
+    EXPECT_EQ(parameters.at(0).at("chunks").at("rangeConstraint"), "CONTIGUOUS");
+  }
+}
+
 TEST(EngineFiles, SlurmArraysStayBelowItsDefaultLimit) {
   const Job job = plan_job(options(2500, 1));
   const std::string text = slurm_file(job, {}).text;
-  for (const char* call : {"submit 0 1000 ", "submit 1000 1000 ", "submit 2000 500 "})
+  for (const char* call : {"submit 0 999 1 ", "submit 1000 1999 1 ", "submit 2000 2499 1 "})
     EXPECT_NE(text.find(call), text.npos) << call;
 }
 

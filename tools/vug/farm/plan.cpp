@@ -28,14 +28,15 @@ namespace fs = std::filesystem;
 struct PlanOptions {
   RenderOptions render;
   std::string frames, folder, program;
-  std::optional<int> parts;
+  std::optional<int> parts, chunk;
   int cores = 1, for_cores = 0;
 };
 
 /// The options of the command line that the tasks repeat: all but those of the plan itself.
 std::vector<std::string> repeated_arguments(const CLI::App& app) {
-  const std::set<std::string> own{"--frames",  "--output",  "--parts", "--cores",    "--for-cores",
-                                  "--program", "--threads", "--quiet", "--progress", "--help"};
+  const std::set<std::string> own{"--frames", "--output",    "--parts",   "--chunk",
+                                  "--cores",  "--for-cores", "--program", "--threads",
+                                  "--quiet",  "--progress",  "--help"};
   std::vector<std::string> out{"--quiet"};
   for (const CLI::Option* option : app.get_options()) {
     if (option->count() == 0 || option->get_positional()) continue;
@@ -77,7 +78,7 @@ void require_divisible(const picture::PicturePlan& plan, const farm::JobOptions&
                 "--exposure 2.5");
 }
 
-void print_summary(const farm::Job& job, const PlanOptions& options,
+void print_summary(const farm::Job& job, const PlanOptions& options, size_t chunk,
                    const std::vector<farm::EngineFile>& files) {
   double seconds = 0, bytes = 0;
   for (const farm::Task& task : job.tasks)
@@ -86,6 +87,8 @@ void print_summary(const farm::Job& job, const PlanOptions& options,
              pluralize(job.pictures.size(), "picture"), pluralize(job.tasks.size(), "task"),
              seconds / 3600, pluralize(static_cast<size_t>(options.cores), "core"),
              bytes_text(bytes));
+  if (chunk > 1)
+    fmt::print("{} of a picture share a process (--chunk)\n", pluralize(chunk, "part"));
   fmt::print("start it with one of these, in {}:\n  vug farm run .\n", options.folder);
   for (const farm::EngineFile& file : files) fmt::print("  {}\n", file.command);
 }
@@ -126,8 +129,9 @@ int run_plan(PlanOptions& options, const std::vector<std::string>& arguments) {
   job.inputs = inputs_of(loaded);
   require_divisible(plan, job);
   const farm::Job planned = farm::plan_job(job);
+  const auto chunk = static_cast<size_t>(options.chunk.value_or(farm::default_chunk(job)));
   const std::vector<farm::EngineFile> files =
-      farm::engine_files(planned, {options.program, options.cores});
+      farm::engine_files(planned, {options.program, options.cores, chunk});
   for (const farm::EngineFile& file : files) {
     write_text(folder / file.name, file.text);
     if (file.executable)
@@ -136,7 +140,7 @@ int run_plan(PlanOptions& options, const std::vector<std::string>& arguments) {
   }
   write_text(folder / farm::kJobFile, farm::to_json(planned));
   clear_progress_bar();
-  print_summary(planned, options, files);
+  print_summary(planned, options, chunk, files);
   return kDone;
 }
 
@@ -156,6 +160,10 @@ Verb farm_plan_verb() {
                 ->excludes("--frame");
             app.add_option("--parts", options->parts,
                            "Tasks for each picture; default by its samples and --for-cores")
+                ->check(integer_in(1, 10000));
+            app.add_option("--chunk", options->chunk,
+                           "Parts of one picture that run in one process, which loads the scene "
+                           "once; default so that loading takes at most 5 % of its time")
                 ->check(integer_in(1, 10000));
             app.add_option("--cores", options->cores,
                            "Cores of each task; default all of this "

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arguments.h"
 #include "dark_scene.h"
+#include "error_report.h"
+#include "part_requests.h"
 #include "progress_bar.h"
 #include "render_pictures.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
+#include <vug/base/atomic_file.h>
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/delivery/write_products.h>
+#include <vug/loading/dependencies.h>
 #include <vug/picture/exposure.h>
 #include <vug/picture/frame_sequence.h>
 #include <vug/picture/stereo_views.h>
@@ -15,6 +21,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <memory>
 
 namespace vug::cli {
@@ -24,6 +31,18 @@ constexpr const char* kOutputs =
     "write -o and an .exr for a picture, --part and a file for a partial render, or --guiding and "
     "a file to learn only";
 
+/// Sets the range of samples from a text "A..B".
+void set_samples(const std::string& text, render::RenderSlice& slice) {
+  const auto range = parse_numbers(text, "N..N", "range of samples",
+                                   "write --samples 0..64, and --samples 64..128 for the next");
+  slice.begin = static_cast<uint32_t>(range[0]);
+  slice.end = static_cast<uint32_t>(range[1]);
+  if (range[0] >= range[1])
+    throw Error(ErrorCode::bad_input,
+                fmt::format("invalid range of samples '{}': it is empty", text), {},
+                "write --samples 0..64; the second number is exclusive");
+}
+
 void parse(RenderOptions& options) {
   options.picture = picture_options(options);
   picture::RenderOptions& render = options.render;
@@ -31,16 +50,7 @@ void parse(RenderOptions& options) {
     const auto tile = parse_numbers(options.tile, "N/N", "tile", "write --tile 1/4 to --tile 4/4");
     render.slice.band = tile[0] - 1, render.slice.bands = tile[1];
   }
-  if (!options.samples.empty()) {
-    const auto range = parse_numbers(options.samples, "N..N", "range of samples",
-                                     "write --samples 0..64, and --samples 64..128 for the next");
-    render.slice.begin = static_cast<uint32_t>(range[0]);
-    render.slice.end = static_cast<uint32_t>(range[1]);
-    if (range[0] >= range[1])
-      throw Error(ErrorCode::bad_input,
-                  fmt::format("invalid range of samples '{}': it is empty", options.samples), {},
-                  "write --samples 0..64; the second number is exclusive");
-  }
+  if (!options.samples.empty()) set_samples(options.samples, render.slice);
   render.part = options.part, render.checkpoint = options.checkpoint;
   render.preview = options.preview, render.guiding = options.guiding;
   if (!options.output.empty() && !options.part.empty())
@@ -201,6 +211,46 @@ int render_frames(const RenderOptions& options, const loading::SceneSource& sour
   return kDone;
 }
 
+/// Sends the messages of the process to another file.
+void redirect_messages(const std::string& log) {
+  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (file < 0)
+    throw Error(ErrorCode::io, fmt::format("cannot write '{}'", log), {},
+                "check the free space and the permissions of its folder");
+  dup2(file, STDERR_FILENO);
+  close(file);
+}
+
+/// Renders the parts that lines of the standard input request, until it ends. Each is answered with
+/// a line when its file is complete or has failed; only a stop on request ends the process.
+void render_requests(const PlannedPicture& picture, SceneAtFrame& scene, Progress& progress) {
+  const auto& [options, plan] = picture;
+  std::unique_ptr<picture::PartRenderer> parts;
+  for (std::string line; std::getline(std::cin, line);) {
+    int exit = kDone;
+    try {
+      const PartRequest request = part_request(line);
+      if (!request.log.empty()) redirect_messages(request.log);
+      picture::RenderOptions render = options.render;
+      set_samples(request.samples, render.slice);
+      render.part = request.part, render.checkpoint = request.checkpoint;
+      render.resume = !request.checkpoint.empty();
+      std::vector<std::filesystem::path> outputs{request.part};
+      if (render.resume) outputs.emplace_back(request.checkpoint);
+      require_outputs(outputs, loading::file_dependencies(scene.loaded));
+      if (!parts)
+        parts = std::make_unique<picture::PartRenderer>(scene.builder, plan, options.guiding);
+      parts->render(render);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::cancelled) throw;
+      exit = print_error(error);
+    }
+    progress.check();
+    fmt::print("{}\n", answer_line(exit));
+    std::fflush(stdout);
+  }
+}
+
 int run_render(RenderOptions options) {
   parse(options);
   Progress& progress = terminal_progress(options.work.bar_mode());
@@ -216,6 +266,10 @@ int run_render(RenderOptions options) {
   check_pictures(pictures, scene, progress);
   if (light_dark_scene(pictures.front(), scene))
     pictures = plan_pictures(options, scene.loaded.shot);
+  if (options.part_requests) {
+    render_requests(pictures.front(), scene, progress);
+    return kDone;
+  }
   picture::ExposureLock lock;
   render_all(pictures, scene.builder, 0, lock);
   finish(options, scene.builder);
@@ -257,6 +311,12 @@ Verb render_verb() {
         app.add_option("--tile", options->tile, "Band of the picture for --part, I/N: band I of N");
         app.add_option("--samples", options->samples,
                        "Samples of each pixel for --part, A..B: samples A to B-1");
+        app.add_flag("--part-requests", options->part_requests,
+                     "Render the parts that lines of the standard input describe, for `vug farm "
+                     "run`; needs --guiding")
+            ->needs("--guiding")
+            ->excludes("--output", "--part", "--checkpoint", "--samples", "--frames", "--preview",
+                       "--products");
         options->work.add_to(app);
         return [options] {
           return with_threads(options->work.threads, [&] { return run_render(*options); });

@@ -33,26 +33,29 @@ EngineFile slurm_file(const Job& job, const EngineOptions& options) {
       "# A last job runs again what was lost. Submit it again after an interruption.\n"
       "cd \"$(dirname \"$0\")\" || exit 3\n"
       "mkdir -p state\n"
-      "submit() {{  # FIRST COUNT MEGABYTES AFTER OPTIONS...\n"
-      "  first=$1 count=$2 memory=$3 after=$4\n"
-      "  shift 4\n"
+      "submit() {{  # FIRST LAST CHUNK MEGABYTES AFTER OPTIONS...\n"
+      "  first=$1 last=$2 chunk=$3 memory=$4 after=$5\n"
+      "  shift 5\n"
       "  sbatch --parsable --requeue --open-mode=append --cpus-per-task={0} --mem=\"${{memory}}M\" "
       "\\\n"
-      "    --array=0-$((count - 1)) --job-name=vug --output=state/slurm-%A_%a.log \\\n"
-      "    ${{after:+--dependency=afterany:$after}} \"$@\" --wrap \"exec '{1}' farm run . \\\n"
-      "    --threads {0} --task \\$(($first + SLURM_ARRAY_TASK_ID))\"\n"
+      "    --array=0-$(((last - first) / chunk)) --job-name=vug --output=state/slurm-%A_%a.log \\\n"
+      "    ${{after:+--dependency=afterany:$after}} \"$@\" --wrap \"\n"
+      "    begin=\\$(($first + $chunk * SLURM_ARRAY_TASK_ID))\n"
+      "    end=\\$((begin + $chunk - 1))\n"
+      "    exec '{1}' farm run . --threads {0} --tasks \\$begin-\\$((end < $last ? end : "
+      "$last))\"\n"
       "}}\n"
       "after=\n",
       options.cores, options.program);
-  for (const auto& ranges : levels(job)) {
+  for (const auto& ranges : chunked_levels(job, options.chunk)) {
     text += "level=\n";
-    for (const auto& [begin, last] : ranges)
-      for (size_t first = begin; first <= last; first += kArray) {
-        const size_t count = std::min(kArray, last - first + 1);
+    for (const auto& [begin, end, chunk] : ranges)
+      for (size_t first = begin; first <= end; first += kArray * chunk) {
+        const size_t last = std::min(end, first + kArray * chunk - 1);
         text += fmt::format(
-            "id=$(submit {} {} {:.0f} \"$after\" \"$@\") || exit\n"
+            "id=$(submit {} {} {} {:.0f} \"$after\" \"$@\") || exit\n"
             "level=${{level:+$level:}}${{id%%;*}}\n",
-            first, count, memory_of(job, first, first + count - 1));
+            first, last, chunk, memory_of(job, first, last));
       }
     text += "after=$level\n";
   }
