@@ -15,6 +15,7 @@ std::vector<int> first_equals(const Observations& observations) {
   DisjointSets<int> sets(observations.stations.size());
   for (const Equate& each : observations.equates) sets.join(each.a, each.b);
   std::vector<int> first;
+  first.reserve(observations.stations.size());
   for (size_t i = 0; i < observations.stations.size(); ++i)
     first.push_back(sets.root(static_cast<int>(i)));
   return first;
@@ -51,6 +52,7 @@ void apply_fix(LegGraph& graph, const Fix& fix, const Observations& observations
 /// in each, then the others.
 std::vector<int> anchor_candidates(const LegGraph& graph, const Observations& observations) {
   std::vector<int> all;
+  all.reserve(2 * graph.edges.size() + as_index(graph.points));
   for (const Edge& edge : graph.edges) {
     if (edge.leg < 0) continue;
     const int first = graph.station_of[as_index(edge.a)];
@@ -108,6 +110,17 @@ constexpr double kGap = 10;
 
 }  // namespace
 
+IncidentEdges::IncidentEdges(size_t points, const std::vector<Edge>& edges)
+    : starts_(points + 1, 0), edges_(2 * edges.size()) {
+  for (const Edge& each : edges)
+    for (const int end : {each.a, each.b}) ++starts_[as_index(end) + 1];
+  for (size_t i = 0; i < points; ++i) starts_[i + 1] += starts_[i];
+  std::vector<size_t> next(starts_.begin(), starts_.end() - 1);
+  for (size_t i = 0; i < edges.size(); ++i)
+    for (const int end : {edges[i].a, edges[i].b})
+      edges_[next[as_index(end)]++] = static_cast<int>(i);
+}
+
 void separate_components(LegGraph& graph) {
   std::vector<bool> is_loose(as_index(graph.points), false);
   for (const std::vector<int>& component : graph.loose)
@@ -131,6 +144,7 @@ LegGraph make_leg_graph(const Observations& observations, Diagnostics& warnings)
   for (size_t i = 0; i < first.size(); ++i)
     graph.point_of[i] = as_index(first[i]) == i ? add_point(graph, static_cast<int>(i))
                                                 : graph.point_of[as_index(first[i])];
+  graph.edges.reserve(observations.legs.size());
   for (size_t i = 0; i < observations.legs.size(); ++i) {
     const ObservedLeg& each = observations.legs[i];
     if (each.leg.style == Style::nosurvey) continue;
@@ -139,11 +153,7 @@ LegGraph make_leg_graph(const Observations& observations, Diagnostics& warnings)
                            static_cast<int>(i)});
   }
   for (const Fix& fix : observations.fixes) apply_fix(graph, fix, observations, warnings);
-  graph.edges_of.resize(as_index(graph.points));
-  for (size_t i = 0; i < graph.edges.size(); ++i) {
-    graph.edges_of[as_index(graph.edges[i].a)].push_back(static_cast<int>(i));
-    graph.edges_of[as_index(graph.edges[i].b)].push_back(static_cast<int>(i));
-  }
+  graph.edges_of = IncidentEdges(as_index(graph.points), graph.edges);
   anchor_components(graph, observations, warnings);
   return graph;
 }

@@ -6,6 +6,7 @@
 #include <vug/survey/observations.h>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace vug::survey {
@@ -19,12 +20,27 @@ struct Edge {
   int leg = -1;  ///< Index in the observations; -1 for a fix with a covariance.
 };
 
+/// The edges of each point in their order, all in one array; an edge from a point to itself twice.
+class IncidentEdges {
+ public:
+  IncidentEdges() = default;
+  IncidentEdges(size_t points, const std::vector<Edge>& edges);
+
+  std::span<const int> operator[](size_t point) const {
+    return {edges_.data() + starts_[point], edges_.data() + starts_[point + 1]};
+  }
+
+ private:
+  std::vector<size_t> starts_ = {0};  ///< One more than points.
+  std::vector<int> edges_;
+};
+
 struct LegGraph {
   int points = 0;
   std::vector<int> point_of;    ///< For each station.
   std::vector<int> station_of;  ///< The first station of each point; -1 for the place of a fix.
   std::vector<Edge> edges;
-  std::vector<std::vector<int>> edges_of;       ///< For each point; an edge to itself twice.
+  IncidentEdges edges_of;
   std::vector<std::optional<Vec3d>> positions;  ///< For each point; initially of fixed ones.
   /// The points of each component that is not fixed, other than the first component of a survey
   /// without fixes. Its first point is at the origin until `separate_components`.

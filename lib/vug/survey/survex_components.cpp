@@ -26,7 +26,9 @@ struct Node {
 /// The nodes of a survey in the order in which cavern creates them.
 class Nodes {
  public:
-  explicit Nodes(size_t stations) : node_of_(stations, -1), equal_(stations) {}
+  explicit Nodes(size_t stations) : node_of_(stations, -1), equal_(stations) {
+    nodes_.reserve(stations + stations / 8);
+  }
 
   int node_of(int station) {
     int& node = node_of_[as_size(station)];

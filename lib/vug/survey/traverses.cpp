@@ -14,7 +14,7 @@ std::vector<DeadEnd> peel(const LegGraph& graph, std::vector<int>& degrees,
   std::vector<DeadEnd> all;
   for (int start = 0; start < graph.points; ++start) {
     for (int point = start; degrees[at(point)] == 1 && !graph.positions[at(point)];) {
-      const auto& edges = graph.edges_of[at(point)];
+      const auto edges = graph.edges_of[at(point)];
       const int edge =
           *std::find_if(edges.begin(), edges.end(), [&](int each) { return !removed[at(each)]; });
       all.push_back({edge, point});
@@ -38,7 +38,7 @@ TraverseChain follow(const LegGraph& graph, const std::vector<bool>& junction,
     chain.forwards.push_back(graph.edges[at(edge)].a == chain.to);
     chain.to = graph.across(edge, chain.to);
     if (junction[at(chain.to)]) return chain;
-    const auto& edges = graph.edges_of[at(chain.to)];
+    const auto edges = graph.edges_of[at(chain.to)];
     edge = *std::find_if(edges.begin(), edges.end(), [&](int each) { return !used[at(each)]; });
   }
 }
@@ -88,7 +88,9 @@ void mark_bridges(const LegGraph& graph, std::vector<TraverseChain>& chains) {
 
 Traverses find_traverses(const LegGraph& graph) {
   std::vector<int> degrees;
-  for (const auto& edges : graph.edges_of) degrees.push_back(static_cast<int>(edges.size()));
+  degrees.reserve(at(graph.points));
+  for (int point = 0; point < graph.points; ++point)
+    degrees.push_back(static_cast<int>(graph.edges_of[at(point)].size()));
   std::vector<bool> used(graph.edges.size(), false);
   Traverses out;
   out.dead_ends = peel(graph, degrees, used);

@@ -24,13 +24,13 @@ Reading checked(const Averaged& both, const char* name, const SourceLocation& wh
 
 std::optional<Reading> BothDirections::combine(const char* name, const SourceLocation& where,
                                                Diagnostics& warnings) const {
-  if (!fore || !back) return fore ? fore : back;
+  if (!fore || !back) return one();
   return checked(average(*fore, *back), name, where, warnings);
 }
 
 std::optional<Reading> BothDirections::combine_bearings(const SourceLocation& where,
                                                         Diagnostics& warnings) const {
-  if (!fore || !back) return fore ? fore : back;
+  if (!fore || !back) return one();
   return checked(average_bearing(*fore, *back), "compass", where, warnings);
 }
 

@@ -12,6 +12,11 @@ struct BothDirections {
   std::optional<Reading> fore;
   std::optional<Reading> back;
 
+  /// The reading if there is only one.
+  std::optional<Reading> one() const {
+    if (fore && back) return std::nullopt;
+    return fore ? fore : back;
+  }
   /// The average if there are both, weighted by their variances, else the one that there is. Adds a
   /// warning at `where` if they differ by more than three standard deviations. `name` is the
   /// instrument for the warning.

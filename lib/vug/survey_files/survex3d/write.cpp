@@ -40,6 +40,7 @@ std::vector<Point> written_points(const std::vector<Station>& stations) {
   std::vector<Point> points;
   points.reserve(stations.size());
   std::unordered_map<Point, Vec3d, PointHash> places;
+  places.reserve(stations.size());
   for (const Station& station : stations) {
     Point p{};
     for (size_t axis = 0; axis < 3; ++axis)
@@ -69,7 +70,9 @@ class Writer {
         written_(survey.legs.size(), false) {}
 
   std::string write() {
-    out_ = fmt::format("{}\nv8\n{}", kMagic, one_line(survey_.title));
+    constexpr size_t kLegBytes = 16, kStationBytes = 32;  // Of most legs and stations.
+    out_.reserve(survey_.legs.size() * kLegBytes + survey_.stations.size() * kStationBytes);
+    out_ += fmt::format("{}\nv8\n{}", kMagic, one_line(survey_.title));
     if (!survey_.coordinate_system.empty()) (out_ += '\0') += one_line(survey_.coordinate_system);
     out_ += "\n?\n";
     out_ += '\0';  // The flags of the file.

@@ -33,6 +33,7 @@ void check_exports(Reader& reader) {
 /// which have -1 and a warning.
 std::vector<int> number_used(Reader& reader) {
   std::vector<int> numbers;
+  numbers.reserve(reader.stations.stations().size());
   int used = 0;
   for (size_t i = 0; i < reader.stations.stations().size(); ++i) {
     const int station = static_cast<int>(i);
@@ -60,8 +61,15 @@ Observations Reader::finish() {
     std::erase_if(tube, [](const CrossSection& each) { return each.station < 0; });
   }
   std::erase_if(out.tubes, [](const Tube& tube) { return tube.empty(); });
-  for (size_t i = 0; i < numbers.size(); ++i)
-    if (numbers[i] >= 0) out.stations.push_back(std::move(stations.stations()[i]));
+  std::vector<Station>& all = stations.stations();
+  size_t kept = 0;
+  for (size_t i = 0; i < all.size(); ++i) {
+    if (numbers[i] < 0) continue;
+    if (kept != i) all[kept] = std::move(all[i]);
+    ++kept;
+  }
+  all.resize(kept);
+  out.stations = std::move(all);
   return std::move(out);
 }
 

@@ -34,14 +34,14 @@ void add_measurement(ObservedLeg& leg, const ObservedLeg& again, int count) {
 }
 
 /// A leg from the same to the same station as the leg before measures it again.
-void add_or_average(Reader& reader, const ObservedLeg& observed) {
+void add_or_average(Reader& reader, ObservedLeg&& observed) {
   std::vector<ObservedLeg>& legs = reader.out.legs;
   const Leg& leg = observed.leg;
   const bool again = reader.repetitions > 0 && legs.back().leg.from == leg.from &&
                      legs.back().leg.to == leg.to && leg.style != Style::nosurvey;
   if (again) return add_measurement(legs.back(), observed, ++reader.repetitions);
   reader.repetitions = leg.style == Style::nosurvey ? 0 : 1;
-  legs.push_back(observed);
+  legs.push_back(std::move(observed));
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ void add_leg(Reader& reader, const LegLine& line) {
   leg.length = read.length;
   leg.survey = settings.survey;
   leg.date = settings.date;
-  add_or_average(reader, observed);
+  add_or_average(reader, std::move(observed));
 }
 
 void add_cross_section(Reader& reader, const StationName& station, const ItemValues& values,

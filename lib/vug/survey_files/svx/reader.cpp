@@ -4,9 +4,26 @@
 #include <vug/survey_files/text_encoding.h>
 #include <vug/survey_files/text_lines.h>
 
+#include <algorithm>
+
 namespace vug::survey::svx {
 
+namespace {
+
+/// Storage for the stations and legs of a text of mostly data lines. Growing step by step would
+/// copy them several times. The limit keeps what texts without data claim small.
+void reserve_for_lines(Reader& reader, std::string_view text) {
+  constexpr ptrdiff_t kMost = 1 << 17;
+  const ptrdiff_t lines = std::count(text.begin(), text.end(), '\n') + 1;
+  const auto count = static_cast<size_t>(std::min(lines, kMost));
+  reader.stations.reserve(count);
+  reader.out.legs.reserve(count);
+}
+
+}  // namespace
+
 void Reader::read(std::string_view text) {
+  if (file_names.empty()) reserve_for_lines(*this, text);
   const std::string& name = file_names.emplace_back(files.current().string());
   const size_t outside = std::exchange(outer_scopes, scopes.size());
   TextLines lines(text, name);

@@ -49,11 +49,40 @@ FullName read_full_name(Line& line, const Settings& settings, Diagnostics& warni
 
 }  // namespace
 
-int StationTable::add(const std::string& name, const SourceLocation& where) {
+NameIndex::Found NameIndex::find(std::string_view name,
+                                 const std::vector<Station>& stations) const {
+  const auto hash = static_cast<uint32_t>(std::hash<std::string_view>()(name));
+  const size_t mask = slots_.size() - 1;
+  for (size_t slot = hash & mask;; slot = (slot + 1) & mask) {
+    const Slot& each = slots_[slot];
+    if (each.station < 0) return {-1, slot, hash};
+    if (each.hash == hash && stations[static_cast<size_t>(each.station)].name == name)
+      return {each.station, slot, hash};
+  }
+}
+
+void NameIndex::insert(const Found& place, int station) {
+  slots_[place.slot] = {place.hash, station};
+  if (++used_ * 2 > slots_.size()) grow();
+}
+
+void NameIndex::grow() {
+  std::vector<Slot> larger(slots_.size() * 2);
+  const size_t mask = larger.size() - 1;
+  for (const Slot& each : slots_) {
+    if (each.station < 0) continue;
+    size_t slot = each.hash & mask;
+    while (larger[slot].station >= 0) slot = (slot + 1) & mask;
+    larger[slot] = each;
+  }
+  slots_ = std::move(larger);
+}
+
+int StationTable::add(std::string name, SourceLocation where) {
   const int number = static_cast<int>(stations_.size());
-  stations_.emplace_back();
-  stations_.back().name = name;
-  stations_.back().where = where;
+  Station& station = stations_.emplace_back();
+  station.name = std::move(name);
+  station.where = std::move(where);
   used_.push_back(false);
   exported_.push_back(false);
   return number;
@@ -76,10 +105,13 @@ StationName StationTable::read(Line& line, const Settings& settings, Diagnostics
     stations_.back().wall = hyphen || dots == 2;
     return {station, dots != 3, true, start};
   }
-  const FullName name = read_full_name(line, settings, warnings, "a station");
-  const auto found = index_.find(name.text);
-  const int station = found != index_.end() ? found->second : add(name.text, line.range(start));
-  if (found == index_.end()) index_.emplace(name.text, station);
+  FullName name = read_full_name(line, settings, warnings, "a station");
+  const NameIndex::Found found = index_.find(name.text, stations_);
+  int station = found.station;
+  if (station < 0) {
+    station = add(std::move(name.text), line.range(start));
+    index_.insert(found, station);
+  }
   if (settings.infer_exports) exported_[static_cast<size_t>(station)] = true;
   if (name.below) names_in_surveys_.push_back({settings.survey, station, line.range(start)});
   return {station, false, false, start};

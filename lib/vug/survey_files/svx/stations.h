@@ -5,7 +5,7 @@
 #include <vug/survey_files/svx/settings.h>
 
 #include <string>
-#include <unordered_map>
+#include <string_view>
 #include <vector>
 
 namespace vug::survey::svx {
@@ -25,6 +25,30 @@ struct NameInSurvey {
   SourceLocation where;
 };
 
+/// The numbers of stations by name: a hash table with linear probing. It refers to the names in the
+/// vector of stations instead of copying them, so that a station costs no allocation here.
+class NameIndex {
+ public:
+  /// The station with this name, or -1 and the place at which `insert` adds it.
+  struct Found {
+    int station = -1;
+    size_t slot = 0;
+    uint32_t hash = 0;
+  };
+  Found find(std::string_view name, const std::vector<Station>& stations) const;
+  void insert(const Found& place, int station);
+
+ private:
+  struct Slot {
+    uint32_t hash = 0;
+    int station = -1;
+  };
+  void grow();
+
+  std::vector<Slot> slots_ = std::vector<Slot>(64);  ///< A power of two, at most half full.
+  size_t used_ = 0;
+};
+
 class StationTable {
  public:
   /// Reads a name in the current survey and adds the station if it is new. The separators ".", ".."
@@ -33,6 +57,7 @@ class StationTable {
   /// Reads the name of a survey below the current one and returns its full name.
   static std::string read_survey(Line& line, const Settings& settings, Diagnostics& warnings);
 
+  void reserve(size_t stations) { stations_.reserve(stations); }
   std::vector<Station>& stations() { return stations_; }
   Station& operator[](int station) { return stations_[static_cast<size_t>(station)]; }
   const std::vector<NameInSurvey>& names_in_surveys() const { return names_in_surveys_; }
@@ -43,12 +68,12 @@ class StationTable {
   bool is_exported(int station) const { return exported_[static_cast<size_t>(station)]; }
 
  private:
-  int add(const std::string& name, const SourceLocation& where);
+  int add(std::string name, SourceLocation where);
 
   std::vector<Station> stations_;
   std::vector<bool> used_;
   std::vector<bool> exported_;
-  std::unordered_map<std::string, int> index_;
+  NameIndex index_;
   std::vector<NameInSurvey> names_in_surveys_;
 };
 

@@ -30,6 +30,12 @@ struct LegReader {
     throw Error(ErrorCode::bad_input, message, where(item), hint);
   }
 
+  /// The place of a reading costs more than the reading, so it is made only if there are two.
+  std::optional<Reading> combined(const BothDirections& read, const char* name, Item back) const {
+    if (!read.fore || !read.back) return read.one();
+    return read.combine(name, where(back), reader.warnings);
+  }
+
   double calibrated(Item item, Quantity quantity) const {
     return settings().calibrations[quantity](value(item).number);
   }
@@ -68,7 +74,7 @@ Reading LegReader::tape() const {
   BothDirections read;
   if (value(Item::tape).given()) read.fore = one_tape(Item::tape, kTape);
   if (value(Item::back_tape).given()) read.back = one_tape(Item::back_tape, kBackTape);
-  if (const auto both = read.combine("tape", where(Item::back_tape), reader.warnings)) return *both;
+  if (const auto length = combined(read, "tape", Item::back_tape)) return *length;
   if (value(Item::from_count).is_number() && value(Item::to_count).is_number()) {
     const Calibration& count = settings().calibrations[kCount];
     const double turns = value(Item::to_count).number - value(Item::from_count).number;
@@ -86,17 +92,21 @@ Reading LegReader::one_bearing(Item item, Quantity quantity) const {
 }
 
 Reading LegReader::bearing() const {
-  const double north = reader.north.correction(settings(), reader.out.coordinate_system,
-                                               leg.line.range(leg.from.start), reader.warnings);
+  const Declination& declination = settings().declination;
+  const double north = declination.automatic ? reader.north.correction(
+                                                   settings(), reader.out.coordinate_system,
+                                                   leg.line.range(leg.from.start), reader.warnings)
+                                             : declination.value;
   const auto read = [&](Item item, Quantity quantity, double turn) -> std::optional<Reading> {
     if (!value(item).given()) return std::nullopt;
     Reading one = one_bearing(item, quantity);
     one.value += north + turn;
     return one;
   };
-  return *BothDirections{read(Item::compass, kCompass, 0),
-                         read(Item::back_compass, kBackCompass, kPi)}
-              .combine_bearings(where(Item::back_compass), reader.warnings);
+  const BothDirections both{read(Item::compass, kCompass, 0),
+                            read(Item::back_compass, kBackCompass, kPi)};
+  if (both.one()) return *both.one();
+  return *both.combine_bearings(where(Item::back_compass), reader.warnings);
 }
 
 Reading LegReader::one_gradient(Item item, Quantity quantity) const {
@@ -114,7 +124,7 @@ Reading LegReader::gradient() const {
     read.back = one_gradient(Item::back_clino, kBackClino);
     read.back->value = -read.back->value;
   }
-  return *read.combine("clino", where(Item::back_clino), reader.warnings);
+  return *combined(read, "clino", Item::back_clino);
 }
 
 /// 1 for a leg vertically up, -1 for one down, 0 for others.
