@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Commands that touch no picture load none of the libraries for pictures; what happens if that library is missing."""
+"""Commands that touch no picture load none of the libraries for pictures; what happens if that library is missing. The same
+for PROJ and coordinate systems."""
 import os
 import pathlib
 import subprocess
@@ -9,6 +10,7 @@ from pictures import write_png
 from vug import PROGRAM, SOURCE, VugTest
 
 LIBRARY = "libvug_image_files.so"
+PROJ = "libproj.so.25"
 PICTURE_LIBRARIES = (LIBRARY, "libOpenImageIO", "libOpenColorIO", "libavcodec", "libopencv_core")
 
 
@@ -42,12 +44,26 @@ class Startup(VugTest):
             with self.subTest(args=args):
                 names = self.libraries(*args)
                 self.assertFalse([name for name in names if name.startswith(PICTURE_LIBRARIES)])
+                self.assertNotIn(PROJ, names)
 
     def test_a_command_that_reads_pictures_loads_them(self):
         write_png(self.folder / "grey.png", [[(9, 9, 9)] * 16] * 16)
         names = self.libraries("diff", "grey.png", "grey.png")
         self.assertIn(LIBRARY, names)
         self.assertTrue([name for name in names if name.startswith("libOpenImageIO")])
+
+    def test_surveys_load_proj_only_for_coordinate_systems(self):
+        self.write("local.svx", "a b 10 0 0\n")
+        self.write("grid.svx", "*cs UTM30N\n*cs out EPSG:27700\n*fix a 500000 5538630 0\na b 10 0 0\n")
+        self.assertNotIn(PROJ, self.libraries("survey", "local.svx"))
+        self.assertIn(PROJ, self.libraries("survey", "grid.svx"))
+        copy = self.copy_with(b"libproj.so", b"libgone.so")
+        self.assertEqual(self.run_copy(copy, "survey", "local.svx").returncode, 0)
+        result = self.run_copy(copy, "survey", "grid.svx")
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertRegex(result.stderr, "error: the library PROJ, which computes coordinates, cannot be loaded: "
+                                        ".*No such file")
+        self.assertIn("hint: install the Debian package libproj25", result.stderr)
 
     def test_a_missing_library_is_reported_and_other_commands_still_work(self):
         write_png(self.folder / "grey.png", [[(9, 9, 9)] * 16] * 16)

@@ -4,9 +4,9 @@
 #include <vug/base/error.h>
 #include <vug/base/maths.h>
 #include <vug/survey/coordinate_system.h>
+#include <vug/survey/proj_library.h>
 
 #include <fmt/format.h>
-#include <proj.h>
 
 #include <cmath>
 #include <map>
@@ -20,28 +20,28 @@ constexpr const char* kWgs84 = "EPSG:4326";
 
 struct Geodesy::Cache {
   struct DestroyTransformation {
-    void operator()(PJ* transformation) const { proj_destroy(transformation); }
+    void operator()(PJ* transformation) const { proj().destroy(transformation); }
   };
   using Transformation = std::unique_ptr<PJ, DestroyTransformation>;
 
-  PJ_CONTEXT* context = proj_context_create();
+  PJ_CONTEXT* context = proj().context_create();
   std::map<std::pair<std::string, std::string>, Transformation> transformations;
 
   Cache() {
     // Errors are thrown by the callers; PROJ must not print and must not use the network.
-    proj_log_level(context, PJ_LOG_NONE);
-    proj_context_set_enable_network(context, 0);
+    proj().log_level(context, PJ_LOG_NONE);
+    proj().context_set_enable_network(context, 0);
   }
   ~Cache() {
     transformations.clear();
-    proj_context_destroy(context);
+    proj().context_destroy(context);
   }
 
   PJ* find(const std::string& from, const std::string& to) {
     Transformation& known = transformations[{from, to}];
     if (known) return known.get();
-    const Transformation raw(proj_create_crs_to_crs(context, from.c_str(), to.c_str(), nullptr));
-    if (raw) known.reset(proj_normalize_for_visualization(context, raw.get()));
+    const Transformation raw(proj().create_crs_to_crs(context, from.c_str(), to.c_str(), nullptr));
+    if (raw) known.reset(proj().normalize_for_visualization(context, raw.get()));
     if (known) return known.get();
     throw Error(ErrorCode::bad_input,
                 fmt::format("PROJ cannot transform from '{}' to '{}'", from, to), {},
@@ -50,12 +50,12 @@ struct Geodesy::Cache {
 
   Vec3d apply(const std::string& from, const std::string& to, const Vec3d& place) {
     PJ* transformation = find(from, to);
-    proj_errno_reset(transformation);
+    proj().errno_reset(transformation);
     const PJ_COORD out =
-        proj_trans(transformation, PJ_FWD, proj_coord(place.x, place.y, place.z, HUGE_VAL));
+        proj().trans(transformation, PJ_FWD, proj().coord(place.x, place.y, place.z, HUGE_VAL));
     const Vec3d result(out.xyz.x, out.xyz.y, out.xyz.z);
-    if (proj_errno(transformation) == 0 && std::isfinite(result.x) && std::isfinite(result.y) &&
-        std::isfinite(result.z))
+    if (proj().last_error(transformation) == 0 && std::isfinite(result.x) &&
+        std::isfinite(result.y) && std::isfinite(result.z))
       return result;
     throw Error(ErrorCode::bad_input,
                 fmt::format("the place ({:.2f}, {:.2f}, {:.2f}) of '{}' has no coordinates in '{}'",
@@ -92,7 +92,8 @@ std::string Geodesy::fault_of(const std::string& name) {
   if (system->definition.empty()) return "";
   try {
     cache().find(system->definition, kWgs84);
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_input) throw;  // PROJ is missing.
     return fmt::format("PROJ does not know the coordinate system '{}'", name);
   }
   return "";
