@@ -2,6 +2,7 @@
 #include <vug/drips/surface.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -10,7 +11,10 @@ namespace {
 
 constexpr int kNewtonSteps = 12;
 constexpr double kOnSurface = 1e-7;  // Metres.
-constexpr size_t kFewSamples = 12;   // Of a line; more are divided.
+/// A bound of the errors of single precision, relative to the largest coordinate: more than thirty
+/// units in the last place.
+constexpr double kRounding = 2e-6;
+constexpr int kHalvings = 24;
 
 }  // namespace
 
@@ -34,11 +38,35 @@ std::optional<Vec3d> onto_surface(const field::Field& rock, const Vec3d& p, doub
   return std::nullopt;
 }
 
-/// A distance within which the sign cannot differ from that of the value, less a margin for
-/// rounding.
-double VerticalLine::clearance(double value) const {
-  const double size = std::fabs(value);
-  return size > 1e-6 ? (size - 1e-6) / rock_.lipschitz() * (1 - 1e-6) : 0;
+void VerticalLine::sample(const field::Field& rock, std::span<const double> heights,
+                          float* values) const {
+  using field::Pack;
+  constexpr size_t kPacks = kMostHeights / Pack::kLanes;
+  thread_local field::Scratch scratch;
+  field::Point<Pack> points[kPacks];
+  Pack packs[kPacks];
+  const size_t count = (heights.size() + Pack::kLanes - 1) / Pack::kLanes;
+  for (size_t k = 0; k < count; ++k) {
+    float lanes[Pack::kLanes];
+    for (size_t lane = 0; lane < Pack::kLanes; ++lane)
+      lanes[lane] =
+          static_cast<float>(heights[std::min(k * Pack::kLanes + lane, heights.size() - 1)]);
+    points[k] = {Pack(static_cast<float>(at_.x)), Pack::load(lanes),
+                 Pack(static_cast<float>(at_.z))};
+  }
+  rock.values(points, static_cast<int>(count), packs, scratch);
+  for (size_t k = 0; k < count; ++k) packs[k].store(values + k * Pack::kLanes);
+}
+
+/// A bound of the errors of `sample` between two heights. The coordinates of parts of the rock that
+/// are far away have larger errors than those of the line.
+double VerticalLine::rounding(double from, double to) const {
+  double largest = 1 + std::fabs(at_.x) + std::fabs(at_.z) + std::fabs(from) + std::fabs(to);
+  const Box3d& box = rock_.bounds();
+  for (int axis = 0; axis < 3 && !box.isEmpty(); ++axis)
+    for (const double end : {box.min[axis], box.max[axis]})
+      if (std::isfinite(end)) largest = std::max(largest, std::fabs(end));
+  return kRounding * largest * std::max(1.0, rock_.lipschitz());
 }
 
 /// The ball around the part of the line between two heights.
@@ -64,30 +92,55 @@ std::optional<double> VerticalLine::first_change(const field::Field& rock,
   if (heights.size() < 2) return std::nullopt;
   const auto local = rock.restricted(ball(heights.front(), heights.back()));
   if (inside ? local.range.hi <= 0 : local.range.lo > 0) return std::nullopt;
-  if (heights.size() > kFewSamples) {
+  if (heights.size() > kMostHeights) {
     const size_t middle = heights.size() / 2;
     if (const auto found = first_change(local.field, heights.first(middle + 1), inside))
       return found;
     return first_change(local.field, heights.subspan(middle), inside);
   }
-  double known = heights.front(), clear = 0;
+  const double unsure = rounding(heights.front(), heights.back());
+  float values[kMostHeights];
+  sample(local.field, heights, values);
   for (size_t i = 1; i < heights.size(); ++i) {
-    if (std::fabs(heights[i] - known) < clear) continue;
-    const double there = value(local.field, heights[i]);
+    const double there = std::fabs(values[i]) > unsure ? static_cast<double>(values[i])
+                                                       : value(local.field, heights[i]);
     if ((there <= 0) != inside) return refined(local.field, heights[i - 1], heights[i], inside);
-    known = heights[i];
-    clear = clearance(there);
   }
   return std::nullopt;
 }
 
+/// Halves the interval. The middles of the next three halvings, of which each depends on the sign
+/// at the one before, are seven heights, which are sampled together.
 double VerticalLine::refined(const field::Field& rock, double near, double far, bool inside) const {
+  constexpr size_t kMiddles = 7;
+  struct Part {
+    double near, far;
+    double middle() const { return 0.5 * (near + far); }
+  };
   const field::Field local = rock.restricted(ball(near, far)).field;
-  for (int i = 0; i < 24; ++i) {
-    const double middle = 0.5 * (near + far);
-    ((value(local, middle) <= 0) == inside ? near : far) = middle;
+  const double unsure = rounding(near, far);
+  Part part{near, far};
+  for (int i = 0; i < kHalvings; i += 3) {
+    std::array<Part, 2 * kMiddles + 1> parts{{part}};  // As a heap.
+    std::array<double, kMiddles> middles;
+    for (size_t k = 0; k < kMiddles; ++k) {
+      middles[k] = parts[k].middle();
+      parts[2 * k + 1] = {parts[k].near, middles[k]};
+      parts[2 * k + 2] = {middles[k], parts[k].far};
+    }
+    // No value of a shorter part is certain, because the part contains a zero.
+    float values[kMostHeights] = {};
+    if (std::fabs(part.far - part.near) * rock_.lipschitz() > unsure)
+      sample(local, middles, values);
+    size_t k = 0;
+    while (k < kMiddles) {
+      const double there =
+          std::fabs(values[k]) > unsure ? static_cast<double>(values[k]) : value(local, middles[k]);
+      k = 2 * k + ((there <= 0) == inside ? 2 : 1);
+    }
+    part = parts[k];
   }
-  return 0.5 * (near + far);
+  return part.middle();
 }
 
 }  // namespace vug::drips

@@ -16,8 +16,9 @@ Vec3d normal_at(const field::Field& rock, const Vec3d& p);
 /// `reach` metres or if it does not converge.
 std::optional<Vec3d> onto_surface(const field::Field& rock, const Vec3d& p, double reach);
 
-/// The vertical line through a point. Heights are sampled at fixed steps; samples whose sign
-/// follows from bounds of the field or from an earlier value are not evaluated.
+/// The vertical line through a point. Heights are sampled at fixed steps. The signs of samples come
+/// from bounds of the field, else from values in single precision, and within the rounding errors
+/// of those from values in double precision: they are the signs of the latter.
 class VerticalLine {
  public:
   /// The rock must outlive the line.
@@ -31,11 +32,14 @@ class VerticalLine {
 
  private:
   double value(const field::Field& rock, double y) const { return rock.value({at_.x, y, at_.z}); }
-  double clearance(double value) const;
+  /// Values in single precision; at most kMostHeights of them.
+  void sample(const field::Field& rock, std::span<const double> heights, float* values) const;
+  double rounding(double from, double to) const;
   field::Ball ball(double a, double b) const;
   std::optional<double> first_change(const field::Field& rock, std::span<const double> heights,
                                      bool inside) const;
   double refined(const field::Field& rock, double near, double far, bool inside) const;
+  static constexpr size_t kMostHeights = 32;
 
   const field::Field& rock_;
   Vec3d at_;

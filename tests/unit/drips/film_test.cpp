@@ -3,6 +3,7 @@
 #include <vug/drips/drop.h>
 #include <vug/drips/film_path.h>
 #include <vug/drips/surface.h>
+#include <vug/field/translated.h>
 
 #include <gtest/gtest.h>
 
@@ -63,6 +64,46 @@ TEST(Film, FollowsRoughRoofsToTheirLows) {
   }
   EXPECT_GT(lows, 20);
   EXPECT_GT(points, 200);
+}
+
+/// The first change of sign between samples, from values in double precision alone.
+std::optional<double> plain_crossing(const field::Field& rock, const Vec3d& at, double step,
+                                     double to) {
+  const auto solid = [&](double y) { return rock.value({at.x, y, at.z}) <= 0; };
+  const double way = to < at.y ? -1 : 1, length = std::fabs(to - at.y);
+  const bool inside = solid(at.y);
+  double near = at.y;
+  for (double s = 0; s < length;) {
+    s = std::min(s + step, length);
+    double far = at.y + way * s;
+    if (solid(far) != inside) {
+      for (int i = 0; i < 24; ++i) {
+        const double middle = 0.5 * (near + far);
+        (solid(middle) == inside ? near : far) = middle;
+      }
+      return 0.5 * (near + far);
+    }
+    near = far;
+  }
+  return std::nullopt;
+}
+
+TEST(VerticalLines, HaveTheBitsOfAPlainSearch) {
+  const field::Field far_away =
+      field::unite({cave(), field::translated(field::make("sphere"), {3e4, 0, 0})});
+  int found = 0;
+  for (const field::Field& rock : {cave(), hall(6, 0.4, 6), far_away})
+    for (int i = 0; i < 60; ++i)
+      for (const double to : {-6.0, 6.0}) {
+        const Vec3d at(-2.4 + 0.08 * i, 0.01 * i, 1.7 * std::sin(i));
+        const auto expected = plain_crossing(rock, at, 0.05, to);
+        const auto y = VerticalLine(rock, at, 0.05).crossing(at.y, to);
+        ASSERT_EQ(y.has_value(), expected.has_value()) << at;
+        if (!y) continue;
+        EXPECT_EQ(*y, *expected) << at;
+        ++found;
+      }
+  EXPECT_GT(found, 200);
 }
 
 TEST(Film, DetachesAfterFourWavelengthsOnAverage) {
