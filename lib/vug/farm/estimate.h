@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vug/base/progress.h>
+#include <vug/building/stored_products.h>
 #include <vug/picture/picture_plan.h>
 
 #include <cstdint>
@@ -34,9 +35,11 @@ struct Rates {
   double start_seconds = 1;
 };
 
-/// From a sampling of the fields (see volume::estimate), the settings of the picture, and the
-/// rates. Computes deferred fields such as drips.
+/// From the level sets that are in the store and a sampling of the fields of others (see
+/// volume::estimate), the settings of the picture, and the rates. Computes deferred fields such as
+/// drips if they are sampled.
 PictureCost estimate_picture(const picture::PicturePlan& plan, int cores, const Rates& rates = {},
-                             Progress& progress = Progress::none());
+                             Progress& progress = Progress::none(),
+                             const building::StoreUse& stored = {});
 
 }  // namespace vug::farm

@@ -119,8 +119,9 @@ int run_plan(PlanOptions& options, const std::vector<std::string>& arguments) {
   job.render_arguments = arguments;
   job.spp = static_cast<uint32_t>(plan.render.settings.spp);
   // Drips that are in the store are not grown for the estimate, and others are stored.
-  const auto drips = building::store_drips(loaded.shot, render.work.build_options(loaded).stored);
-  job.cost = farm::estimate_picture(plan, options.cores, {}, progress);
+  const building::StoreUse stored = render.work.build_options(loaded).stored;
+  const auto drips = building::store_drips(loaded.shot, stored);
+  job.cost = farm::estimate_picture(plan, options.cores, {}, progress, stored);
   const int machines = options.for_cores > 0 ? options.for_cores : 8 * options.cores;
   job.parts = options.parts ? *options.parts
               : plan.render.settings.noise > 0
