@@ -5,6 +5,7 @@
 #include "shoot_options.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <vug/base/atomic_file.h>
 #include <vug/network/dat.h>
 #include <vug/scene/report.h>
@@ -48,6 +49,15 @@ void require_scene_options(const SurveyOptions& options) {
                 "omit it, or give a scene instead of the survey");
 }
 
+/// Keeps freed memory for the next large block. Reading a survey makes and frees tens of arrays,
+/// and by default the C library returns each to the system, which clears its pages again.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 512 << 20);
+#endif
+}
+
 /// Reads or shoots the survey, or takes it from the network of a scene, and refuses outputs that
 /// would overwrite its files.
 survey::Survey read_or_shoot(const SurveyOptions& options,
@@ -60,6 +70,7 @@ survey::Survey read_or_shoot(const SurveyOptions& options,
                 fmt::format("'{}' is a network of karst research, not a survey", options.file), {},
                 "vug measure FILE --score compares it with real caves; scenes read it with "
                 "nodes_links(file: \"FILE\")");
+  keep_freed_memory();
   Diagnostics warnings;
   survey::ReadOptions reading;
   reading.allow_outside = options.allow_outside;
