@@ -48,7 +48,7 @@ def run(changes, *names):
                 continue
             path = pathlib.Path(folder, name)
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
+            path.write_bytes(text if isinstance(text, bytes) else text.encode())
         done = subprocess.run([sys.executable, ROOT / "tools/dev/check", "--root", folder, *names],
                               capture_output=True, text=True)
         return done.returncode, done.stdout + done.stderr
@@ -249,6 +249,13 @@ class CheckTest(unittest.TestCase):
             self.finds("paths", {"docs/a.md": "\n" + text + "\n"}, what)
         self.passes("paths", {"docs/a.md": "`a / b`, `out/a.vdb`, `lib/vug/mesh/`, `field/primitives/box.cpp`"
                                            "\n```\n`mesh/nowhere.cpp`\n```\n"})
+
+    def test_pictures(self):
+        def jpeg(marker):
+            return b"\xff\xd8\xff\xe0\x00\x04ab\xff" + marker + b"\x00\x04cd\xff\xda\x00\x02\xff\xe1"
+        for marker in (b"\xe1", b"\xed", b"\xfe"):
+            self.finds("pictures", {"docs/images/a.jpg": jpeg(marker)}, "docs/images/a.jpg: it has metadata")
+        self.passes("pictures", {"docs/images/a.jpg": jpeg(b"\xdb"), "data/photo.jpg": jpeg(b"\xe1")})
 
     def test_citations(self):
         self.finds("citations", {"lib/vug/mesh/a.cpp": 'void f() { s.cite("nobody1999"); }\n'},
