@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/drips/surface.h>
+#include <vug/field/noise.h>
 
 #include <algorithm>
 #include <array>
@@ -38,24 +39,14 @@ std::optional<Vec3d> onto_surface(const field::Field& rock, const Vec3d& p, doub
   return std::nullopt;
 }
 
-void VerticalLine::sample(const field::Field& rock, std::span<const double> heights,
-                          float* values) const {
-  using field::Pack;
-  constexpr size_t kPacks = kMostHeights / Pack::kLanes;
-  thread_local field::Scratch scratch;
-  field::Point<Pack> points[kPacks];
-  Pack packs[kPacks];
-  const size_t count = (heights.size() + Pack::kLanes - 1) / Pack::kLanes;
-  for (size_t k = 0; k < count; ++k) {
-    float lanes[Pack::kLanes];
-    for (size_t lane = 0; lane < Pack::kLanes; ++lane)
-      lanes[lane] =
-          static_cast<float>(heights[std::min(k * Pack::kLanes + lane, heights.size() - 1)]);
-    points[k] = {Pack(static_cast<float>(at_.x)), Pack::load(lanes),
-                 Pack(static_cast<float>(at_.z))};
-  }
-  rock.values(points, static_cast<int>(count), packs, scratch);
-  for (size_t k = 0; k < count; ++k) packs[k].store(values + k * Pack::kLanes);
+VerticalLine::Samples VerticalLine::sample(const field::Field& rock,
+                                           std::span<const double> heights) const {
+  std::array<Vec3f, kMostSamples> points;
+  for (size_t i = 0; i < heights.size(); ++i) points[i] = Vec3f(Vec3d(at_.x, heights[i], at_.z));
+  Samples values{};
+  field::sample(rock, std::span(points).first(heights.size()),
+                std::span(values).first(heights.size()));
+  return values;
 }
 
 /// A bound of the errors of `sample` between two heights. The coordinates of parts of the rock that
@@ -67,6 +58,11 @@ double VerticalLine::rounding(double from, double to) const {
     for (const double end : {box.min[axis], box.max[axis]})
       if (std::isfinite(end)) largest = std::max(largest, std::fabs(end));
   return kRounding * largest * std::max(1.0, rock_.lipschitz());
+}
+
+/// Whether a height is in rock, by its value in single precision unless that may be wrong.
+bool VerticalLine::solid(const field::Field& rock, double y, float sampled, double unsure) const {
+  return (std::fabs(sampled) > unsure ? static_cast<double>(sampled) : value(rock, y)) <= 0;
 }
 
 /// The ball around the part of the line between two heights.
@@ -92,20 +88,17 @@ std::optional<double> VerticalLine::first_change(const field::Field& rock,
   if (heights.size() < 2) return std::nullopt;
   const auto local = rock.restricted(ball(heights.front(), heights.back()));
   if (inside ? local.range.hi <= 0 : local.range.lo > 0) return std::nullopt;
-  if (heights.size() > kMostHeights) {
+  if (heights.size() > kMostSamples) {
     const size_t middle = heights.size() / 2;
     if (const auto found = first_change(local.field, heights.first(middle + 1), inside))
       return found;
     return first_change(local.field, heights.subspan(middle), inside);
   }
   const double unsure = rounding(heights.front(), heights.back());
-  float values[kMostHeights];
-  sample(local.field, heights, values);
-  for (size_t i = 1; i < heights.size(); ++i) {
-    const double there = std::fabs(values[i]) > unsure ? static_cast<double>(values[i])
-                                                       : value(local.field, heights[i]);
-    if ((there <= 0) != inside) return refined(local.field, heights[i - 1], heights[i], inside);
-  }
+  const Samples values = sample(local.field, heights);
+  for (size_t i = 1; i < heights.size(); ++i)
+    if (solid(local.field, heights[i], values[i], unsure) != inside)
+      return refined(local.field, heights[i - 1], heights[i], inside);
   return std::nullopt;
 }
 
@@ -129,15 +122,12 @@ double VerticalLine::refined(const field::Field& rock, double near, double far, 
       parts[2 * k + 2] = {middles[k], parts[k].far};
     }
     // No value of a shorter part is certain, because the part contains a zero.
-    float values[kMostHeights] = {};
+    Samples values{};
     if (std::fabs(part.far - part.near) * rock_.lipschitz() > unsure)
-      sample(local, middles, values);
+      values = sample(local, middles);
     size_t k = 0;
-    while (k < kMiddles) {
-      const double there =
-          std::fabs(values[k]) > unsure ? static_cast<double>(values[k]) : value(local, middles[k]);
-      k = 2 * k + ((there <= 0) == inside ? 2 : 1);
-    }
+    while (k < kMiddles)
+      k = 2 * k + (solid(local, middles[k], values[k], unsure) == inside ? 2 : 1);
     part = parts[k];
   }
   return part.middle();

@@ -4,6 +4,7 @@
 
 #include <vug/field/field.h>
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -32,14 +33,17 @@ class VerticalLine {
 
  private:
   double value(const field::Field& rock, double y) const { return rock.value({at_.x, y, at_.z}); }
-  /// Values in single precision; at most kMostHeights of them.
-  void sample(const field::Field& rock, std::span<const double> heights, float* values) const;
+  /// More samples of a line are divided.
+  static constexpr size_t kMostSamples = 32;
+  using Samples = std::array<float, kMostSamples>;
+  /// Values in single precision at these heights.
+  Samples sample(const field::Field& rock, std::span<const double> heights) const;
+  bool solid(const field::Field& rock, double y, float sampled, double unsure) const;
   double rounding(double from, double to) const;
   field::Ball ball(double a, double b) const;
   std::optional<double> first_change(const field::Field& rock, std::span<const double> heights,
                                      bool inside) const;
   double refined(const field::Field& rock, double near, double far, bool inside) const;
-  static constexpr size_t kMostHeights = 32;
 
   const field::Field& rock_;
   Vec3d at_;

@@ -17,14 +17,18 @@ std::optional<Noise> default_noise(const std::string& kind) {
 
 Noise::Noise() : Noise(*default_noise(kDefaultNoise)) { is_default = true; }
 
-std::vector<float> sample(const Field& field, const std::vector<Vec3f>& points) {
-  constexpr size_t kPacks = 64, kChunk = kPacks * Pack::kLanes;
-  std::vector<float> out(points.size());
-  parallel_for((points.size() + kChunk - 1) / kChunk, [&](size_t chunk) {
-    thread_local Scratch scratch;
-    Point<Pack> in[kPacks];
-    Pack values[kPacks];
-    const size_t first = chunk * kChunk, count = std::min(kChunk, points.size() - first);
+namespace {
+
+constexpr size_t kPacks = 64, kChunk = kPacks * Pack::kLanes;
+
+}  // namespace
+
+void sample(const Field& field, std::span<const Vec3f> points, std::span<float> out) {
+  thread_local Scratch scratch;
+  Point<Pack> in[kPacks];
+  Pack values[kPacks];
+  for (size_t first = 0; first < points.size(); first += kChunk) {
+    const size_t count = std::min(kChunk, points.size() - first);
     const size_t packs = (count + Pack::kLanes - 1) / Pack::kLanes;
     for (size_t k = 0; k < packs; ++k) {
       float lanes[3][Pack::kLanes];
@@ -41,6 +45,14 @@ std::vector<float> sample(const Field& field, const std::vector<Vec3f>& points) 
       for (size_t lane = 0; lane < Pack::kLanes && k * Pack::kLanes + lane < count; ++lane)
         out[first + k * Pack::kLanes + lane] = lanes[lane];
     }
+  }
+}
+
+std::vector<float> sample(const Field& field, const std::vector<Vec3f>& points) {
+  std::vector<float> out(points.size());
+  parallel_for((points.size() + kChunk - 1) / kChunk, [&](size_t chunk) {
+    const size_t first = chunk * kChunk, count = std::min(kChunk, points.size() - first);
+    sample(field, std::span(points).subspan(first, count), std::span(out).subspan(first, count));
   });
   return out;
 }

@@ -4,6 +4,8 @@
 
 #include <vug/field/kind.h>
 
+#include <span>
+
 namespace vug::field {
 
 constexpr const char* kDefaultNoise = "fbm";
@@ -32,6 +34,8 @@ std::optional<Noise> default_noise(const std::string& kind);
 
 /// Values at points, e.g. to colour the vertices of a mesh; evaluated in parallel, 8 at a time.
 std::vector<float> sample(const Field& field, const std::vector<Vec3f>& points);
+/// The same on the calling thread and without allocations. `out` has the size of `points`.
+void sample(const Field& field, std::span<const Vec3f> points, std::span<float> out);
 
 inline Value as_value(const Noise& noise);
 
