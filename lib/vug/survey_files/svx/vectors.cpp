@@ -92,11 +92,8 @@ Reading LegReader::one_bearing(Item item, Quantity quantity) const {
 }
 
 Reading LegReader::bearing() const {
-  const Declination& declination = settings().declination;
-  const double north = declination.automatic ? reader.north.correction(
-                                                   settings(), reader.out.coordinate_system,
-                                                   leg.line.range(leg.from.start), reader.warnings)
-                                             : declination.value;
+  const double north = reader.north.correction(settings(), reader.out.coordinate_system, leg.line,
+                                               leg.from.start, reader.warnings);
   const auto read = [&](Item item, Quantity quantity, double turn) -> std::optional<Reading> {
     if (!value(item).given()) return std::nullopt;
     Reading one = one_bearing(item, quantity);
@@ -105,7 +102,7 @@ Reading LegReader::bearing() const {
   };
   const BothDirections both{read(Item::compass, kCompass, 0),
                             read(Item::back_compass, kBackCompass, kPi)};
-  if (both.one()) return *both.one();
+  if (const auto one = both.one()) return *one;
   return *both.combine_bearings(where(Item::back_compass), reader.warnings);
 }
 
@@ -203,8 +200,8 @@ MeasuredVector LegReader::cartesian() const {
                 z = axis(Item::altitude, kAltitude);
   const MeasuredVector read{{x.value, y.value, z.value},
                             {.xx = x.variance, .yy = y.variance, .zz = z.variance}};
-  const double angle = reader.north.cartesian_correction(
-      settings(), reader.out.coordinate_system, leg.line.range(leg.from.start), reader.warnings);
+  const double angle = reader.north.cartesian_correction(settings(), reader.out.coordinate_system,
+                                                         leg.line, leg.from.start, reader.warnings);
   return angle == 0 ? read : turned(read, angle);
 }
 
