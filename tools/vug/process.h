@@ -2,6 +2,7 @@
 // Runs another program to its end.
 #pragma once
 
+#include <sys/types.h>
 #include <vug/base/progress.h>
 
 #include <filesystem>
@@ -22,6 +23,15 @@ struct ProcessResult {
 ProcessResult run_program(const std::vector<std::string>& command,
                           const std::filesystem::path& folder, const std::filesystem::path& log,
                           double seconds, const Progress& progress = Progress::none());
+
+/// Starts a program as run_program does. `connection`: a descriptor that becomes its standard input
+/// and output, instead of the null device and the log; -1: none. Error(bad_input) with the hint if
+/// it cannot be started.
+pid_t start_program(const std::vector<std::string>& command, const std::filesystem::path& folder,
+                    const std::filesystem::path& log, const std::string& hint, int connection = -1);
+
+/// ProcessResult::exit from the status of waitpid.
+int exit_of_status(int status);
 
 /// Path of the running executable.
 std::filesystem::path current_executable();

@@ -4,10 +4,8 @@
 #include "process.h"
 #include "verb.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -67,26 +65,18 @@ std::optional<SharedCall> shared_call(const farm::Task& task) {
 PartProcess::PartProcess(std::vector<std::string> arguments, const std::filesystem::path& folder,
                          const std::filesystem::path& log)
     : arguments_(std::move(arguments)) {
-  const std::string program = current_executable().string();
-  std::vector<char*> words{const_cast<char*>(program.c_str())};
-  for (const std::string& word : arguments_) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
+  std::vector<std::string> command = arguments_;
+  command.insert(command.begin(), current_executable().string());
   const std::array<int, 2> ends = connection();
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], 0);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], 1);
-  posix_spawn_file_actions_addopen(&actions, 2, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  const int fault = posix_spawn(&child_, program.c_str(), &actions, nullptr, words.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
+  try {
+    child_ =
+        start_program(command, folder, log, "check the permissions of the job's folder", ends[1]);
+  } catch (...) {
+    for (const int end : ends) close(end);
+    throw;
+  }
   close(ends[1]);
   socket_ = ends[0];
-  if (fault == 0) return;
-  close(socket_);
-  throw Error(ErrorCode::bad_input,
-              fmt::format("cannot run '{}': {}", program, std::strerror(fault)), {},
-              "check the permissions of the job's folder");
 }
 
 PartProcess::~PartProcess() {
@@ -131,7 +121,7 @@ int PartProcess::wait_for_exit() {
   while (!exit_) {
     const pid_t ended = waitpid(child_, &status, WNOHANG);
     if (ended == child_)
-      exit_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+      exit_ = exit_of_status(status);
     else if (ended < 0 && errno != EINTR)
       exit_ = 128 + SIGKILL;  // someone else has waited for it
     else if (Clock::now() > end)
