@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "changed_file_bar.h"
 
+#include "named_button.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
 
 namespace vug::studio {
 
@@ -17,9 +18,7 @@ ChangedFileBar::ChangedFileBar(SceneStudio& studio) : studio_(studio) {
   line->addWidget(text_, 1);
   const auto add = [&](const QString& title, const char* name, const QString& help,
                        const std::function<void()>& run) {
-    auto* button = new QPushButton(title);
-    button->setObjectName(name);
-    button->setAccessibleName(title);
+    QPushButton* const button = named_button(title, name);
     button->setToolTip(help);
     connect(button, &QPushButton::clicked, this, run);
     line->addWidget(button);

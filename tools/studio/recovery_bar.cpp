@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recovery_bar.h"
 
+#include "named_button.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
 
 namespace vug::studio {
 
@@ -16,9 +17,7 @@ void fill_recovery_bar(QWidget& bar, const workbench::LostJournal& lost,
                              nullptr, static_cast<int>(lost.lines.size()) - 1)),
       1);
   const auto add = [&](const QString& title, const char* name, const std::function<bool()>& run) {
-    auto* button = new QPushButton(title);
-    button->setObjectName(name);
-    button->setAccessibleName(title);
+    QPushButton* const button = named_button(title, name);
     QObject::connect(button, &QPushButton::clicked, &bar, [&bar, run] {
       if (run()) bar.hide();
     });

@@ -51,7 +51,7 @@ void SceneStudio::set_caret(int line) {
 
 void SceneStudio::check_file() {
   if (!bench_.has_document()) return;
-  // A file that is replaced, as all programs with safe writing do, is no longer watched.
+  // Programs that write safely replace the file, and the watcher loses a file that is replaced.
   const QString file = text_of(std::filesystem::absolute(bench_.file()).string());
   if (watcher_.files() != QStringList(file)) {
     if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "score_panel.h"
 
+#include "named_button.h"
+
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace vug::studio {
@@ -58,9 +59,7 @@ ScorePanel::ScorePanel(Studio& studio) : studio_(studio) {
   comparisons_->hide();
   column->addWidget(comparisons_);
   auto* line = new QHBoxLayout;
-  fit_ = new QPushButton(tr("Fit to photo"));
-  fit_->setObjectName("fit");
-  fit_->setAccessibleName(tr("Fit to photo"));
+  fit_ = named_button(tr("Fit to photo"), "fit");
   fit_->setEnabled(false);
   fit_->setToolTip(tr("Finds the most likely tree; its result can be edited"));
   connect(fit_, &QPushButton::clicked, this,

@@ -45,6 +45,16 @@ bool is_locked(const fs::path& file) {
   return locked;
 }
 
+/// The journals in a folder that a running program holds, or those that none does.
+std::vector<fs::path> journal_files(const fs::path& folder, bool held) {
+  std::vector<fs::path> out;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == kExtension && is_locked(entry.path()) == held)
+      out.push_back(entry.path());
+  return out;
+}
+
 std::vector<std::string> complete_lines(const std::string& text) {
   std::vector<std::string> out;
   for (size_t at = 0, end; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
@@ -82,11 +92,9 @@ void Journal::append(const std::string& line) { write_all(descriptor_, file_, li
 
 std::vector<LostJournal> lost_journals(const fs::path& folder) {
   std::vector<std::pair<fs::file_time_type, LostJournal>> found;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    if (entry.path().extension() != kExtension || is_locked(entry.path())) continue;
-    LostJournal lost{entry.path(), complete_lines(read_text(entry.path()))};
-    if (lost.lines.size() > 1) found.emplace_back(entry.last_write_time(), std::move(lost));
+  for (const fs::path& file : journal_files(folder, false)) {
+    LostJournal lost{file, complete_lines(read_text(file))};
+    if (lost.lines.size() > 1) found.emplace_back(fs::last_write_time(file), std::move(lost));
   }
   std::sort(found.begin(), found.end(),
             [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -97,13 +105,11 @@ std::vector<LostJournal> lost_journals(const fs::path& folder) {
 
 std::vector<std::string> held_opening_lines(const fs::path& folder, const fs::path& own) {
   std::vector<std::string> out;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    if (entry.path().extension() != kExtension || entry.path() == own) continue;
-    if (!is_locked(entry.path())) continue;
+  for (const fs::path& file : journal_files(folder, true)) {
+    if (file == own) continue;
     std::vector<std::string> lines;
     try {
-      lines = complete_lines(read_text(entry.path()));
+      lines = complete_lines(read_text(file));
     } catch (const Error&) {  // its program has just ended
       continue;
     }

@@ -58,10 +58,10 @@ EngineFile ninja_file(const Job& job, const EngineOptions& options) {
         options.program, options.cores);
   for (const auto& level : chunked_levels(job, options.chunk))
     for (const ChunkedRange& range : level)
-      for (size_t i = range.first; i <= range.last; i += range.chunk)
-        text += i == std::min(range.last, i + range.chunk - 1)
-                    ? task_edge(job, i)
-                    : chunk_edge(job, i, std::min(range.last, i + range.chunk - 1));
+      for (size_t i = range.first; i <= range.last; i += range.chunk) {
+        const size_t last = std::min(range.last, i + range.chunk - 1);
+        text += i == last ? task_edge(job, i) : chunk_edge(job, i, last);
+      }
   return {"build.ninja", std::move(text), false, "ninja -j 2"};
 }
 
