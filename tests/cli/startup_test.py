@@ -46,6 +46,14 @@ class Startup(VugTest):
                 self.assertFalse([name for name in names if name.startswith(PICTURE_LIBRARIES)])
                 self.assertNotIn(PROJ, names)
 
+    def test_a_render_without_textures_writes_its_pictures_without_them(self):
+        self.write("s.vug", "volume rock = level_set(sphere(1m), voxel: 20cm)\ncamera main { eye (0, 0, 3) }\n"
+                            "light lamp = sphere(center: (1, 1, 3), radius: 10cm, radiance: (9, 9, 9))\n"
+                            "render main { size 16x16  spp 1 }\n")
+        names = self.libraries("render", "s.vug", "-o", "s.exr", "--deep", "--multi-part")
+        self.assertFalse([name for name in names if name.startswith(PICTURE_LIBRARIES)])
+        self.assertTrue((self.folder / "s.png").exists() and (self.folder / "s.deep.exr").exists())
+
     def test_a_command_that_reads_pictures_loads_them(self):
         write_png(self.folder / "grey.png", [[(9, 9, 9)] * 16] * 16)
         names = self.libraries("diff", "grey.png", "grey.png")
@@ -71,8 +79,8 @@ class Startup(VugTest):
         self.assertEqual(self.run_copy(copy, "--version").returncode, 0)
         result = self.run_copy(copy, "diff", "grey.png", "grey.png")
         self.assertEqual(result.returncode, 3, result.stderr)
-        self.assertRegex(result.stderr, "error: the library '.*libvug_image_gone_.so', which reads and writes "
-                                        "pictures, cannot be loaded: .*No such file")
+        self.assertRegex(result.stderr, "error: the library '.*libvug_image_gone_.so', which reads pictures, "
+                                        "cannot be loaded: .*No such file")
         self.assertIn("hint: reinstall vug", result.stderr)
 
     def test_a_library_of_another_version_is_rejected(self):

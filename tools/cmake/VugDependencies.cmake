@@ -14,6 +14,8 @@ endif()
 
 vug_needs(Threads)
 vug_needs(Imath CONFIG)
+vug_needs(OpenEXR CONFIG)
+vug_needs(PNG)
 vug_needs(TBB CONFIG)
 vug_needs(fmt CONFIG)
 vug_needs(Eigen3 CONFIG)

@@ -12,10 +12,9 @@ namespace vug::image {
 namespace {
 
 Error unusable(const std::string& why) {
-  return Error(
-      ErrorCode::io,
-      fmt::format("the library '{}', which reads and writes pictures, {}", VUG_IMAGE_FILES, why),
-      {}, "reinstall vug, or add the folder of the library to LD_LIBRARY_PATH");
+  return Error(ErrorCode::io,
+               fmt::format("the library '{}', which reads pictures, {}", VUG_IMAGE_FILES, why), {},
+               "reinstall vug, or add the folder of the library to LD_LIBRARY_PATH");
 }
 
 template <class Function>

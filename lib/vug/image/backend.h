@@ -4,7 +4,6 @@
 // (docs/explanation/decisions/0031-image-libraries-on-first-use.md).
 #pragma once
 
-#include <vug/image/deep.h>
 #include <vug/image/deep_info.h>
 #include <vug/image/io.h>
 #include <vug/image/ocio_view.h>
@@ -45,15 +44,6 @@ std::optional<DeepInfo> read_deep_info(const std::filesystem::path& path);
 /// For a file with at least `channels` channels.
 std::shared_ptr<const TextureLookup> texture(const std::filesystem::path& path, int channels);
 
-// Writing to an existing temporary file; errors refer to `path`.
-void write_exr(const std::filesystem::path& path, const std::filesystem::path& temporary,
-               const std::vector<ExrView>& views);
-void write_deep_exr(const std::filesystem::path& path, const std::filesystem::path& temporary,
-                    const std::vector<DeepView>& views);
-
-/// A PNG of R, G, B, or of grey, one byte each, row by row.
-std::string encode_png(const std::vector<uint8_t>& bytes, int width, int height, bool srgb,
-                       const Metadata& metadata);
 /// Resamples into all of `out`, which has the channels of `picture`; see warped.
 void warp(const Image& picture, const Homography& to_target, Image& out);
 /// view_options for a selection that needs OpenColorIO; `builtin` is the built-in view of that
@@ -69,9 +59,6 @@ struct Backend {
   decltype(&oiio::read_info) read_info;
   decltype(&oiio::read_deep_info) read_deep_info;
   decltype(&oiio::texture) texture;
-  decltype(&oiio::write_exr) write_exr;
-  decltype(&oiio::write_deep_exr) write_deep_exr;
-  decltype(&oiio::encode_png) encode_png;
   decltype(&oiio::warp) warp;
   decltype(&oiio::ocio_view) ocio_view;
 };

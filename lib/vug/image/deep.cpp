@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
-#include <vug/image/backend.h>
+#include <vug/image/exr/write.h>
 
 namespace vug::image {
 
@@ -28,7 +28,7 @@ void write_deep_exr(const std::filesystem::path& path, const std::vector<DeepVie
     if (view.image.width < 1 || view.image.height < 1)
       throw Error(ErrorCode::bad_input, "an image without pixels cannot be written");
   AtomicFile file(path);
-  backend().write_deep_exr(path, file.path(), views);
+  exr::write_deep(path, file.path(), views);
   file.commit();
 }
 

@@ -2,7 +2,8 @@
 // PNG files of a view: exposure, tone curve, dithering and quantisation to 8 bits.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
-#include <vug/image/backend.h>
+#include <vug/image/ocio_view.h>
+#include <vug/image/png_encoder.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,8 +51,7 @@ std::string png_bytes(const Image& image, const ViewOptions& view, const Metadat
       image.pixels.size() != image.pixel_count() * image.channels.size())
     refuse_empty();
   const bool srgb = !view.ocio || view.ocio->srgb();
-  return backend().encode_png(display_codes(image, view), image.width, image.height, srgb,
-                              metadata);
+  return encode_png(display_codes(image, view), image.width, image.height, srgb, metadata);
 }
 
 void write_png(const std::filesystem::path& path, const Image& image, const ViewOptions& view,
@@ -64,7 +64,7 @@ void write_grey_png(const std::filesystem::path& path, const std::vector<uint8_t
   if (width < 1 || height < 1 ||
       values.size() != static_cast<size_t>(width) * static_cast<size_t>(height))
     refuse_empty();
-  write_text(path, backend().encode_png(values, width, height, false, {}));
+  write_text(path, encode_png(values, width, height, false, {}));
 }
 
 }  // namespace vug::image

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes EXR files through a temporary file; oiio/write.cpp encodes them.
+// Writes EXR files through a temporary file; exr/write.cpp encodes them.
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
-#include <vug/image/backend.h>
+#include <vug/image/exr/write.h>
 
 namespace vug::image {
 namespace {
@@ -22,7 +22,7 @@ void write_exr(const std::filesystem::path& path, const Image& image, const ExrO
 void write_exr(const std::filesystem::path& path, const std::vector<ExrView>& views) {
   for (const ExrView& view : views) require_whole(view.image);
   AtomicFile file(path);
-  backend().write_exr(path, file.path(), views);
+  exr::write_flat(path, file.path(), views);
   file.commit();
 }
 

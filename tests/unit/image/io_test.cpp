@@ -145,6 +145,19 @@ TEST_F(Files, PngHoldsTheDisplayValues) {
     ASSERT_LE(std::fabs(back.pixels[i] - shown.pixels[i]), 1.0f / 255 + 1e-6f);
 }
 
+TEST_F(Files, PngStatesItsColourSpaceAndTexts) {
+  const Image image(4, 3, {"R", "G", "B"});
+  const std::string bytes = png_bytes(image, {}, {{"vug:pixel", "0.25"}});
+  EXPECT_NE(bytes.find("sRGB"), bytes.npos);
+  EXPECT_NE(bytes.find(std::string("tEXtvug:pixel\0"
+                                   "0.25",
+                                   18)),
+            bytes.npos);
+  write_grey_png(file("labels.png"), std::vector<uint8_t>(12, 7), 4, 3);
+  EXPECT_EQ(read_text(file("labels.png")).find("sRGB"), std::string::npos);
+  for (const float value : read_grey(file("labels.png")).pixels) EXPECT_FLOAT_EQ(value, 7.0f / 255);
+}
+
 TEST_F(Files, APlainViewKeepsEveryCode) {
   Image image(256, 9, {"Y"});  // More rows than the dither pattern has.
   for (size_t i = 0; i < image.pixels.size(); ++i)

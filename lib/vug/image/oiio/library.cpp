@@ -13,9 +13,6 @@ extern "C" __attribute__((visibility("default"))) const vug::image::Backend* vug
                                          .read_info = oiio::read_info,
                                          .read_deep_info = oiio::read_deep_info,
                                          .texture = oiio::texture,
-                                         .write_exr = oiio::write_exr,
-                                         .write_deep_exr = oiio::write_deep_exr,
-                                         .encode_png = oiio::encode_png,
                                          .warp = oiio::warp,
                                          .ocio_view = oiio::ocio_view};
   return &kFunctions;
