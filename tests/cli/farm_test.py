@@ -113,7 +113,7 @@ class Farm(VugTest):
         self.expect_picture("s.0002", "whole.0002")
 
     def test_an_interrupted_task_continues(self):
-        self.write("s.vug", SCENE.replace("spp 24", "spp 600"))
+        self.write("s.vug", SCENE.replace("spp 24", "spp 300"))
         self.plan("--parts", 1)
         running = subprocess.Popen([PROGRAM, "farm", "run", "job", "--task", "0"], cwd=self.folder,
                                    stdout=subprocess.DEVNULL)
@@ -173,7 +173,7 @@ class Farm(VugTest):
         self.assertEqual(self.runs("part00"), ["done"], "tasks that are done do not run again")
 
     def test_a_stopped_chunk_keeps_its_finished_parts(self):
-        self.write("s.vug", SCENE.replace("spp 24", "spp 1200"))
+        self.write("s.vug", SCENE.replace("spp 24", "spp 400"))
         self.plan("--parts", 3)
         self.expect(0, "farm", "run", "job", "--task", 0)
         running = self.chunk("1-3")
@@ -194,7 +194,7 @@ class Farm(VugTest):
         self.expect_picture()
 
     def test_a_killed_render_costs_a_chunk_one_part(self):
-        self.write("s.vug", SCENE.replace("spp 24", "spp 1200"))
+        self.write("s.vug", SCENE.replace("spp 24", "spp 400"))
         self.plan("--parts", 3)
         self.expect(0, "farm", "run", "job", "--task", 0)
         running = self.chunk("1-3")
