@@ -125,6 +125,18 @@ class PictureFiles(VugTest):
                 if program[0] == "oiiotool" and name in FORMS:
                     self.assertIn("NanCount: 0 0 0", run.stdout)
 
+    def test_pngs_of_another_program_have_its_values(self):
+        """Grey and colour, 8 and 16 bits, interlaced, with alpha or an offset: as converted to TIFF by the same program."""
+        ramp = ["--pattern", "fill:topleft=0,0.1,0.9:topright=1,0.3,0:bottomleft=0.5,1,0.2:bottomright=0,0,1", "61x47", "3"]
+        forms = {"colour8": ["-d", "uint8"], "colour16": ["-d", "uint16"], "grey8": ["--ch", "R", "-d", "uint8"],
+                 "grey16": ["--ch", "R", "-d", "uint16"], "alpha8": ["--ch", "R,G,B,A=0.5", "-d", "uint8"],
+                 "offset8": ["--origin", "+3+4", "-d", "uint8"]}
+        for name, options in forms.items():
+            with self.subTest(name=name):
+                self.tool("oiiotool", *ramp, *options, "-o", f"{name}.png")
+                self.tool("oiiotool", f"{name}.png", "-o", f"{name}.tif")
+                self.expect(0, "diff", f"{name}.png", f"{name}.tif", "--max", "max=0")
+
     def test_exrcheck_finds_nothing(self):
         is_bad = exrcheck()
         if not is_bad:

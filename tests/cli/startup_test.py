@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Commands that touch no picture load none of the libraries for pictures; what happens if that library is missing. The same
-for PROJ and coordinate systems."""
+"""Commands load the library that calls OpenImageIO only for pictures other than EXR and PNG; what happens if that library is
+missing. The same for PROJ and coordinate systems."""
 import os
 import pathlib
 import subprocess
 import unittest
 
-from pictures import write_png
+from pictures import write_exr, write_hdr, write_png
 from vug import PROGRAM, SOURCE, VugTest
 
 LIBRARY = "libvug_image_files.so"
@@ -54,9 +54,14 @@ class Startup(VugTest):
         self.assertFalse([name for name in names if name.startswith(PICTURE_LIBRARIES)])
         self.assertTrue((self.folder / "s.png").exists() and (self.folder / "s.deep.exr").exists())
 
-    def test_a_command_that_reads_pictures_loads_them(self):
+    def test_only_other_formats_than_exr_and_png_load_them(self):
         write_png(self.folder / "grey.png", [[(9, 9, 9)] * 16] * 16)
-        names = self.libraries("diff", "grey.png", "grey.png")
+        write_exr(self.folder / "grey.exr", {name: [[0.5] * 16] * 16 for name in "RGB"})
+        write_hdr(self.folder / "grey.hdr", [[(0.5, 0.5, 0.5)] * 16] * 16)
+        for name in ("grey.png", "grey.exr"):
+            self.assertFalse([loaded for loaded in self.libraries("diff", name, name)
+                              if loaded.startswith(PICTURE_LIBRARIES)])
+        names = self.libraries("diff", "grey.hdr", "grey.hdr")
         self.assertIn(LIBRARY, names)
         self.assertTrue([name for name in names if name.startswith("libOpenImageIO")])
 
@@ -74,19 +79,19 @@ class Startup(VugTest):
         self.assertIn("hint: install the Debian package libproj25", result.stderr)
 
     def test_a_missing_library_is_reported_and_other_commands_still_work(self):
-        write_png(self.folder / "grey.png", [[(9, 9, 9)] * 16] * 16)
+        write_hdr(self.folder / "grey.hdr", [[(0.5, 0.5, 0.5)] * 16] * 16)
         copy = self.copy_with(LIBRARY.encode(), b"libvug_image_gone_.so")
         self.assertEqual(self.run_copy(copy, "--version").returncode, 0)
-        result = self.run_copy(copy, "diff", "grey.png", "grey.png")
+        result = self.run_copy(copy, "diff", "grey.hdr", "grey.hdr")
         self.assertEqual(result.returncode, 3, result.stderr)
         self.assertRegex(result.stderr, "error: the library '.*libvug_image_gone_.so', which reads pictures, "
                                         "cannot be loaded: .*No such file")
         self.assertIn("hint: reinstall vug", result.stderr)
 
     def test_a_library_of_another_version_is_rejected(self):
-        write_png(self.folder / "grey.png", [[(9, 9, 9)] * 16] * 16)
+        write_hdr(self.folder / "grey.hdr", [[(0.5, 0.5, 0.5)] * 16] * 16)
         copy = self.copy_with(b"picture library of vug ", b"picture library of gnu ")
-        result = self.run_copy(copy, "diff", "grey.png", "grey.png")
+        result = self.run_copy(copy, "diff", "grey.hdr", "grey.hdr")
         self.assertEqual(result.returncode, 3, result.stderr)
         self.assertIn("is the picture library of vug ", result.stderr)
         self.assertIn("but the picture library of gnu ", result.stderr)

@@ -3,8 +3,10 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/srgb.h>
 #include <vug/image/backend.h>
+#include <vug/image/exr/read.h>
 #include <vug/image/exr_check.h>
 #include <vug/image/png_check.h>
+#include <vug/image/png_reader.h>
 #include <vug/image/read_error.h>
 
 namespace vug::image {
@@ -12,7 +14,7 @@ namespace {
 
 bool is_colour(const std::string& name) { return name == "R" || name == "G" || name == "B"; }
 
-/// Throws Error(bad_input) for a missing file and for one that must not reach OpenImageIO.
+/// Throws Error(bad_input) for a missing file and for one that must not reach the libraries.
 void require_sound(const std::filesystem::path& path) {
   if (const std::string why = unreadable_reason(path); !why.empty()) throw read_error(path, why);
   for (const auto& fault_of : {exr_fault, png_fault})
@@ -20,11 +22,18 @@ void require_sound(const std::filesystem::path& path) {
       throw read_error(path, fault, "write it again with the program that made it");
 }
 
+/// As stored, by the lighter libraries if they can.
+oiio::Pixels read_stored(const std::filesystem::path& path) {
+  if (std::optional<Image> image = exr::read_flat(path)) return {std::move(*image), false};
+  if (std::optional<Image> image = read_plain_png(path)) return {std::move(*image), true};
+  return backend().read(path);
+}
+
 }  // namespace
 
 Image read(const std::filesystem::path& path, const ReadOptions& options) {
   require_sound(path);
-  auto [image, integers] = backend().read(path);
+  auto [image, integers] = read_stored(path);
   if (options.linear && integers)
     for (size_t c = 0; c < image.channels.size(); ++c)
       if (is_colour(image.channels[c]))
@@ -35,11 +44,14 @@ Image read(const std::filesystem::path& path, const ReadOptions& options) {
 
 FileInfo read_info(const std::filesystem::path& path) {
   require_sound(path);
+  if (std::optional<FileInfo> info = exr::read_flat_info(path)) return std::move(*info);
+  if (std::optional<FileInfo> info = read_plain_png_info(path)) return std::move(*info);
   return backend().read_info(path);
 }
 
 std::optional<DeepInfo> read_deep_info(const std::filesystem::path& path) {
   require_sound(path);
+  if (exr::read_flat_info(path) || read_plain_png_info(path)) return std::nullopt;
   return backend().read_deep_info(path);
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
-#include <vug/base/parallel.h>
 #include <vug/image/exr/exr_file.h>
+#include <vug/image/exr/threads.h>
 
-#include <OpenEXR/ImfThreading.h>
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -42,18 +41,6 @@ void ExrFile::close() {
   const bool whole = std::fflush(file_.get()) == 0 && std::ferror(file_.get()) == 0;
   if (std::fclose(file_.release()) != 0 || !whole) fail();
 }
-
-namespace {
-
-/// OpenEXR compresses on its own threads, whose number belongs to the process: a program that has
-/// set it keeps it. The thread sanitizer cannot follow them.
-void start_threads() {
-#ifndef __SANITIZE_THREAD__
-  if (Imf::globalThreadCount() == 0) Imf::setGlobalThreadCount(thread_count());
-#endif
-}
-
-}  // namespace
 
 void write_file(const std::filesystem::path& path, const std::filesystem::path& temporary,
                 const std::function<void(Imf::OStream&)>& write) {

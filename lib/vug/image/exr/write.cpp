@@ -24,7 +24,7 @@ namespace vug::image::exr {
 namespace {
 
 /// `count` channels, starting at `from`, of one part of a file.
-struct PartChannels {
+struct ChannelRange {
   std::string name;
   size_t from, count;
 };
@@ -39,8 +39,8 @@ std::string part_name(const std::string& channel) {
   return channel.substr(0, end);
 }
 
-std::vector<PartChannels> parts_of(const std::vector<std::string>& channels, bool split) {
-  std::vector<PartChannels> parts;
+std::vector<ChannelRange> parts_of(const std::vector<std::string>& channels, bool split) {
+  std::vector<ChannelRange> parts;
   for (size_t c = 0; c < channels.size(); ++c) {
     const std::string name = split ? part_name(channels[c]) : "";
     // Blender 3.4 cannot read a part with one channel and no layer, except for depth.
@@ -68,13 +68,13 @@ bool is_full(const std::string& channel, const ExrOptions& options) {
 /// The content of one part of a file.
 struct FilePart {
   const ExrView* view;
-  PartChannels channels;
+  ChannelRange channels;
   Imf::Header header;
 };
 
 constexpr unsigned kTile = 64;
 
-Imf::Header file_part_header(const ExrView& view, const PartChannels& part) {
+Imf::Header file_part_header(const ExrView& view, const ChannelRange& part) {
   const ExrOptions& options = view.options;
   Imf::Header header = header_of(view.image.width, view.image.height, options, view.name);
   if (options.tiles) header.setTileDescription({kTile, kTile, Imf::ONE_LEVEL});
@@ -185,7 +185,7 @@ void write_flat(const std::filesystem::path& path, const std::filesystem::path& 
                 const std::vector<ExrView>& views) {
   std::vector<FilePart> parts;
   for (const ExrView& view : views)
-    for (const PartChannels& channels : parts_of(view.image.channels, view.options.parts))
+    for (const ChannelRange& channels : parts_of(view.image.channels, view.options.parts))
       parts.push_back({&view, channels, file_part_header(view, channels)});
   write_file(path, temporary, [&](Imf::OStream& stream) {
     if (parts.size() == 1)

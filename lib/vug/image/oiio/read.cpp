@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading of pictures and of their headers with OpenImageIO.
+// Reading of pictures and of their headers with OpenImageIO: all but plain EXR and PNG files.
 #include <vug/base/atomic_file.h>
 #include <vug/base/memory.h>
 #include <vug/image/backend.h>
+#include <vug/image/part_channels.h>
 #include <vug/image/read_error.h>
 
 #include <OpenImageIO/deepdata.h>
@@ -15,9 +16,6 @@
 
 namespace vug::image::oiio {
 namespace {
-
-/// A larger product of pixels and channels is considered a broken header (64 GiB of floats).
-constexpr double kMostValues = 1.6e10;
 
 /// The reason why the file has no reader, in terms for users; OpenImageIO's messages are for
 /// programmers.
@@ -54,9 +52,7 @@ std::unique_ptr<OIIO::ImageInput> open_any(const std::filesystem::path& path) {
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
     throw read_error(path, "it is not a flat image");
-  if (static_cast<double>(spec.width) * spec.height * spec.nchannels > kMostValues)
-    throw read_error(path,
-                     fmt::format("its header claims {} x {} pixels", spec.width, spec.height));
+  require_reasonable_size(path, spec.width, spec.height, static_cast<size_t>(spec.nchannels));
   return input;
 }
 
@@ -84,22 +80,12 @@ std::vector<OIIO::ImageSpec> part_specs(OIIO::ImageInput& input) {
   return parts;
 }
 
-/// Channels of all parts. Those of a view other than the first are prefixed with its name, as in
-/// files with several views in one part; other duplicate names are prefixed with the name of their
-/// part.
-std::vector<std::string> channels_of(const std::vector<OIIO::ImageSpec>& parts) {
-  std::vector<std::string> out;
-  for (const OIIO::ImageSpec& part : parts) {
-    const std::string view = part.get_string_attribute("view");
-    const bool other = view != parts.front().get_string_attribute("view");
-    const std::string name =
-        other ? view : part.get_string_attribute("oiio:subimagename", "part").c_str();
-    for (const std::string& channel : part.channelnames) {
-      const bool known = std::find(out.begin(), out.end(), channel) != out.end();
-      out.push_back(other || known ? name + "." + channel : channel);
-    }
-  }
-  return out;
+std::vector<std::string> channels_of(const std::vector<OIIO::ImageSpec>& specs) {
+  std::vector<PartChannels> parts;
+  for (const OIIO::ImageSpec& spec : specs)
+    parts.push_back({spec.get_string_attribute("oiio:subimagename"),
+                     spec.get_string_attribute("view"), spec.channelnames});
+  return channel_names(parts);
 }
 
 FileInfo info_of(const std::vector<OIIO::ImageSpec>& parts) {
