@@ -4,6 +4,7 @@ from the specifications alone."""
 import ctypes
 import ctypes.util
 import json
+import re
 import shutil
 import struct
 import subprocess
@@ -124,6 +125,14 @@ class PictureFiles(VugTest):
                 self.assertNotIn("error", run.stderr.lower(), f"{program} {name}")
                 if program[0] == "oiiotool" and name in FORMS:
                     self.assertIn("NanCount: 0 0 0", run.stdout)
+
+    def test_channels_are_those_of_another_program(self):
+        for name in FORMS:
+            with self.subTest(name=name):
+                listed = re.search("channel list: (.*)", self.tool("oiiotool", "--info", "-v", f"{name}.exr")).group(1)
+                found = json.loads(self.expect(0, "info", f"{name}.exr", "--json").out)["channels"]
+                first = [re.sub(r" \(.*", "", channel) for channel in listed.split(", ")]
+                self.assertEqual([channel.split()[0] for channel in found][:len(first)], first)
 
     def test_pngs_of_another_program_have_its_values(self):
         """Grey and colour, 8 and 16 bits, interlaced, with alpha or an offset: as converted to TIFF by the same program."""

@@ -97,7 +97,7 @@ std::unique_ptr<PngFile> open_plain(const std::filesystem::path& path) {
   return is_plain_png(*in) ? std::move(in) : nullptr;
 }
 
-FileInfo info_of(const PngFile& in) {
+FileInfo png_info_of(const PngFile& in) {
   FileInfo info;
   info.width = static_cast<int>(png_get_image_width(in.png, in.info));
   info.height = static_cast<int>(png_get_image_height(in.png, in.info));
@@ -126,7 +126,7 @@ void scale(const std::vector<png_byte>& bytes, std::vector<float>& values) {
 std::optional<Image> read_plain_png(const std::filesystem::path& path) {
   const std::unique_ptr<PngFile> in = open_plain(path);
   if (!in) return std::nullopt;
-  const FileInfo info = info_of(*in);
+  const FileInfo info = png_info_of(*in);
   require_reasonable_size(path, info.width, info.height, info.channels.size());
   require_memory(6.0 * info.width * info.height * static_cast<double>(info.channels.size()),
                  available_memory(), fmt::format("the picture '{}'", path.string()));
@@ -149,7 +149,7 @@ std::optional<Image> read_plain_png(const std::filesystem::path& path) {
 std::optional<FileInfo> read_plain_png_info(const std::filesystem::path& path) {
   const std::unique_ptr<PngFile> in = open_plain(path);
   if (!in) return std::nullopt;
-  const FileInfo info = info_of(*in);
+  const FileInfo info = png_info_of(*in);
   require_reasonable_size(path, info.width, info.height, info.channels.size());
   return info;
 }

@@ -52,7 +52,7 @@ PartChannels part_channels(const Imf::Header& header) {
   return out;
 }
 
-std::optional<Input> open(const std::filesystem::path& path) {
+std::optional<Input> open_flat(const std::filesystem::path& path) {
   if (extension_of(path) != ".exr" || !Imf::isOpenExrFile(path.c_str())) return std::nullopt;
   start_threads();
   Input input;
@@ -72,8 +72,8 @@ std::optional<Input> open(const std::filesystem::path& path) {
   return input;
 }
 
-void read_part(Imf::MultiPartInputFile& file, int part, const PartChannels& channels, float* first,
-               size_t stride) {
+void read_channels(Imf::MultiPartInputFile& file, int part, const PartChannels& channels,
+                   float* first, size_t stride) {
   Imf::InputPart input(file, part);
   const Imath::Box2i& window = input.header().dataWindow();
   Imf::FrameBuffer buffer;
@@ -104,7 +104,7 @@ Chromaticities primaries_of(const Imf::Header& header) {
 }  // namespace
 
 std::optional<Image> read_flat(const std::filesystem::path& path) {
-  const std::optional<Input> input = open(path);
+  const std::optional<Input> input = open_flat(path);
   if (!input) return std::nullopt;
   const std::vector<std::string> names = channel_names(input->parts);
   require_memory(4.0 * input->width() * input->height() * static_cast<double>(names.size()),
@@ -113,8 +113,8 @@ std::optional<Image> read_flat(const std::filesystem::path& path) {
   size_t channel = 0;
   for (size_t part = 0; part < input->parts.size(); ++part) {
     try {
-      read_part(*input->file, static_cast<int>(part), input->parts[part], &image.pixels[channel],
-                names.size());
+      read_channels(*input->file, static_cast<int>(part), input->parts[part],
+                    &image.pixels[channel], names.size());
     } catch (const std::exception&) {
       throw read_error(path, "its pixels are damaged or truncated",
                        "write it again with the program that made it");
@@ -125,7 +125,7 @@ std::optional<Image> read_flat(const std::filesystem::path& path) {
 }
 
 std::optional<FileInfo> read_flat_info(const std::filesystem::path& path) {
-  const std::optional<Input> input = open(path);
+  const std::optional<Input> input = open_flat(path);
   if (!input) return std::nullopt;
   const Imf::Header& first = input->header(0);
   FileInfo info;
