@@ -9,6 +9,9 @@ namespace vug::image {
 namespace {
 
 constexpr double kRidge = 0.01;  // of the sum of the weights
+/// The largest ratio of a result to the weighted mean of the neighbours, and of the mean to a
+/// result.
+constexpr double kMostContrast = 4;
 
 }  // namespace
 
@@ -32,7 +35,8 @@ void LocalRegression::solve(size_t pixel, float* values) const {
   using Row = std::array<double, kMostUnknowns>;
   std::array<Row, kMostUnknowns> factor;  // of Cholesky
   const float* moment = &moments_[pixel * moments_per_pixel_];
-  const double ridge = kRidge * static_cast<double>(*moment);
+  const double weight = static_cast<double>(*moment);
+  const double ridge = kRidge * weight;
   for (size_t i = 0; i < unknowns_; ++i)
     for (size_t j = 0; j <= i; ++j) {
       double sum = static_cast<double>(*moment++) + (i == j && i > 0 ? ridge : 0);
@@ -52,7 +56,9 @@ void LocalRegression::solve(size_t pixel, float* values) const {
       for (size_t k = i + 1; k < unknowns_; ++k) sum -= factor[k][i] * solution[k];
       solution[i] = sum / factor[i][i];
     }
-    values[c] = static_cast<float>(std::max(0.0, solution[0]));
+    const double mean = std::max(0.0, static_cast<double>(target[c]) / weight);
+    values[c] =
+        static_cast<float>(std::clamp(solution[0], mean / kMostContrast, mean * kMostContrast));
   }
 }
 

@@ -19,7 +19,9 @@ class LocalRegression {
   /// Adds a neighbour. `at`: 1, then its regressors minus those of the pixel. `values`: its
   /// channels.
   void add(size_t pixel, float weight, const float* at, const float* values);
-  /// The values of the plane at the pixel itself, 0 or more. A small ridge keeps slopes of
+  /// The values of the plane at the pixel itself, between a quarter of the weighted mean of the
+  /// neighbours and four times that mean, because a plane through noise around an unusual normal
+  /// would leave a black or a bright dot; 0 for a negative mean. A small ridge keeps slopes of
   /// regressors that do not vary at 0. The sum of the weights must be positive.
   void solve(size_t pixel, float* values) const;
 

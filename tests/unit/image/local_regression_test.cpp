@@ -48,15 +48,18 @@ TEST(LocalRegression, OneNeighbourIsEnough) {
   for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], values[c], 1e-5f * values[c]);
 }
 
-TEST(LocalRegression, ExtrapolationsAreNotNegative) {
+TEST(LocalRegression, ExtrapolationsStayNearTheMean) {
   LocalRegression fit(1, 2);
-  for (const float x : {1.0f, 2.0f}) {
-    const float at[2] = {1, x}, values[3] = {x - 0.5f, x, x};
+  for (const float x : {2.0f, 3.0f}) {
+    const float at[2] = {1, x};
+    const float values[3] = {x - 2, 8 * (3 - x), 5};
     fit.add(0, 1, at, values);
   }
   float found[3];
   fit.solve(0, found);
-  EXPECT_EQ(found[0], 0);
+  EXPECT_FLOAT_EQ(found[0], 0.5f / 4);  // The plane is -2 at 0.
+  EXPECT_FLOAT_EQ(found[1], 4 * 4.0f);  // The plane is 24 at 0.
+  EXPECT_NEAR(found[2], 5, 1e-4);
 }
 
 }  // namespace
