@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <map>
 #include <vector>
 
 namespace vug::image {
@@ -14,6 +15,22 @@ constexpr int32_t kMagic = 20000630;
 constexpr uint32_t kManyParts = 0x1000;
 constexpr int kLongestName = 255;
 constexpr int kMostParts = 10000;
+
+/// Whether values of this type have this size. OpenEXR reads as many bytes as the type has,
+/// whatever the stated size, and would take the rest for the next attribute.
+bool is_size_of(const std::string& type, int32_t bytes) {
+  static const std::map<std::string, int32_t> sizes = {
+      {"box2f", 16},      {"box2i", 16},   {"chromaticities", 32},
+      {"compression", 1}, {"double", 8},   {"envmap", 1},
+      {"float", 4},       {"int", 4},      {"keycode", 28},
+      {"lineOrder", 1},   {"m33d", 72},    {"m33f", 36},
+      {"m44d", 128},      {"m44f", 64},    {"rational", 8},
+      {"tiledesc", 9},    {"timecode", 8}, {"v2d", 16},
+      {"v2f", 8},         {"v2i", 8},      {"v3d", 24},
+      {"v3f", 12},        {"v3i", 12}};
+  const auto found = sizes.find(type);
+  return found == sizes.end() || found->second == bytes;
+}
 
 /// Numbers in the file are little-endian, as in memory.
 class Headers {
@@ -58,7 +75,8 @@ class Headers {
       if (attribute.empty()) return "";
       any = true;
       int32_t bytes = 0;
-      if (!name(type) || !number(bytes) || bytes < 0) return "its header is damaged";
+      if (!name(type) || !number(bytes) || bytes < 0 || !is_size_of(type, bytes))
+        return "its header is damaged";
       const auto begin = static_cast<uint64_t>(in_.tellg());
       const uint64_t end = begin + static_cast<uint64_t>(bytes);
       if (end > size_) return "it is truncated";

@@ -91,5 +91,21 @@ TEST_F(Readers, DeepFilesAreLeftToOpenImageIO) {
   EXPECT_FALSE(read_deep_info(file("flat.exr")));
 }
 
+TEST_F(Readers, AnAttributeWithTheSizeOfAnotherTypeIsDamage) {
+  write_exr(file("whole.exr"), random_image(2, 2, {"Y"}));
+  std::string bytes = read_text(file("whole.exr"));
+  const std::string ratio("pixelAspectRatio\0float\0", 23);
+  const size_t at = bytes.find(ratio);
+  ASSERT_NE(at, bytes.npos);
+  bytes[at + ratio.size()] = 33;
+  write_text(file("damaged.exr"), bytes);
+  try {
+    read_info(file("damaged.exr"));
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("its header is damaged"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace vug::image
