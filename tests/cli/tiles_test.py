@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """vug build --tiles: the tiles have what the whole has, whatever their size; errors."""
 import json
+import random
+import re
 import signal
 import struct
 import time
@@ -53,7 +55,7 @@ def corners(path):
     return out
 
 
-class Tiles(VugTest):
+class TilesTest(VugTest):
     def setUp(self):
         super().setUp()
         self.write("cave.vug", SCENE)
@@ -67,6 +69,8 @@ class Tiles(VugTest):
     def index(self, folder):
         return json.loads((self.tiles(folder) / "index.json").read_text())
 
+
+class Tiles(TilesTest):
     def test_have_the_triangles_of_the_whole(self):
         self.build("-o", "whole")
         whole = sorted(corners(self.folder / "whole" / "cave.ply"))
@@ -159,6 +163,188 @@ class Tiles(VugTest):
         self.assertRegex(self.build("-o", "out", "--tiles", code=2).err, "format ply")
         self.write("cave.vug", SCENE.replace("voxel: 5cm", "voxel: 5cm, distance: exact"))
         self.assertRegex(self.build("-o", "out", "--tiles", code=2).err, "exact distances")
+        self.assertFalse((self.folder / "out").exists())
+
+
+class Levels(TilesTest):
+    """--lods N"""
+
+    PLAIN = SCENE.replace(" smallest_piece 50cm", "")
+
+    def prepare(self):
+        self.write("cave.vug", self.PLAIN)
+        self.said = self.build("-o", "all", "--tiles=64", "--lods", "2")
+        self.write("said.txt", self.said.err)
+
+    def setUp(self):
+        super().setUp()
+        self.write("cave.vug", self.PLAIN)
+
+    def names(self, folder):
+        return sorted(p.name for p in self.tiles(folder).iterdir())
+
+    def assert_same_files(self, folder, other, names):
+        for name in names:
+            self.assertEqual(digest(self.tiles(folder) / name), digest(self.tiles(other) / name), name)
+
+    def test_are_in_the_index_and_reported(self):
+        index = self.index("all")
+        self.assertEqual(index["levels"], 2)
+        tiles = index["meshes"][0]["tiles"]
+        self.assertEqual(len(tiles), 8)
+        total = [0, 0, 0]
+        for tile in tiles:
+            self.assertNotIn("proxy", tile)
+            self.assertGreaterEqual(len(tile["levels"]), 1)
+            before, distance = tile["triangles"], 0
+            total[0] += before
+            for i, level in enumerate(tile["levels"], 1):
+                self.assertEqual(level["file"], tile["file"].replace(".ply", f"_lod{i}.ply"))
+                points, triangles = ply(self.tiles("all") / level["file"])
+                self.assertEqual((len(points), len(triangles)), (level["vertices"], level["triangles"]))
+                self.assertLessEqual(4 * level["triangles"], 3 * before)
+                self.assertGreater(level["distance"], distance)
+                before, distance = level["triangles"], level["distance"]
+            for i in (1, 2):
+                total[i] += tile["levels"][min(i, len(tile["levels"])) - 1]["triangles"]
+        said = (self.folder / "said.txt").read_text()
+        for i in (1, 2):
+            self.assertRegex(said, rf"level {i} of 'cave': {total[i]} of {total[0]} triangles, at most [0-9.]+ ?\w+ off")
+
+    def test_any_mix_is_closed(self):
+        meshes = []  # Of each tile the levels, each as a list of triangles of three positions.
+        for tile in self.index("all")["meshes"][0]["tiles"]:
+            files = [tile["file"]] + [level["file"] for level in tile["levels"]]
+            meshes.append([])
+            for file in files:
+                points, triangles = ply(self.tiles("all") / file)
+                meshes[-1].append([tuple(points[i] for i in t) for t in triangles])
+        choose = random.Random(3)
+        for mix in range(12):
+            uses = {}
+            for levels in meshes:
+                level = levels[-1] if mix == 0 else choose.choice(levels)
+                for a, b, c in level:
+                    for edge in ((a, b), (b, c), (c, a)):
+                        uses[edge] = uses.get(edge, 0) + 1
+            self.assertEqual({n for n in uses.values()}, {1})
+            self.assertTrue(all((b, a) in uses for a, b in uses))
+
+    def test_change_nothing_else(self):
+        self.build("-o", "plain", "--tiles=64")
+        names = self.names("plain")
+        self.assert_same_files("plain", "all", [name for name in names if name != "index.json"])
+        more = self.index("all")
+        for tile in more["meshes"][0]["tiles"]:
+            del tile["levels"], tile["usd"]
+        del more["levels"], more["usd"]
+        self.assertEqual(more, self.index("plain"))
+        self.build("-o", "none", "--tiles=64", "--lods", "0")
+        self.assertEqual(self.names("none"), names)
+        self.assert_same_files("none", "plain", names)
+
+    def test_have_the_same_bytes_for_any_number_of_threads(self):
+        for threads in ("1", "2", "7"):
+            self.build("-o", threads, "--tiles=64", "--lods", "2", "--threads", threads)
+            self.assertEqual(self.names(threads), self.names("all"))
+            self.assert_same_files(threads, "all", self.names("all"))
+
+    def test_have_the_same_bytes_in_any_order(self):
+        for tile in reversed(self.index("all")["meshes"][0]["tiles"]):
+            name = ",".join(str(i) for i in tile["tile"])
+            said = self.build("-o", "single", "--tiles=64", "--lods", "2", f"--tile={name}")
+            self.assertIn("level 1 of 'cave'", said.err)
+        names = [name for name in self.names("all") if name not in ("index.json", "assembly.usda")]
+        self.assertEqual(self.names("single"), names)
+        self.assert_same_files("single", "all", names)
+
+    def test_an_interrupted_run_continues(self):
+        run = Running(self.folder, "build", "cave.vug", "-o", "cut", "--tiles=64", "--lods", "2", "--threads", "1")
+        records = []
+        while run.process.poll() is None and len(records) < 2:
+            records = sorted(self.tiles("cut").glob(".cave_*.tile"))
+            time.sleep(0.01)
+        run.stop(signal.SIGKILL)
+        self.assertFalse((self.tiles("cut") / "index.json").exists(), "the run ended before it was killed")
+        kept, lost = records[:2]
+        # A tile without one of its levels is built again, another one is not.
+        lost_level = [file for file in json.loads(lost.read_text())["files"] if "_lod1.usda" in file]
+        (self.tiles("cut") / lost_level[0]).unlink()
+        files = list(json.loads(kept.read_text())["files"])
+        self.assertTrue(any("_lod1.ply" in file for file in files))
+        first = {file: (self.tiles("cut") / file).stat().st_mtime_ns for file in files}
+        said = self.build("-o", "cut", "--tiles=64", "--lods", "2")
+        self.assertEqual(self.names("cut"), self.names("all"))
+        self.assert_same_files("cut", "all", self.names("all"))
+        self.assertEqual(sorted(said.out.split()), [f"cut/cave.tiles/{name}" for name in self.names("all")])
+        for file, modified in first.items():
+            self.assertEqual((self.tiles("cut") / file).stat().st_mtime_ns, modified, file)
+        # Another number of levels makes other tiles.
+        self.build("-o", "cut", "--tiles=64", "--lods", "1")
+        self.assertEqual(self.index("cut")["levels"], 1)
+
+    def test_lose_small_pieces(self):
+        self.write("cave.vug", SCENE)
+        said = self.build("-o", "pieces", "--tiles=64", "--lods", "2").out.split()
+        self.assertEqual(sorted(said), [f"pieces/cave.tiles/{name}" for name in self.names("pieces")])
+        changed = 0
+        whole = {str(tile["tile"]): tile for tile in self.index("all")["meshes"][0]["tiles"]}
+        for tile in self.index("pieces")["meshes"][0]["tiles"]:
+            if tile["triangles"] == whole[str(tile["tile"])]["triangles"]:
+                for level in tile["levels"]:
+                    self.assertEqual(ply(self.tiles("pieces") / level["file"]), ply(self.tiles("all") / level["file"]))
+                continue
+            changed += 1
+            # The crumb was between 2.38 m and 2.62 m.
+            for level in [tile] + tile["levels"]:
+                points, triangles = ply(self.tiles("pieces") / level["file"])
+                self.assertEqual(len(triangles), level["triangles"])
+                self.assertLess(max(struct.unpack("<3f", p)[1] for p in points), 2.3)
+        self.assertGreater(changed, 0)
+
+    def test_usd_shows_all_tiles(self):
+        self.write("cave.vug", self.PLAIN + "mesh frond { of leaf(length: 70cm, width: 16cm) }\n")
+        self.build("-o", "usd", "--tiles=64", "--lods", "2")
+        text = (self.tiles("usd") / "assembly.usda").read_text()
+        self.assertIn('defaultPrim = "cave"', text)
+        index = self.index("usd")
+        for tile in index["meshes"][0]["tiles"]:
+            name = tile["usd"][:-len(".usda")].replace("-", "_")
+            prim = text[text.index(f'def Xform "{name}"'):]
+            prim = prim[:prim.index("\n    }\n")]
+            payloads = re.findall(r"prepend payload = @\./(.*)@", prim)
+            distances = [float(d) for d in re.findall(r"double vug:distance = (.*)", prim)]
+            levels = (tile["levels"] * 2)[:2] if len(tile["levels"]) == 1 else tile["levels"]
+            self.assertEqual(payloads, [tile["usd"]] + [level["usd"] for level in levels])
+            self.assertEqual(distances, [level["distance"] for level in levels])
+            self.assertEqual(re.findall(r'"(full|lod\d)" \(', prim), ["full", "lod1", "lod2"])
+            hint = [float(n) for n in re.findall(r"-?\d[\d.e+-]*", re.search(r"extentsHint = (.*)", prim)[1])]
+            self.assertEqual(len(hint), 18)
+            self.assertEqual(hint[6:9] + hint[9:12], tile["bounds"]["min"] + tile["bounds"]["max"])
+            for level in [tile] + tile["levels"]:
+                points = [struct.unpack("<3f", p) for p in ply(self.tiles("usd") / level["file"])[0]]
+                for axis in range(3):
+                    self.assertGreaterEqual(min(p[axis] for p in points), hint[6 + axis])
+                    self.assertLessEqual(max(p[axis] for p in points), hint[9 + axis])
+                layer = (self.tiles("usd") / level["usd"]).read_text()
+                self.assertIn('uniform token purpose = "render"', layer)
+                self.assertNotIn("lattice_key", layer)
+                self.assertEqual(layer.count("("), layer.count(")"))
+                self.assertEqual(len(re.search(r"faceVertexCounts = \[(.*)\]", layer)[1].split(",")), level["triangles"])
+            self.assertIn('def Mesh "proxy"', prim)
+            self.assertIn('uniform token purpose = "proxy"', prim)
+            proxy = re.search(r"faceVertexCounts = \[(.*)\]", prim)[1].split(",")
+            self.assertLessEqual(len(proxy), 64)
+        self.assertIn("prepend payload = @./frond_whole.usda@", text)
+        self.assertTrue((self.tiles("usd") / "frond_whole.usda").exists())
+        self.assertEqual(self.expect(0, "recipe", self.tiles("usd") / "assembly.usda").out,
+                         self.expect(0, "recipe", self.tiles("usd") / index["meshes"][0]["tiles"][0]["usd"]).out)
+
+    def test_errors(self):
+        self.build("-o", "out", "--lods", "2", code=2)
+        self.build("-o", "out", "--tiles=64", "--lods", "-1", code=2)
+        self.write("cave.vug", "volume rock = level_set(sphere(1m), voxel: 10cm)\n")
+        self.assertRegex(self.build("-o", "out", "--tiles=64", "--lods", "2", code=2).err, "mesh rock on rock")
         self.assertFalse((self.folder / "out").exists())
 
 

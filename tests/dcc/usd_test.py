@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Two readers of USD, tinyusdz and three.js, find everything that a scene shows, in the right place."""
+import json
 import math
+import pathlib
 import re
+import shutil
 import unittest
 
 from external_tools import SCENE, VugTest, node, require_node
@@ -90,6 +93,51 @@ class Usd(VugTest):
         self.assertEqual(sizes[0], len(numbers(whole, "faceVertexCounts")))
         for finer, coarser in zip(sizes, sizes[1:]):
             self.assertAlmostEqual(coarser / finer, 0.25, delta=0.01)
+
+
+class TiledUsd(VugTest):
+    """The USD layers of vug build --tiles --lods."""
+
+    def prepare(self):
+        self.write("cave.vug", "volume cave = level_set(displace(torus(radius: 2m, tube: 80cm), noise: "
+                   "fbm(scale: 60cm, octaves: 3), amount: 20cm), voxel: 5cm)\nmesh cave on cave {}\n")
+        self.expect(0, "build", "cave.vug", "-o", "out", "--tiles=64", "--lods", "2", "-q")
+
+    def test_tinyusdz_opens_the_assembly_without_payloads(self):
+        tiles = self.folder / "out" / "cave.tiles"
+        index = json.loads((tiles / "index.json").read_text())["meshes"][0]["tiles"]
+        self.assertGreaterEqual(len(index), 8)
+        # A folder that contains nothing else.
+        alone = self.folder / "alone"
+        alone.mkdir()
+        shutil.copy(tiles / "assembly.usda", alone)
+        text = node("read_usd.mjs", alone / "assembly.usda", "layer")["tinyusdz"]
+        kinds = prims(text)
+        self.assertEqual(sum(kind == "Xform" for kind, _ in kinds), 1 + len(index))
+        self.assertEqual(kinds.count(("Mesh", "proxy")), len(index))
+        for tile in index:
+            prim = block(text, "Xform", pathlib.Path(tile["usd"]).stem.replace("-", "_"))
+            hint = numbers(prim, "extentsHint")
+            self.assertEqual(len(hint), 18)
+            for axis in range(3):
+                self.assertAlmostEqual(hint[6 + axis], tile["bounds"]["min"][axis], delta=1e-5)
+                self.assertAlmostEqual(hint[9 + axis], tile["bounds"]["max"][axis], delta=1e-5)
+            for name in [tile["usd"]] + [level["usd"] for level in tile["levels"]]:
+                self.assertIn(f"@./{name}@", prim)
+            for level in ("full", "lod1", "lod2"):
+                self.assertIn(f'"{level}"', prim)
+            self.assertIn("vug:distance", prim)
+            self.assertIn('"proxy"', prim)
+
+    def test_tinyusdz_reads_the_layers_of_a_tile(self):
+        tiles = self.folder / "out" / "cave.tiles"
+        tile = json.loads((tiles / "index.json").read_text())["meshes"][0]["tiles"][0]
+        for level in [tile] + tile["levels"]:
+            text = node("read_usd.mjs", tiles / level["usd"], "layer")["tinyusdz"]
+            shape = block(text, "Mesh", "shape")
+            self.assertEqual(len(numbers(shape, "faceVertexCounts")), level["triangles"])
+            self.assertEqual(len(numbers(shape, "points")), 3 * level["vertices"])
+            self.assertIn('purpose = "render"', shape)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,8 @@
 #include <vug/building/product_keys.h>
 #include <vug/building/rock_weights.h>
 #include <vug/building/tile_surface.h>
+#include <vug/delivery/assembly.h>
+#include <vug/delivery/tile_levels.h>
 #include <vug/delivery/tile_records.h>
 #include <vug/delivery/tiles.h>
 #include <vug/delivery/write_products.h>
@@ -48,9 +50,11 @@ Json numbers(const Vec3i& v) { return Json::array({v.x, v.y, v.z}); }
 Json numbers(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
 
 /// The digest of all that determines the bytes of the tiles of a volume and of the meshes on it.
-Digest key_of_tiles(const shot::Shot& shot, const shot::VolumePlan& volume, int edge) {
+Digest key_of_tiles(const shot::Shot& shot, const shot::VolumePlan& volume,
+                    const TileOptions& options) {
   Digester out;
-  out(edge, shot.recipe, shot.draft, volume.name, building::level_set_key(volume));
+  out(options.edge, options.levels, shot.recipe, shot.draft, volume.name,
+      building::level_set_key(volume));
   for (const shot::MeshPtr& mesh : shot::declared_meshes(shot))
     if (mesh->volume.get() == &volume)
       out(mesh->name, mesh->format, building::surface_mesh_key(*mesh, shot.draft));
@@ -75,7 +79,8 @@ class VolumeTiles {
         folder_(std::move(folder)),
         options_(options),
         voxelize_(building::voxelize_options(plan, builder.memory_budget())),
-        records_(folder_, key_of_tiles(builder.shot(), plan, options.edge)) {
+        records_(folder_, key_of_tiles(builder.shot(), plan, options)),
+        levels_(builder.shot(), folder_, options.levels) {
     for (const shot::MeshPtr& mesh : shot::declared_meshes(builder.shot())) {
       if (mesh->volume.get() != &plan) continue;
       meshes_.push_back({*mesh});
@@ -102,6 +107,9 @@ class VolumeTiles {
   }
 
   const std::vector<Path>& written() const { return written_; }
+  const std::vector<std::string>& level_reports() const { return level_reports_; }
+  /// The tiles of the layer of all tiles.
+  const std::vector<exchange::UsdTile>& usd_tiles() const { return usd_tiles_; }
 
  private:
   /// What the tiles of a mesh lack that depends on more than their surroundings.
@@ -245,7 +253,11 @@ class VolumeTiles {
     require_writable(file);
     mesh::write_mesh(made.mesh, file, mesh_comments(builder_.shot()));
     record.files.push_back(file.filename().string());
-    record.content["meshes"][plan.name] = described(made.mesh, numbers(tile), file);
+    Json entry = described(made.mesh, numbers(tile), file);
+    for (const std::string& each :
+         levels_.write(made.mesh, file.filename().string(), entry, builder_.progress()))
+      record.files.push_back(each);
+    record.content["meshes"][plan.name] = std::move(entry);
   }
 
   static Json described(const mesh::Mesh& mesh, const Json& tile, const Path& file) {
@@ -273,13 +285,33 @@ class VolumeTiles {
         const mesh::Mesh kept = mesh::remaining(std::move(whole), component_of, remains);
         records_.remove(mesh.records[i]);
         mesh::write_mesh(kept, file, mesh_comments(builder_.shot()));
-        mesh.tiles[i] = described(kept, Json(mesh.tiles[i]["tile"]), file);
+        Json entry = described(kept, Json(mesh.tiles[i]["tile"]), file);
+        replace_levels(mesh.tiles[i], kept, file.filename().string(), entry);
+        mesh.tiles[i] = std::move(entry);
       }
     }
+    if (options_.levels > 0)
+      for (const std::string& each : describe_levels(mesh.plan.name, mesh.tiles))
+        level_reports_.push_back(each);
+    for (Json& entry : mesh.tiles)
+      if (std::optional<exchange::UsdTile> tile = take_usd_tile(entry, options_.levels))
+        usd_tiles_.push_back(std::move(*tile));
     return {{"name", mesh.plan.name},
             {"volume", plan_.name},
             {"pieces_removed", removed},
             {"tiles", std::move(mesh.tiles)}};
+  }
+
+  /// Writes the levels of a tile whose mesh has changed, and removes those that it had before.
+  void replace_levels(const Json& before, const mesh::Mesh& mesh, const std::string& file,
+                      Json& entry) {
+    const std::vector<std::string> now = levels_.write(mesh, file, entry, builder_.progress());
+    for (const std::string& old : level_files(before)) {
+      if (std::find(now.begin(), now.end(), old) != now.end()) continue;
+      std::error_code ignored;
+      std::filesystem::remove(folder_ / old, ignored);
+      std::erase(written_, folder_ / old);
+    }
   }
 
   building::Builder& builder_;
@@ -288,21 +320,29 @@ class VolumeTiles {
   const TileOptions& options_;
   volume::VoxelizeOptions voxelize_;
   TileRecords records_;
+  TileLevelFiles levels_;
   field::Field field_;  ///< With the faces of the region.
   std::vector<TiledMesh> meshes_;
   Json tiles_ = Json::array(), inside_ = Json::array();
   std::vector<Path> written_;
+  std::vector<std::string> level_reports_;
+  std::vector<exchange::UsdTile> usd_tiles_;
 };
 
 /// Writes the meshes that are not the surface of a volume, such as stems and models, as a whole.
-void write_whole_meshes(building::Builder& builder, const Path& folder, Json& meshes,
-                        std::vector<Path>& written) {
+void write_whole_meshes(building::Builder& builder, const Path& folder,
+                        const TileLevelFiles& levels, Json& meshes, std::vector<Path>& written,
+                        std::vector<exchange::UsdTile>& usd) {
   for (const shot::MeshPtr& plan : shot::declared_meshes(builder.shot())) {
     if (plan->volume) continue;
     const Path file = folder / fmt::format("{}.{}", plan->name, plan->format);
     mesh::write_mesh(*builder.mesh(plan), file, mesh_comments(builder.shot()));
     meshes.push_back({{"name", plan->name}, {"file", file.filename().string()}});
     written.push_back(file);
+    if (levels.count() <= 0 || builder.mesh(plan)->triangles.empty()) continue;
+    usd.push_back(levels.write_whole(*builder.mesh(plan), plan->name));
+    meshes.back()["usd"] = usd.back().levels.front().file;
+    written.push_back(folder / usd.back().levels.front().file);
   }
 }
 
@@ -320,6 +360,12 @@ void check(const shot::Shot& shot, const TileOptions& options) {
                   fmt::format("the small pieces of the mesh '{}' are only known when all tiles are",
                               mesh->name),
                   {}, "build all tiles, or set smallest_piece 0");
+  const std::vector<shot::MeshPtr> meshes = shot::declared_meshes(shot);
+  if (options.levels > 0 &&
+      std::none_of(meshes.begin(), meshes.end(),
+                   [](const shot::MeshPtr& each) { return each->volume != nullptr; }))
+    throw Error(ErrorCode::bad_input, "levels of detail need the mesh of a volume", {},
+                "add, for instance: mesh rock on rock {}");
 }
 
 }  // namespace
@@ -346,35 +392,50 @@ Path tile_folder(const shot::Shot& shot, const Path& folder) {
   return folder / (shot.name + ".tiles");
 }
 
-std::vector<Path> write_tiles(building::Builder& builder, const Path& folder,
-                              const TileOptions& options) {
+TilesReport write_tiles(building::Builder& builder, const Path& folder,
+                        const TileOptions& options) {
   const shot::Shot& shot = builder.shot();
   check(shot, options);
   const Path target = tile_folder(shot, folder), index = target / "index.json";
   require_writable(index);
-  std::vector<Path> written;
+  TilesReport report;
+  std::vector<exchange::UsdTile> usd;
+  const auto append = [](const auto& from, auto& to) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
   Json volumes = Json::array(), meshes = Json::array();
   for (const shot::VolumePtr& plan : shot.volumes) {
     VolumeTiles tiles(builder, *plan, target, options);
     auto [volume, own] = tiles.run();
     volumes.push_back(std::move(volume));
     for (Json& mesh : own) meshes.push_back(std::move(mesh));
-    written.insert(written.end(), tiles.written().begin(), tiles.written().end());
+    append(tiles.written(), report.files);
+    append(tiles.level_reports(), report.levels);
+    append(tiles.usd_tiles(), usd);
   }
   if (!options.only.empty()) {
-    if (written.empty())
+    if (report.files.empty())
       throw Error(ErrorCode::bad_input, "the surface does not cross these tiles", {},
                   "see the tiles in index.json, which is written with all of them");
-    return written;
+    return report;
   }
-  write_whole_meshes(builder, target, meshes, written);
-  const Json content = {{"format", "vug-tiles"}, {"version", 1},          {"name", shot.name},
-                        {"seed", shot.seed},     {"recipe", shot.recipe}, {"edge", options.edge},
-                        {"volumes", volumes},    {"meshes", meshes}};
+  write_whole_meshes(builder, target, TileLevelFiles(shot, target, options.levels), meshes,
+                     report.files, usd);
+  Json content = {{"format", "vug-tiles"}, {"version", 1},          {"name", shot.name},
+                  {"seed", shot.seed},     {"recipe", shot.recipe}, {"edge", options.edge}};
+  if (options.levels > 0) {
+    const Path assembly = target / "assembly.usda";
+    exchange::write_usd_tiles(shot.name, usd, provenance_of(shot), assembly);
+    report.files.push_back(assembly);
+    content["levels"] = options.levels;
+    content["usd"] = assembly.filename().string();
+  }
+  content["volumes"] = std::move(volumes);
+  content["meshes"] = std::move(meshes);
   write_text(index, content.dump(1) + "\n");
   remove_tile_records(target);
-  written.push_back(index);
-  return written;
+  report.files.push_back(index);
+  return report;
 }
 
 }  // namespace vug::delivery

@@ -14,6 +14,12 @@ namespace vug::delivery {
 struct TileOptions {
   int edge = 1024;          ///< Edge of a tile in voxels; a multiple of 8, at least 64.
   std::vector<Vec3i> only;  ///< The tiles to write, without an index; empty: all tiles.
+  int levels = 0;  ///< Levels of detail of each tile of a mesh in addition to the full one.
+};
+
+struct TilesReport {
+  std::vector<std::filesystem::path> files;  ///< In the order of writing.
+  std::vector<std::string> levels;  ///< Sentences about the triangles and distances of each level.
 };
 
 /// The reason why the products of the shot cannot be written as tiles; empty if they can: there are
@@ -26,12 +32,16 @@ std::string obstacle_to_tiles(const shot::Shot& shot);
 /// files have the same bytes whichever tiles are written, but for pieces of meshes that are removed
 /// because of their size. Each triangle is in one tile. Vertices on borders have the same positions
 /// in all of their tiles, and the attribute `lattice_key`; see meshing/tile_mesh.h. Tiles that an
-/// interrupted run of the same scene completed are not built again. Returns the
-/// paths in the order of writing. Error(bad_input) with an obstacle, or for tiles that do not
-/// exist; Error(too_large) if one tile exceeds the memory; Error(io).
-std::vector<std::filesystem::path> write_tiles(building::Builder& builder,
-                                               const std::filesystem::path& folder,
-                                               const TileOptions& options);
+/// interrupted run of the same scene completed are not built again.
+///
+/// With levels, each tile of a mesh also has MESH_I_J_K_lodN.EXT; see meshing/tile_levels.h. Each
+/// level and the full mesh have a layer .usda, and assembly.usda shows all tiles; see
+/// exchange/usd_tiles.h.
+///
+/// Error(bad_input) with an obstacle, or for tiles that do not exist, or for levels without a mesh
+/// on a volume; Error(too_large) if one tile exceeds the memory; Error(io).
+TilesReport write_tiles(building::Builder& builder, const std::filesystem::path& folder,
+                        const TileOptions& options);
 
 /// The folder of the tiles.
 std::filesystem::path tile_folder(const shot::Shot& shot, const std::filesystem::path& folder);

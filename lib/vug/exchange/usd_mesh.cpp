@@ -73,8 +73,8 @@ void write_input(UsdText& out, const Prototype& prototype, const std::string& pa
 }
 
 /// A subset of the triangles for each rock, bound to its material, and one for the triangles
-/// without weights.
-void write_rock_subsets(UsdText& out, const mesh::Mesh& mesh, const UsdMaterials& materials) {
+/// without weights. Null: they are not bound.
+void write_rock_subsets(UsdText& out, const mesh::Mesh& mesh, const UsdMaterials* materials) {
   const std::vector<std::string> names = mesh::rock_materials(mesh);
   if (names.empty()) return;
   const std::vector<int32_t> of_faces = mesh::face_materials(mesh, names);
@@ -84,13 +84,17 @@ void write_rock_subsets(UsdText& out, const mesh::Mesh& mesh, const UsdMaterials
     for (size_t face = 0; face < of_faces.size(); ++face)
       if (of_faces[face] == m) faces.push_back(static_cast<int32_t>(face));
     if (faces.empty()) continue;
-    out.def("GeomSubset", m < 0 ? "no_rock" : "rock_" + names[static_cast<size_t>(m)],
-            {"prepend apiSchemas = [\"MaterialBindingAPI\"]"});
+    const std::string name = m < 0 ? "no_rock" : "rock_" + names[static_cast<size_t>(m)];
+    if (materials)
+      out.def("GeomSubset", name, {"prepend apiSchemas = [\"MaterialBindingAPI\"]"});
+    else
+      out.def("GeomSubset", name);
     out.line("uniform token elementType = \"face\"");
     out.line("uniform token familyName = \"materialBind\"");
     out.array("int", "indices", faces.data(), faces.size(), 1);
-    out.line("rel material:binding = <{}>",
-             m < 0 ? materials.whole : materials.of(names[static_cast<size_t>(m)]));
+    if (materials)
+      out.line("rel material:binding = <{}>",
+               m < 0 ? materials->whole : materials->of(names[static_cast<size_t>(m)]));
     out.end();
   }
 }
@@ -106,7 +110,7 @@ void write_mesh(UsdText& out, const Prototype& prototype, const mesh::Mesh& mesh
     out.line("color3f[] primvars:displayColor = [{}] (interpolation = \"constant\")",
              usd_tuple(prototype.look.base_color));
   write_shape(out, mesh);
-  write_rock_subsets(out, mesh, materials);
+  write_rock_subsets(out, mesh, &materials);
   out.end();
 }
 
@@ -134,6 +138,17 @@ void write_usd_mesh(UsdText& out, const Prototype& prototype, const std::string&
     out.end();
   }
   out.end().end();
+}
+
+void write_usd_bare_mesh(UsdText& out, const mesh::Mesh& mesh, const std::string& name,
+                         const std::string& purpose) {
+  out.def("Mesh", name);
+  out.line("uniform token purpose = \"{}\"", purpose);
+  out.line("uniform token orientation = \"rightHanded\"");
+  out.line("uniform token subdivisionScheme = \"none\"");
+  write_shape(out, mesh);
+  write_rock_subsets(out, mesh, nullptr);
+  out.end();
 }
 
 bool same_usd_material(const Prototype& a, const Prototype& b) {

@@ -27,6 +27,11 @@ struct UsdMaterials {
 void write_usd_mesh(UsdText& out, const Prototype& prototype, const std::string& name,
                     const UsdMaterials& materials);
 
+/// Writes a Mesh prim of that name and purpose without materials, with a subset for each of its
+/// rocks.
+void write_usd_bare_mesh(UsdText& out, const mesh::Mesh& mesh, const std::string& name,
+                         const std::string& purpose);
+
 /// "Mesh" or "Xform", depending on the levels.
 std::string usd_mesh_type(const Prototype& prototype);
 

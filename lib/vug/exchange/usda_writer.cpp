@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/exchange/sky.h>
+#include <vug/exchange/usd_header.h>
 #include <vug/exchange/usd_light.h>
 #include <vug/exchange/usd_mesh.h>
 #include <vug/exchange/usda_writer.h>
@@ -25,7 +26,7 @@ void UsdaWriter::write(Progress& progress) {
 }
 
 void UsdaWriter::begin(const std::vector<std::string>& metadata) {
-  header();
+  write_usd_header(out_, root_, assembly_.provenance, assembly_.space);
   std::vector<std::string> all = {"kind = \"assembly\""};
   all.insert(all.end(), metadata.begin(), metadata.end());
   out_.def("Xform", root_, all);
@@ -50,18 +51,6 @@ void UsdaWriter::each_part(const std::function<void(const Part&)>& visit, Progre
       write_usd_camera(out_, camera, names_.unique(camera.name), assembly_.space.metres_per_unit);
     });
   for (const Light& light : assembly_.lights) visit([&] { add(light); });
-}
-
-void UsdaWriter::header() {
-  const Provenance& from = assembly_.provenance;
-  out_.line("#usda 1.0").line("(").line("    customLayerData = {{");
-  out_.line("        string \"vug:recipe\" = {}", usd_string(from.recipe));
-  out_.line("        string \"vug:seed\" = \"{}\"", from.seed);
-  out_.line("        double \"vug:frame\" = {}", from.frame);
-  out_.line("        string \"vug:version\" = {}", usd_string(from.version));
-  out_.line("    }}").line("    defaultPrim = \"{}\"", root_);
-  out_.line("    metersPerUnit = {}", assembly_.space.metres_per_unit);
-  out_.line("    upAxis = \"{}\"", assembly_.space.up == UpAxis::y ? "Y" : "Z").line(")");
 }
 
 void UsdaWriter::materials() {

@@ -37,7 +37,6 @@ class UsdaWriter {
   void write_skies(bool writes) { writes_skies_ = writes; }
 
  private:
-  void header();
   void materials();
   void mesh(size_t part, const std::string& parent, const std::string& name);
   void add(const InstanceGroup& group);

@@ -30,6 +30,7 @@ struct BuildOptions {
   bool explain = false;
   bool in_tiles = false;
   int tile_edge = 0;  // In voxels.
+  int levels = 0;
   std::vector<std::string> only;
   building::CheckpointOptions keep;
 };
@@ -51,7 +52,7 @@ Vec3i parse_tile(const std::string& text) {
 
 void build_tiles(const BuildOptions& options, building::Builder& builder,
                  const loading::Loaded& loaded, int edge) {
-  delivery::TileOptions tiles{edge, {}};
+  delivery::TileOptions tiles{edge, {}, options.levels};
   for (const std::string& text : options.only) tiles.only.push_back(parse_tile(text));
   if (loaded.shot.volumes.empty())
     throw Error(ErrorCode::bad_input,
@@ -59,8 +60,10 @@ void build_tiles(const BuildOptions& options, building::Builder& builder,
                 {}, "add, for instance: volume rock = level_set(..., voxel: 5cm)");
   require_outputs({delivery::tile_folder(loaded.shot, options.folder) / "index.json"},
                   loading::file_dependencies(loaded));
-  for (const auto& path : delivery::write_tiles(builder, options.folder, tiles))
-    fmt::print("{}\n", path.string());
+  const delivery::TilesReport report = delivery::write_tiles(builder, options.folder, tiles);
+  clear_progress_bar();
+  for (const std::string& each : report.levels) fmt::print(stderr, "{}\n", each);
+  for (const auto& path : report.files) fmt::print("{}\n", path.string());
 }
 
 /// Writes the products of the loaded scene. `frame` is empty unless a sequence is built.
@@ -163,6 +166,12 @@ Verb build_verb() {
             ->needs(tiles)
             ->expected(1)
             ->take_all();
+        constexpr int kMostLevels = 12;
+        app.add_option("--lods", options->levels,
+                       "Number of levels of detail of each tile in addition to the full mesh, each "
+                       "with a quarter of the triangles, and a USD assembly of the tiles")
+            ->needs(tiles)
+            ->check(CLI::Range(0, kMostLevels));
         options->work.add_to(app);
         return [options, tiles] {
           options->in_tiles = tiles->count() > 0;
