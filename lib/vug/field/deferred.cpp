@@ -3,6 +3,7 @@
 #include <vug/field/deferred.h>
 #include <vug/field/evaluates_below.h>
 #include <vug/field/material_source.h>
+#include <vug/field/near_materials.h>
 #include <vug/field/translated.h>
 
 #include <tbb/task_arena.h>
@@ -18,7 +19,10 @@
 namespace vug::field {
 namespace {
 
-class DeferredNode final : public Node, public MaterialSource, public EvaluatesBelow {
+class DeferredNode final : public Node,
+                           public MaterialSource,
+                           public NearMaterials,
+                           public EvaluatesBelow {
  public:
   DeferredNode(Traits traits, DeferredWork work, Digest inputs, std::function<Field()> make)
       : Node(std::move(traits)), work_(std::move(work)), inputs_(inputs), make_(std::move(make)) {}
@@ -71,6 +75,9 @@ class DeferredNode final : public Node, public MaterialSource, public EvaluatesB
   }
   MaterialSample sample_materials(const Vec3d& p) const override {
     return field::sample_materials(made(), p);
+  }
+  NearMixes mixes_near(const NearPoints& points) const override {
+    return field::mixes_near(made(), points);
   }
   Coat coat(const Vec3d& p) const override { return coat_at(made(), p); }
   std::optional<Field> material_mean(const MaterialNumber& number) const override {

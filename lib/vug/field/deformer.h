@@ -5,6 +5,7 @@
 
 #include <vug/field/kind.h>
 #include <vug/field/material_source.h>
+#include <vug/field/near_materials.h>
 #include <vug/field/scaled_values.h>
 
 namespace vug::field {
@@ -19,7 +20,9 @@ namespace vug::field {
 ///   NodePtr translated(const NodePtr& child, const Vec3d& by) const
 ///     optional: see Node::translated
 template <class D>
-class DeformerNode final : public EvaluationModes<DeformerNode<D>>, public MaterialSource {
+class DeformerNode final : public EvaluationModes<DeformerNode<D>>,
+                           public MaterialSource,
+                           public NearMaterials {
  public:
   DeformerNode(std::string name, D deformer, NodePtr child)
       : EvaluationModes<DeformerNode<D>>(deformer.traits(child->traits())),
@@ -82,6 +85,12 @@ class DeformerNode final : public EvaluationModes<DeformerNode<D>>, public Mater
     MaterialSample out = field::sample_materials(*child_, inside(p));
     out.value *= deformer_.scale();
     return out;
+  }
+  NearMixes mixes_near(const NearPoints& points) const override {
+    std::vector<Vec3d> moved;
+    moved.reserve(points.size());
+    for (const Vec3d& p : points.at) moved.push_back(inside(p));
+    return field::mixes_near(*child_, NearPoints(std::move(moved)));
   }
   Coat coat(const Vec3d& p) const override { return coat_at(*child_, inside(p)); }
   std::optional<Field> material_mean(const MaterialNumber& number) const override {

@@ -3,6 +3,9 @@
 #include <vug/field/fold_node.h>
 #include <vug/field/material_mean.h>
 
+#include <cmath>
+#include <optional>
+
 namespace vug::field {
 
 void FoldNode::group_operands() {
@@ -53,6 +56,73 @@ MaterialSample FoldNode::sample_materials(const Vec3d& p) const {
   }
   if (bare < 1) mix = mixed(skin, mix, bare);
   return {folded * sign_, mix};
+}
+
+namespace {
+
+/// A fold of values in single precision, and bounds of its errors.
+struct NearFold {
+  explicit NearFold(size_t count) : values(count, kInfinity), errors(count, 0) {}
+  double most() const {
+    double out = -kInfinity;
+    for (size_t i = 0; i < values.size(); ++i) out = std::max(out, values[i] + errors[i]);
+    return out;
+  }
+  std::vector<double> values, errors;
+};
+
+}  // namespace
+
+/// The same fold in single precision. A mix is unknown where operands blend, or may blend.
+NearMixes FoldNode::mixes_near(const NearPoints& points) const {
+  const auto mixes = [&](const Operand& o) { return o.sign == sign_ || is_complement(); };
+  const auto last = std::find_if(operands_.rbegin(), operands_.rend(), mixes);
+  const auto count = static_cast<size_t>(operands_.rend() - last);  // Later ones add no materials.
+  const double reach = blend_.profile == Profile::sharp ? 0 : blend_.radius;
+  NearMixes out(points.size(), {}, true);
+  NearFold folded(points.size());
+  std::vector<uint8_t> coated(points.size(), 0);
+  for (size_t i = 0; i < operands_.size(); ++i) {
+    const Operand& operand = operands_[i];
+    if (operand.sign != sign_)
+      for (size_t k = 0; k < points.size(); ++k)
+        if (coat_at(*operand.node, points.at[k]).share > 0) coated[k] = 1;
+    if (i >= count) continue;
+    const double most = folded.most() + reach;
+    bool complete = true;
+    for (size_t k = 0; k < points.size(); ++k) complete = complete && !out.is_open(k);
+    if (complete && operand.reach.least(points.ball) > most) continue;
+    // Values do not matter if the first operand is also the last with materials.
+    const bool only = i == 0 && count == 1;
+    NearValues own;
+    if (!only) own = values_near(*operand.node, points, operand.sign > 0 ? most : kInfinity);
+    if (complete && !only && own.values.empty()) continue;
+    const std::optional<NearMixes> added =
+        mixes(operand) ? std::optional(field::mixes_near(*operand.node, points)) : std::nullopt;
+    for (size_t k = 0; k < points.size(); ++k) {
+      if (only) {
+        out.replace(k, *added);
+        continue;
+      }
+      const double value = own.values.empty() ? kInfinity : operand.sign * double{own.values[k]};
+      const double gap = value - folded.values[k], error = own.error + folded.errors[k];
+      const bool first = folded.values[k] == kInfinity;
+      const bool lower = first || gap < -(reach + error);
+      const bool higher = !first && gap > reach + error;
+      if (added) {
+        if (lower || out.is_open(k))
+          out.replace(k, *added);
+        else if (!higher)
+          out.known[k] = 0;
+      }
+      if (!lower && !higher) folded.errors[k] += blend_.depth();
+      folded.errors[k] = std::max(folded.errors[k], std::isnan(value) ? kInfinity : own.error);
+      folded.values[k] = std::min(folded.values[k], value);
+    }
+  }
+  for (size_t k = 0; k < points.size(); ++k)
+    if (coated[k]) out.known[k] = 0;
+  return out;
 }
 
 /// The coats of the kept operands lie over each other.

@@ -7,6 +7,7 @@
 #include <vug/field/box_lanes.h>
 #include <vug/field/fold_operand.h>
 #include <vug/field/material_source.h>
+#include <vug/field/near_materials.h>
 #include <vug/field/numbers/value_of.h>
 #include <vug/field/operands.h>
 
@@ -23,6 +24,7 @@ void set_slope(Traits& traits, const std::vector<Operand>& operands, const Blend
 
 class FoldNode final : public EvaluationModes<FoldNode>,
                        public MaterialSource,
+                       public NearMaterials,
                        public EvaluatesBelow {
  public:
   /// `order`: see order_.
@@ -102,6 +104,7 @@ class FoldNode final : public EvaluationModes<FoldNode>,
   }
 
   MaterialSample sample_materials(const Vec3d& p) const override;
+  NearMixes mixes_near(const NearPoints& points) const override;
   Coat coat(const Vec3d& p) const override;
   std::optional<Field> material_mean(const MaterialNumber& number) const override;
   std::vector<NodePtr> material_operands() const override { return children(); }

@@ -9,7 +9,9 @@ namespace {
 
 /// Evaluates as its child, into which it is pruned and translated: materials are evaluated on whole
 /// expressions.
-class MaterialNode final : public EvaluationModes<MaterialNode>, public MaterialSource {
+class MaterialNode final : public EvaluationModes<MaterialNode>,
+                           public MaterialSource,
+                           public NearMaterials {
  public:
   MaterialNode(std::string name, NodePtr child, std::shared_ptr<const MaterialRule> rule)
       : EvaluationModes(child->traits()),
@@ -36,6 +38,9 @@ class MaterialNode final : public EvaluationModes<MaterialNode>, public Material
 
   MaterialSample sample_materials(const Vec3d& p) const override {
     return rule_->sample(*child_, p);
+  }
+  NearMixes mixes_near(const NearPoints& points) const override {
+    return rule_->mixes_near(*child_, points);
   }
   Coat coat(const Vec3d& p) const override { return rule_->coat(*child_, p); }
   std::optional<Field> material_mean(const MaterialNumber& number) const override {

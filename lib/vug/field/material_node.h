@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vug/field/material_source.h>
+#include <vug/field/near_materials.h>
 
 #include <memory>
 #include <string>
@@ -15,6 +16,10 @@ class MaterialRule {
  public:
   virtual ~MaterialRule() = default;
   virtual MaterialSample sample(const Node& child, const Vec3d& p) const = 0;
+  /// The mixes of `sample`; unknown by default.
+  virtual NearMixes mixes_near(const Node&, const NearPoints& points) const {
+    return {points.size(), {}, false};
+  }
   virtual Coat coat(const Node& child, const Vec3d& p) const { return coat_at(child, p); }
   virtual std::optional<Field> mean(const Field& child, const MaterialNumber& number) const {
     return material_mean(child, number);

@@ -32,6 +32,9 @@ class CoatRule final : public MaterialRule {
   MaterialSample sample(const Node& child, const Vec3d& p) const override {
     return field::sample_materials(child, p);
   }
+  NearMixes mixes_near(const Node& child, const NearPoints& points) const override {
+    return field::mixes_near(child, points);
+  }
   Coat coat(const Node& child, const Vec3d& p) const override {
     const double depth = child.eval(point(p)), t = coating_.thickness;
     return {MaterialMix(*coating_.of), share_inside(depth - t, t)};

@@ -54,6 +54,12 @@ class Partition final : public MaterialRule {
     }
     return out;
   }
+  NearMixes mixes_near(const Node&, const NearPoints& points) const override {
+    NearMixes out(points.size(), MaterialMix(*host_.of), true);
+    for (size_t i = host_.bodies.size(); i-- > 0;)  // From the back.
+      lay_over(out, *host_.bodies[i].node(), host_.contact, points);
+    return out;
+  }
   std::optional<Field> mean(const Field&, const MaterialNumber& number) const override {
     Field out = constant_field(number.number(*host_.of));
     for (size_t i = host_.bodies.size(); i-- > 0;)

@@ -28,6 +28,9 @@ class OneMaterial final : public MaterialRule {
   MaterialSample sample(const Node& child, const Vec3d& p) const override {
     return {child.eval(point(p)), MaterialMix(*material_)};
   }
+  NearMixes mixes_near(const Node&, const NearPoints& points) const override {
+    return {points.size(), MaterialMix(*material_), true};
+  }
   std::optional<Field> mean(const Field&, const MaterialNumber& number) const override {
     return constant_field(number.number(*material_));
   }
