@@ -37,6 +37,11 @@ struct Reach {
     const double away = distance - ball.radius;
     return away > 0 ? growth * away * (1 - 1e-6) - 1e-6 * ball.centre.length() : -depth * 1.001;
   }
+  /// Whether it implies the bounds of another one.
+  bool is_within(const Reach& other) const {
+    return growth > 0 && growth >= other.growth && depth <= other.depth &&
+           (other.growth <= 0 || (other.box.intersects(box.min) && other.box.intersects(box.max)));
+  }
   double distance(const Vec3d& c) const {
     double squared = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -55,8 +60,10 @@ struct Operand {
   }
   Operand translated(const Vec3d& by) const {
     Operand out(field::translated(node, by), sign);
-    out.reach = reach;
-    if (!reach.box.isEmpty()) out.reach.box = {reach.box.min + by, reach.box.max + by};
+    Reach whole = reach;
+    if (!reach.box.isEmpty()) whole.box = {reach.box.min + by, reach.box.max + by};
+    // A deferred node, whose bounds were promised before it was computed, becomes what it is.
+    if (!out.reach.is_within(whole)) out.reach = whole;
     return out;
   }
   NodePtr node;

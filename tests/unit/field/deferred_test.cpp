@@ -3,6 +3,7 @@
 #include <vug/base/parallel.h>
 #include <vug/field/boolean.h>
 #include <vug/field/deferred.h>
+#include <vug/field/fold_operand.h>
 #include <vug/field/operands.h>
 #include <vug/field/registry.h>
 
@@ -61,6 +62,23 @@ TEST(Deferred, BoundsAndInspectionComputeNothing) {
   EXPECT_LT(rock.value(Vec3d(1.5, 0, 0)), 0);
   EXPECT_EQ(calls, 1);
   EXPECT_TRUE(bounds_at(rock, Vec3d(1.5, 0, 0)).contains(rock.value(Vec3d(1.5, 0, 0))));
+}
+
+// Promised bounds hold for all results that are possible; those of the result exclude more.
+TEST(Deferred, MovedOperandsHaveTheBoundsOfTheResult) {
+  const Field ball = make("sphere", {{"radius", 2.0}});
+  const auto dig = [](const Field& solid) { return solid; };
+  Traits wide{8, Exactness::sign, Box3d(Vec3d(-20.0), Vec3d(20.0)), 0.5};
+  const Field digging = deferred(wide, {"digging"}, dig, ball);
+  const Operand operand(digging.node(), 1);
+  EXPECT_EQ(operand.reach.box, wide.bounds);
+  const Operand moved = operand.translated({1, 2, 3});
+  EXPECT_EQ(moved.reach.box, Box3d(Vec3d(-1, 0, 1), Vec3d(3, 4, 5)));
+  EXPECT_EQ(moved.reach.growth, 1);
+  // A result without bounds keeps those that were promised.
+  const Field endless = deferred(wide, {"digging"}, dig, make("half_space"));
+  EXPECT_EQ(Operand(endless.node(), 1).translated({1, 2, 3}).reach.box,
+            Box3d(Vec3d(-19, -18, -17), Vec3d(21, 22, 23)));
 }
 
 TEST(Deferred, IsComputedAsAStageAndOnlyOnce) {

@@ -45,6 +45,29 @@ TEST(Sheet, KeepsItsLipschitzConstantAndItsRestrictions) {
   }
 }
 
+// Folds vary the thickness, but no value is below the distance from the bounds.
+TEST(Sheet, GrowsWithTheDistanceFromItsBounds) {
+  Sheet uneven = square();
+  uneven.radii = {0.3, 0.05, 0.9, 0.1};
+  uneven.corners[3].y = 0.4;
+  const Field sheet = sheet_field("sheet", uneven);
+  ASSERT_GT(sheet.lipschitz(), 1.5);
+  EXPECT_EQ(sheet.node()->traits().growth_rate(), 1);
+  const Box3d& box = sheet.bounds();
+  RandomStream random(RandomKey(6));
+  int outside = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double x = random.uniform(-3, 5), y = random.uniform(-3, 3);
+    const Vec3d p(x, y, random.uniform(-3, 4));
+    Vec3d away;
+    for (int axis = 0; axis < 3; ++axis)
+      away[axis] = std::max({box.min[axis] - p[axis], p[axis] - box.max[axis], 0.0});
+    outside += away.length() > 0 ? 1 : 0;
+    ASSERT_GE(sheet.value(p), away.length() > 0 ? away.length() - 1e-12 : -0.9) << p;
+  }
+  EXPECT_GT(outside, 1000);
+}
+
 Drapery level_path(double length) {
   return {{Vec3d(0, 0, 0), Vec3d(length, -0.3 * length, 0)}, 0.5, 0.006, 0.014, 0.1, 0};
 }

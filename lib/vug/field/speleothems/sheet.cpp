@@ -165,7 +165,9 @@ Field sheet_of(const std::string& name, std::vector<Facet<double>> facets) {
   }
   traits.lipschitz = 1 + slope;
   traits.exactness = slope > 0 ? Exactness::sign : Exactness::eikonal;
-  traits.growth = 1 / (1 + slope);
+  // The box of a facet exceeds that of its triangle by the greatest radius, which no radius
+  // exceeds.
+  traits.growth = 1;
   return Field(std::make_shared<SheetNode>(traits, name, std::move(facets)));
 }
 
