@@ -16,8 +16,9 @@ namespace {
 
 /// The share of the water that reaches roofs along planes, and its mean distance from them.
 constexpr double kOnPlanes = 0.85, kTraceWidth = 0.075;
-/// Farther planes do not attract water.
-constexpr double kPlaneReach = 3;
+/// Farther planes do not attract water. On the way, roofs are searched up and down by the second
+/// number of metres.
+constexpr double kPlaneReach = 3, kRoofReach = 1.5;
 /// Roofs face down by this cosine: water also seeps out of steep ones, and runs down walls.
 constexpr double kSeepingRoof = 0.25;
 /// Gaps between roof and floor that are lower are cracks.
@@ -144,7 +145,7 @@ class Search {
   std::optional<double> roof_height(const Vec3d& p) const {
     const VerticalLine line(rock_, p, std::min(step(), 0.05));
     const bool solid = line.solid(p.y);
-    return line.crossing(p.y, solid ? p.y - 1.5 : p.y + 1.5);
+    return line.crossing(p.y, solid ? p.y - kRoofReach : p.y + kRoofReach);
   }
 
   const field::Field& rock_;
@@ -180,6 +181,10 @@ void require_valid(const SeepOptions& o) {
                 fmt::format("drips every {:g} m in a box of {:g} x {:g} m: there would be millions",
                             o.spacing, size.x, size.z),
                 {}, "use a larger spacing or a smaller box");
+}
+
+double farthest_move(const SeepOptions& options) {
+  return options.planes ? 2 * kPlaneReach + kRoofReach : 0;
 }
 
 std::vector<Seep> find_seeps(const field::Field& rock, const SeepOptions& options) {

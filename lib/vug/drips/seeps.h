@@ -42,6 +42,9 @@ struct Seep {
 /// for too many columns.
 void require_valid(const SeepOptions& options);
 
+/// Roofs on the way to a joint or bed may be higher or lower than the box by this number of metres.
+double farthest_move(const SeepOptions& options);
+
 /// In the order of their ids. Air is where the rock is positive. Throws as require_valid.
 std::vector<Seep> find_seeps(const field::Field& rock, const SeepOptions& options);
 

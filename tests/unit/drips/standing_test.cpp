@@ -209,6 +209,54 @@ TEST(Dripstone, KeepsItsPromises) {
   }
 }
 
+// Draperies with folds, pieces, trunks with feet, wide tips and thick stalactites.
+TEST(Dripstone, StaysWithinBoundsThatAreNearTheRoom) {
+  struct Case {
+    double tip, girth, oldest;
+    bool jointed;
+    uint64_t seed;
+  };
+  const field::Field rock = cave();
+  for (const Case& c : {Case{0.002, 0.05, 8000, false, 1}, Case{0.01, 0.05, 40000, true, 2},
+                        Case{0.03, 0.3, 1e5, false, 3}, Case{0.1, 0.02, 1e5, true, 4},
+                        Case{0.3, 0.5, 1e5, false, 5}, Case{0.02, 0.05, 150000, true, 6}}) {
+    GraphOptions o = dripping();
+    o.run_out = true;
+    o.girth = c.girth, o.oldest = c.oldest, o.seed = c.seed, o.spacing = 0.25;
+    o.interval = c.seed % 2 == 0 ? 5 : 100;
+    if (c.jointed) o.planes = joints();
+    const FormOptions forms{.girth = c.girth,
+                            .tip = c.tip,
+                            .stalagmites = 1,
+                            .broken = 0.4,
+                            .age = c.oldest,
+                            .final_age = c.oldest,
+                            .seed = c.seed};
+    const Dripstone grown = grow_dripstone(rock, build_graph(rock, o),
+                                           {o, forms, {.share = 1, .tip = c.tip, .floor = -3}, {}});
+    ASSERT_GT(grown.forms.size(), 5u) << c.seed;
+    const Box3d bounds = dripstone_bounds(rock.bounds(), o, forms), real = grown.solids.bounds();
+    EXPECT_TRUE(bounds.intersects(real.min) && bounds.intersects(real.max))
+        << c.seed << " " << real.min << real.max << " " << bounds.min << bounds.max;
+    EXPECT_GE(grown.solids.node()->traits().growth_rate(), kDripstoneGrowth) << c.seed;
+    RandomStream random(RandomKey(c.seed));
+    for (int i = 0; i < 3000; ++i) {
+      const double x = random.uniform(-12, 12), y = random.uniform(-12, 12);
+      const Vec3d p(x, y, random.uniform(-12, 12));
+      Vec3d away;
+      for (int axis = 0; axis < 3; ++axis)
+        away[axis] = std::max({bounds.min[axis] - p[axis], p[axis] - bounds.max[axis], 0.0});
+      if (away.length() > 0) {
+        ASSERT_GE(grown.solids.value(p), kDripstoneGrowth * away.length()) << c.seed;
+      }
+    }
+  }
+  // A box of 6 m, of which forms of 4 cm tips leave less than three on each side.
+  const Box3d near = dripstone_bounds(rock.bounds(), dripping(), {.tip = 0.02});
+  EXPECT_LT(near.size().x, 6 + 2 * 2.8);
+  EXPECT_LT(near.size().y, 6 + 2 * 2.8);
+}
+
 TEST(Dripstone, IsTheSameForAnyNumberOfThreads) {
   const field::Field rock = cave();
   std::vector<double> first;
