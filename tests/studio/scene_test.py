@@ -31,12 +31,13 @@ class SceneWindow(StudioTest):
     def test_all_functions(self):
         self.studio((HERE / "scene.txt").read_text() + "\nsave\n", "--scene")
         self.assertEqual(self.scene.read_text(), SCENE, "all edits are undone")
-        before, slid, undone, turned, moved, home, ids = (
+        before, slid, undone, turned, moved, home, region, whole, ids = (
             (self.folder / f"{name}.png").read_bytes()
-            for name in ("before", "slid", "undone", "turned", "moved", "home", "ids"))
+            for name in ("before", "slid", "undone", "turned", "moved", "home", "region", "whole", "ids"))
         self.assertEqual(undone, before)
         self.assertEqual(home, before)
-        self.assertEqual(len({before, slid, turned, moved, ids}), 5)
+        self.assertEqual(whole, before)
+        self.assertEqual(len({before, slid, turned, moved, region, ids}), 6)
 
     def test_the_event_loop_is_never_blocked_by_a_build(self):
         self.scene.write_text(SCENE.replace("VOXEL = 4cm", "VOXEL = 8mm"))

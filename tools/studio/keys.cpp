@@ -66,7 +66,9 @@ const std::vector<KeyRow>& scene_rows() {
 /// Keys and buttons that the picture of a scene handles itself.
 constexpr KeyRow kPictureRows[] = {
     {"", "Left button, drag", "Turns the view around its target"},
-    {"", "Shift + left button, drag", "Moves the view"},
+    {"", "Middle button, or Alt + left button, drag", "Moves the view"},
+    {"", "Shift + left button, drag",
+     "Renders only this part of the picture, until a click or Esc"},
     {"", "Ctrl + left button, drag; wheel", "Moves the eye nearer or farther away"},
     {"", "Left button, click", "Selects the declaration of the object, then its next one"},
     {"", "Left button on a handle, drag", "Changes its numbers in the text"},
@@ -75,6 +77,7 @@ constexpr KeyRow kPictureRows[] = {
     {"", "Ctrl + Shift + left button, click", "Selects the material of the pixel"},
     {"", "Right button", "Lists all declarations of the object"},
     {"", "Arrow keys; + and -", "Turn the view; move the eye nearer or farther away"},
+    {"", "Shift + arrow keys", "Move the view"},
     {"", "Enter", "Selects the declaration of the object in the middle"}};
 
 QString keys_in(const std::vector<KeyRow>& rows, const QString& action) {

@@ -49,6 +49,7 @@ void SceneWindow::build_menus() {
   add_command(view, "frame", "frame");
   add_command(view, "refresh");
   add_command(view, "stop");
+  add_command(view, "region");
   add_command(view, "pause");
   add_command(view, "continue");
   add_command(view, "go_material");

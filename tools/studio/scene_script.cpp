@@ -63,14 +63,15 @@ void click_symbol(QWidget& viewport, const workbench::SceneBench& bench, const W
               "turn the view until the light or the camera is visible");
 }
 
-/// drag viewport X Y to X Y [shift|ctrl]
+/// drag viewport X Y to X Y [shift|ctrl|alt]
 void drag_picture(QWidget& viewport, const Words& words) {
-  require_words(words, 7, "drag viewport X Y to X Y [shift|ctrl]");
+  require_words(words, 7, "drag viewport X Y to X Y [shift|ctrl|alt]");
   const QPoint from = picture_point(viewport, words[2], words[3]);
   const QPoint to = picture_point(viewport, words[5], words[6]);
   const std::string modifier = words.size() > 7 ? words[7] : "";
   const Qt::KeyboardModifiers keys = modifier == "shift"  ? Qt::ShiftModifier
                                      : modifier == "ctrl" ? Qt::ControlModifier
+                                     : modifier == "alt"  ? Qt::AltModifier
                                                           : Qt::NoModifier;
   drag_mouse(viewport, from, to, keys);
 }

@@ -12,12 +12,14 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPainterPath>
 #include <cmath>
+#include <utility>
 
 namespace vug::studio {
 namespace {
 
-constexpr double kDegreesPerPixel = 0.4, kKeyDegrees = 5, kWheelStep = 0.85;
+constexpr double kDegreesPerPixel = 0.4, kKeyDegrees = 5, kKeyPan = 0.05, kWheelStep = 0.85;
 /// Pixels within which a press and a release are a click.
 constexpr double kClick = 4;
 /// Pixels of the window within which the mouse takes a handle.
@@ -114,11 +116,39 @@ void ViewportWidget::paintEvent(QPaintEvent*) {
     painter.setPen(theme().text);
     painter.drawText(place, Qt::AlignCenter, note);
   }
+  paint_region(painter);
   if (building_) painter.fillRect(QRectF(0, height() - 3, width() * fraction_, 3), theme().accent);
   if (hasFocus()) {
     painter.setPen(theme().accent);
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
   }
+}
+
+/// The pixels outside of the region are darker, since they may be older.
+void ViewportWidget::paint_region(QPainter& painter) const {
+  const workbench::SceneBench& bench = studio_.bench();
+  if (!bench.has_document()) return;
+  std::optional<QRectF> shown = box_;
+  if (const auto& box = bench.viewport().request().region; box && !shown)
+    shown = QRectF(QPointF(box->x0 * width(), box->y0 * height()),
+                   QPointF(box->x1 * width(), box->y1 * height()));
+  if (!shown) return;
+  QPainterPath outside;
+  outside.addRect(rect());
+  outside.addRect(*shown);
+  painter.fillPath(outside, QColor(0, 0, 0, 90));
+  painter.setPen(QPen(Qt::black, 1));
+  painter.drawRect(*shown);
+  painter.setPen(QPen(Qt::white, 1, Qt::DashLine));
+  painter.drawRect(*shown);
+}
+
+void ViewportWidget::send_region(const QRectF& box) {
+  const QRectF inside = box.normalized() & QRectF(rect());
+  if (inside.isEmpty()) return update();
+  studio_.run(fmt::format("region {:.5f} {:.5f} {:.5f} {:.5f}", inside.left() / width(),
+                          inside.top() / height(), inside.right() / width(),
+                          inside.bottom() / height()));
 }
 
 std::string ViewportWidget::pick_line(const QPointF& at) const {
@@ -129,6 +159,7 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event) {
   pressed_ = last_ = event->position();
   moved_ = false;
   grip_.reset();
+  box_.reset();
   if (event->button() != Qt::LeftButton || event->modifiers() != Qt::NoModifier) return;
   if (const auto hit = handle_at(overlay_, pixel_of(pressed_), kReach * devicePixelRatioF()))
     grip_ = Grip{*hit, QString("drag %1").arg(++drags_)};
@@ -141,6 +172,10 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
   moved_ = true;
   last_ = event->position();
   if (grip_) return drag_handle(last_);
+  if (event->buttons() == Qt::LeftButton && event->modifiers() == Qt::ShiftModifier) {
+    box_ = QRectF(pressed_, last_);
+    return update();
+  }
   move_view(by, event->buttons(), event->modifiers());
 }
 
@@ -148,9 +183,9 @@ void ViewportWidget::move_view(const QPointF& by, Qt::MouseButtons buttons,
                                Qt::KeyboardModifiers modifiers) {
   if (modifiers & Qt::ControlModifier)
     studio_.run(fmt::format("dolly {:.5f}", std::exp(by.y() / height())));
-  else if (modifiers & Qt::ShiftModifier)
+  else if (buttons & Qt::MiddleButton || modifiers & Qt::AltModifier)
     studio_.run(fmt::format("pan {:.5f} {:.5f}", -by.x() / height(), by.y() / height()));
-  else if (buttons & (Qt::LeftButton | Qt::MiddleButton))
+  else if (buttons & Qt::LeftButton)
     studio_.run(
         fmt::format("orbit {:.3f} {:.3f}", by.x() * kDegreesPerPixel, by.y() * kDegreesPerPixel));
 }
@@ -181,7 +216,9 @@ void ViewportWidget::leaveEvent(QEvent* event) {
 void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
   const bool dragged = grip_ && moved_;
   grip_.reset();
-  if (dragged)
+  if (const auto box = std::exchange(box_, std::nullopt))
+    send_region(*box);
+  else if (dragged)
     studio_.run("end_step");
   else if (!moved_ && event->button() == Qt::LeftButton)
     click(event->position(), event->modifiers());
@@ -189,6 +226,8 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
 
 /// A symbol is above the objects. Ctrl reads the pixel, and with Shift goes to its material.
 void ViewportWidget::click(const QPointF& at, Qt::KeyboardModifiers modifiers) {
+  if (modifiers == Qt::NoModifier && studio_.bench().viewport().request().region)
+    return static_cast<void>(studio_.run("region"));
   if (modifiers & Qt::ControlModifier) {
     studio_.run(fmt::format("inspect {:.5f} {:.5f}", at.x() / width(), at.y() / height()));
     if (modifiers & Qt::ShiftModifier) studio_.run("go_material");
@@ -225,7 +264,10 @@ void ViewportWidget::wheelEvent(QWheelEvent* event) {
 
 void ViewportWidget::keyPressEvent(QKeyEvent* event) {
   const auto turn = [&](double yaw, double pitch) {
-    studio_.run(fmt::format("orbit {} {}", yaw * kKeyDegrees, pitch * kKeyDegrees));
+    if (event->modifiers() & Qt::ShiftModifier)
+      studio_.run(fmt::format("pan {} {}", yaw * kKeyPan, pitch * kKeyPan));
+    else
+      studio_.run(fmt::format("orbit {} {}", yaw * kKeyDegrees, pitch * kKeyDegrees));
   };
   switch (event->key()) {
     case Qt::Key_Left:

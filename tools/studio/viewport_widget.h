@@ -41,6 +41,8 @@ class ViewportWidget : public QWidget {
   Vec2d pixel_of(const QPointF& at) const;
   void drag_handle(const QPointF& at);
   void hover(const QPointF& at);
+  void paint_region(QPainter& painter) const;
+  void send_region(const QRectF& box);
   void click(const QPointF& at, Qt::KeyboardModifiers modifiers);
   void move_view(const QPointF& by, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers);
   std::string pick_line(const QPointF& at) const;
@@ -56,7 +58,8 @@ class ViewportWidget : public QWidget {
   std::string hovered_;
   int drags_ = 0;
   QPointF pressed_, last_;
-  bool moved_ = false;  ///< The button was pressed for a motion, not for a pick.
+  std::optional<QRectF> box_;  ///< The region that the mouse draws.
+  bool moved_ = false;         ///< The button was pressed for a motion, not for a pick.
 };
 
 }  // namespace vug::studio

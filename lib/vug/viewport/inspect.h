@@ -11,10 +11,11 @@
 namespace vug::viewport {
 
 struct PixelReport {
-  int x = 0, y = 0;                       ///< The pixel of the picture, from the top left corner.
-  Vec3d light{0, 0, 0};                   ///< Linear values: radiance in Mode::path.
+  int x = 0, y = 0;  ///< The pixel of the picture, from the top left corner.
+  /// Linear values: radiance in Mode::path; nothing outside of the region that is rendered.
+  std::optional<Vec3d> light;
   std::array<uint8_t, 3> shown{};         ///< Display values.
-  int samples = 0;                        ///< Per pixel of the picture.
+  int samples = 0;                        ///< Per pixel of the picture; 0 outside of the region.
   std::optional<Pick> pick;               ///< Nothing where the ray leaves the scene.
   std::optional<DeclaredPlace> material;  ///< The declaration of the material of the object.
 };

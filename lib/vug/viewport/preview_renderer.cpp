@@ -16,15 +16,43 @@ constexpr int kPlainSamples = 16;
 
 int divided(int size, int divider) { return std::max(1, size / divider); }
 
-std::vector<uint8_t> codes_of(const Preview& picture) {
+/// Writes the display values of the region into the picture.
+void show_light(Preview& picture) {
   const picture::PictureOutput& output = picture.scene.scene->job.output;
-  return image::display_codes(*picture.light,
-                              picture.mode == Mode::path
-                                  ? view_options(picture.display, output, *picture.light)
-                                  : image::plain_view());
+  std::vector<uint8_t> codes = image::display_codes(
+      *picture.light, picture.mode == Mode::path
+                          ? view_options(picture.display, output, *picture.light)
+                          : image::plain_view());
+  const render::Region& region = picture.region;
+  if (codes.size() == picture.rgb.size() || picture.rgb.empty()) {
+    picture.rgb = std::move(codes);
+    return;
+  }
+  const auto row = static_cast<std::ptrdiff_t>(3) * region.width();
+  for (int y = region.y0; y < region.y1; ++y) {
+    const auto from = codes.begin() + (y - region.y0) * row;
+    std::copy(
+        from, from + row,
+        picture.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * picture.width + region.x0));
+  }
 }
 
 }  // namespace
+
+render::Region pixels_of(const RegionBox& box, int width, int height) {
+  const auto first = [](double at, int size) {
+    return std::clamp(static_cast<int>(std::floor(at * size)), 0, size - 1);
+  };
+  const auto last = [](double at, int begin, int size) {
+    return std::clamp(static_cast<int>(std::ceil(at * size)), begin + 1, size);
+  };
+  render::Region out;
+  out.x0 = first(std::min(box.x0, box.x1), width);
+  out.y0 = first(std::min(box.y0, box.y1), height);
+  out.x1 = last(std::max(box.x0, box.x1), out.x0, width);
+  out.y1 = last(std::max(box.y0, box.y1), out.y0, height);
+  return out;
+}
 
 void PreviewRenderer::set_scene(PreviewScenePtr scene) {
   scene_ = std::move(scene);
@@ -34,7 +62,10 @@ void PreviewRenderer::set_scene(PreviewScenePtr scene) {
 std::vector<PreviewStep> PreviewRenderer::steps(const PreviewRequest& request, double first) const {
   const int side = std::max(request.width, request.height);
   const auto seconds = [&](int divider) {
-    return seconds_per_pixel_ * divided(request.width, divider) * divided(request.height, divider);
+    return seconds_per_pixel_ * static_cast<double>(pixels_of(request.region.value_or(RegionBox()),
+                                                              divided(request.width, divider),
+                                                              divided(request.height, divider))
+                                                        .pixels());
   };
   int divider = std::clamp(side / kMinSide, 1, 4);
   if (seconds_per_pixel_ > 0)
@@ -62,6 +93,9 @@ render::Options PreviewRenderer::options(const PreviewRequest& request,
   render::Options out = scene_->job.options;
   out.width = divided(request.width, step.divider);
   out.height = divided(request.height, step.divider);
+  // The crop of the text is for its own size.
+  out.crop = {};
+  if (request.region) out.crop = pixels_of(*request.region, out.width, out.height);
   if (const auto preview = preview_integrator(request.mode, step.occlusion)) {
     out.integrator = preview;
     out.openings = false;
@@ -93,7 +127,9 @@ Preview PreviewRenderer::render(const PreviewRequest& request, const PreviewStep
   session_.proceed(static_cast<uint32_t>(step.samples), progress);
   Preview out;
   out.light = std::make_shared<const image::Image>(session_.image());
-  out.width = out.light->width, out.height = out.light->height;
+  const render::Options now = options(request, step);
+  out.width = now.width, out.height = now.height;
+  out.region = request.region ? now.crop : render::Region{0, 0, out.width, out.height};
   if (step.samples == 1) {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     seconds_per_pixel_ = taken.count() / static_cast<double>(out.light->pixel_count());
@@ -104,14 +140,28 @@ Preview PreviewRenderer::render(const PreviewRequest& request, const PreviewStep
   out.samples = step.samples;
   out.complete = last;
   out.scene = {scene_, prepared.world, own, static_cast<double>(request.width) / request.height};
-  out.rgb = codes_of(out);
+  if (request.region) out.rgb = backdrop(out.width, out.height);
+  show_light(out);
+  if (!request.region) backdrop_ = {out.width, out.height, out.rgb};
+  return out;
+}
+
+std::vector<uint8_t> PreviewRenderer::backdrop(int width, int height) const {
+  std::vector<uint8_t> out(static_cast<size_t>(3 * width * height));
+  if (backdrop_.rgb.empty()) return out;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int from =
+          (y * backdrop_.height / height) * backdrop_.width + x * backdrop_.width / width;
+      std::copy_n(backdrop_.rgb.begin() + 3 * from, 3, out.begin() + 3 * (y * width + x));
+    }
   return out;
 }
 
 Preview PreviewRenderer::displayed(const Preview& picture, const DisplayChoice& display) {
   Preview out = picture;
   out.display = display;
-  out.rgb = codes_of(out);
+  show_light(out);
   return out;
 }
 

@@ -2,6 +2,7 @@
 // Renders previews of a scene step by step: a coarse picture at once, then finer ones.
 #pragma once
 
+#include <vug/render/film/region.h>
 #include <vug/render/session.h>
 #include <vug/viewport/display_choice.h>
 #include <vug/viewport/pick.h>
@@ -16,7 +17,9 @@ namespace vug::viewport {
 struct Preview {
   int width = 0, height = 0;  ///< Its pixels; fewer than the viewport while it is coarse.
   std::vector<uint8_t> rgb;   ///< Display values (sRGB), row by row from the top.
-  std::shared_ptr<const image::Image> light;  ///< The linear values behind them.
+  /// The pixels that were rendered. The others are those of the last whole picture, or black.
+  render::Region region;
+  std::shared_ptr<const image::Image> light;  ///< The linear values of the region.
   DisplayChoice display;
   Mode mode = Mode::clay;
   View view;
@@ -26,17 +29,27 @@ struct Preview {
 };
 using PreviewPtr = std::shared_ptr<const Preview>;
 
+/// A part of a picture, from (0, 0) at its top left corner to (1, 1) at the bottom right.
+struct RegionBox {
+  double x0 = 0, y0 = 0, x1 = 1, y1 = 1;
+
+  bool operator==(const RegionBox&) const = default;
+};
+/// All pixels that the box touches; at least one.
+render::Region pixels_of(const RegionBox& box, int width, int height);
+
 struct PreviewRequest {
   std::optional<View> view;  ///< None: the camera of the text.
   Mode mode = Mode::clay;
   int width = 320, height = 180;
   DisplayChoice display = {};
+  std::optional<RegionBox> region = {};  ///< Only these pixels are rendered; none: all.
 
   bool operator==(const PreviewRequest&) const = default;
   /// Whether both have the same samples: only their displays differ.
   bool same_samples(const PreviewRequest& other) const {
     return view == other.view && mode == other.mode && width == other.width &&
-           height == other.height;
+           height == other.height && region == other.region;
   }
 };
 
@@ -70,6 +83,13 @@ class PreviewRenderer {
   const render::SessionCounters& counters() const { return session_.counters(); }
 
  private:
+  /// The display values of the last whole picture.
+  struct Backdrop {
+    int width = 0, height = 0;
+    std::vector<uint8_t> rgb;
+  };
+
+  std::vector<uint8_t> backdrop(int width, int height) const;
   const render::CameraPtr& camera(const PreviewRequest& request);
   render::Options options(const PreviewRequest& request, const PreviewStep& step) const;
 
@@ -78,6 +98,7 @@ class PreviewRenderer {
   bool is_new_ = false;  ///< The session does not know the scene yet.
   std::optional<View> camera_view_;
   render::CameraPtr camera_;
+  Backdrop backdrop_;
   double seconds_per_pixel_ = 0;  ///< Measured with one sample; 0: unknown.
 };
 

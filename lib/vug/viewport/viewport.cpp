@@ -85,6 +85,11 @@ void Viewport::set_size(int width, int height) {
   request_picture();
 }
 
+void Viewport::set_region(const std::optional<RegionBox>& region) {
+  request_.region = region;
+  request_picture();
+}
+
 void Viewport::set_display(const DisplayChoice& display) {
   request_.display = display;
   request_picture();

@@ -72,6 +72,9 @@ class Viewport {
   void set_mode(Mode mode);
   /// Pixels; at least 1.
   void set_size(int width, int height);
+  /// Renders only this part of the picture until the next call; none: all of it. A box outside of
+  /// the picture is moved to its edge.
+  void set_region(const std::optional<RegionBox>& region);
   /// The display of the light, without new samples. A view must be a known one.
   void set_display(const DisplayChoice& display);
   /// A pause ends the refinement of the picture and keeps its samples; afterwards they continue.

@@ -96,6 +96,52 @@ TEST_F(LookDev, APauseKeepsTheSamples) {
   EXPECT_EQ(complete.counters.samples, 2 * first);
 }
 
+TEST_F(LookDev, ARegionRendersItsPixelsOnly) {
+  const ViewportStatus whole = after();
+  viewport_.set_region(RegionBox{0.25, 0.5, 0.5, 0.75});
+  const ViewportStatus part = after();
+  ASSERT_TRUE(part.picture->complete);
+  const render::Region expected{16, 18, 32, 27};
+  EXPECT_EQ(part.picture->region, expected);
+  EXPECT_EQ(part.counters.samples - whole.counters.samples, expected.pixels() * 4);
+  EXPECT_EQ(part.picture->light->pixel_count(), expected.pixels());
+  // The light is that of the whole picture, since both have the same samples and learned light.
+  const std::vector<std::string> colours = {"R", "G", "B"};
+  const image::Image all = whole.picture->light->select(colours),
+                     some = part.picture->light->select(colours);
+  for (int y = 0; y < some.height; ++y)
+    for (int x = 0; x < some.width; ++x)
+      for (size_t c = 0; c < 3; ++c)
+        EXPECT_EQ(some.at(x, y, c), all.at(x + expected.x0, y + expected.y0, c)) << x << " " << y;
+  EXPECT_EQ(part.picture->rgb, whole.picture->rgb) << "the other pixels stay";
+
+  const PixelReport inside = inspect(*part.picture, 0.26, 0.51),
+                    outside = inspect(*part.picture, 0, 0);
+  ASSERT_TRUE(inside.light);
+  EXPECT_EQ(inside.light->x, static_cast<double>(all.at(16, 18, 0)));
+  EXPECT_FALSE(outside.light);
+  EXPECT_NE(describe(outside).find("outside of the region"), std::string::npos);
+
+  // Another display changes the region only; the end of the region renders all pixels.
+  viewport_.set_display({2, ""});
+  const ViewportStatus bright = after();
+  EXPECT_EQ(bright.counters.samples, part.counters.samples);
+  EXPECT_EQ(bright.picture->rgb[0], whole.picture->rgb[0]);
+  EXPECT_NE(bright.picture->rgb, whole.picture->rgb);
+  viewport_.set_display({});
+  viewport_.set_region(std::nullopt);
+  EXPECT_EQ(after().picture->rgb, whole.picture->rgb);
+}
+
+TEST(Regions, AreWholePixelsOfThePicture) {
+  EXPECT_EQ(pixels_of({}, 64, 36), (render::Region{0, 0, 64, 36}));
+  EXPECT_EQ(pixels_of({0.5, 0.5, 0.5, 0.5}, 64, 36), (render::Region{32, 18, 33, 19}));
+  EXPECT_EQ(pixels_of({0.9, 1, 0.1, 0}, 10, 10), (render::Region{1, 0, 9, 10}))
+      << "corners in any order";
+  EXPECT_EQ(pixels_of({1, 1, 1, 1}, 8, 8), (render::Region{7, 7, 8, 8}));
+  EXPECT_EQ(pixels_of({-3, 0.99, 9, 2}, 8, 8), (render::Region{0, 7, 8, 8}));
+}
+
 TEST_F(LookDev, PixelsReportTheirThings) {
   const PreviewPtr picture = viewport_.status().picture;
   const PixelReport ball = inspect(*picture, 0.5, 0.5);
@@ -106,7 +152,8 @@ TEST_F(LookDev, PixelsReportTheirThings) {
   ASSERT_TRUE(ball.material);
   EXPECT_EQ(ball.material->name, "stone");
   EXPECT_EQ(ball.material->where.line, 4);
-  EXPECT_EQ(ball.light.x, static_cast<double>(picture->light->at(32, 18, 0)));
+  ASSERT_TRUE(ball.light);
+  EXPECT_EQ(ball.light->x, static_cast<double>(picture->light->at(32, 18, 0)));
   EXPECT_EQ(ball.shown[0], picture->rgb[3 * (18 * 64 + 32)]);
   EXPECT_NE(describe(ball).find("object ball, material stone"), std::string::npos);
   EXPECT_FALSE(inspect(*picture, 0, 0).pick);

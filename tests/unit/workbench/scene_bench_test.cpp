@@ -52,6 +52,21 @@ class SceneBenches : public testing::Test {
   SceneBench bench_;
 };
 
+TEST_F(SceneBenches, ARegionEndsByItsCommandOrByStop) {
+  const auto is_whole = [&] { return !bench_.viewport().request().region; };
+  run("region 0.2 0.3 0.6 0.5");
+  expect(bench_, {"region", "=", "0.20 0.30 0.60 0.50"});
+  run("stop");
+  EXPECT_TRUE(is_whole());
+  EXPECT_FALSE(bench_.status().stopped) << "the whole picture follows";
+  run("region 0.2 0.3 0.6 0.5");
+  run("region");
+  EXPECT_TRUE(is_whole());
+  EXPECT_NE(refusal("region 0.2 0.3 0.6").find("two corners"), std::string::npos);
+  EXPECT_NE(refusal("region 0.2 0.3 0.6 1.5").find("outside of the picture"), std::string::npos);
+  EXPECT_TRUE(is_whole());
+}
+
 TEST_F(SceneBenches, SlidersWriteIntoTheTextAndUndoRestoresItsBytes) {
   ASSERT_EQ(bench_.params().size(), 1u);
   run("param RADIUS 62cm drag");
