@@ -3,6 +3,7 @@
 
 #include "focused_box.h"
 
+#include <vug/viewport/shown_layer.h>
 #include <vug/workbench/words.h>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <cmath>
 
 namespace vug::studio {
@@ -22,8 +24,11 @@ constexpr double kMostStops = 20, kStopStep = 0.25;
 }  // namespace
 
 LookBar::LookBar(SceneStudio& studio) : studio_(studio) {
-  auto* line = new QHBoxLayout(this);
-  line->setContentsMargins(8, 4, 8, 4);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(8, 4, 8, 4);
+  rows->setSpacing(2);
+  auto* line = new QHBoxLayout;
+  rows->addLayout(line);
   pause_ = new QToolButton;
   pause_->setObjectName("pause");
   pause_->setAccessibleName(tr("Pause the refinement of the picture"));
@@ -46,18 +51,40 @@ LookBar::LookBar(SceneStudio& studio) : studio_(studio) {
   tone_->setToolTip(tr("View transform of the display path; scene: that of the text"));
   tone_->addItems({"scene", "filmic", "standard", "aces"});
   line->addWidget(tone_);
+  denoise_ = new QToolButton;
+  denoise_->setObjectName("denoise");
+  denoise_->setAccessibleName(tr("Denoise the light"));
+  denoise_->setToolTip(
+      tr("Shows the light denoised, in the display path; the picture becomes finer meanwhile"));
+  denoise_->setText(tr("Denoise"));
+  denoise_->setCheckable(true);
+  denoise_->setFocusPolicy(Qt::StrongFocus);
+  line->addWidget(denoise_);
+  layer_ = new FocusedBox<QComboBox>;
+  layer_->setObjectName("layer");
+  layer_->setAccessibleName(tr("Layer"));
+  layer_->setToolTip(
+      tr("Layer of the picture in the display path: beauty, an AOV or a light group"));
+  layer_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  line->addWidget(layer_);
   pixel_ = new QLabel;
   pixel_->setObjectName("pixel");
   pixel_->setAccessibleName(tr("Inspected pixel"));
   pixel_->setWordWrap(true);
   pixel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  line->addWidget(pixel_, 1);
+  line->addStretch(1);
+  rows->addWidget(pixel_);
   connect(pause_, &QToolButton::clicked, this,
           [this](bool paused) { studio_.run(paused ? "pause" : "continue"); });
   connect(exposure_, &QDoubleSpinBox::valueChanged, this,
           [this](double stops) { studio_.run(fmt::format("exposure {:.2f}", stops)); });
   connect(tone_, &QComboBox::activated, this,
           [this] { studio_.run("tone " + tone_->currentText().toStdString()); });
+  connect(denoise_, &QToolButton::clicked, this,
+          [this](bool denoise) { studio_.run(denoise ? "denoise on" : "denoise off"); });
+  connect(layer_, &QComboBox::activated, this, [this] {
+    studio_.run("layer " + workbench::quoted(layer_->currentText().toStdString()));
+  });
   connect(&studio_, &SceneStudio::changed, this, &LookBar::refresh);
   connect(&studio_, &SceneStudio::news, this, &LookBar::refresh);
   refresh();
@@ -73,6 +100,19 @@ void LookBar::refresh() {
   const bool light = open && status.picture && request.mode == viewport::Mode::path;
   exposure_->setEnabled(light);
   tone_->setEnabled(light);
+  denoise_->setEnabled(light);
+  layer_->setEnabled(light);
+  denoise_->setChecked(request.display.denoise);
+  QStringList layers;
+  if (status.picture)
+    for (const std::string& each : viewport::layers_to_show(*status.picture->light))
+      layers << text_of(each);
+  if (!layers.isEmpty() && layers != layers_) {
+    layers_ = layers;
+    layer_->clear();
+    layer_->addItems(layers);
+  }
+  layer_->setCurrentText(request.display.layer.empty() ? "beauty" : text_of(request.display.layer));
   pause_->setChecked(status.paused);
   const QSignalBlocker quiet(exposure_);
   if (std::abs(exposure_->value() - request.display.stops) > 0.005)

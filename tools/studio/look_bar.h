@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The line below the picture of a scene: pause, exposure and view transform, and the values of the
-// inspected pixel.
+// The lines below the picture of a scene: pause, exposure, view transform, denoising and layer, and
+// the values of the inspected pixel.
 #pragma once
 
 #include "scene_studio.h"
@@ -26,6 +26,9 @@ class LookBar : public QWidget {
   QToolButton* pause_;
   QDoubleSpinBox* exposure_;
   QComboBox* tone_;
+  QToolButton* denoise_;
+  QComboBox* layer_;
+  QStringList layers_;
   QLabel* pixel_;
 };
 

@@ -52,6 +52,7 @@ void SceneWindow::build_menus() {
   add_command(view, "region");
   add_command(view, "pause");
   add_command(view, "continue");
+  add_command(view, "denoise");
   add_command(view, "go_material");
   add_command(view, "gizmos");
   view->addSeparator();

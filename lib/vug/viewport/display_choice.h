@@ -12,8 +12,10 @@ namespace vug::viewport {
 /// Changes of the display of the text's `render` block. Applies to Mode::path only: the other modes
 /// have display values already.
 struct DisplayChoice {
-  double stops = 0;  ///< Added to the exposure of the block.
-  std::string view;  ///< Instead of the view of the block; empty: that one.
+  double stops = 0;        ///< Added to the exposure of the block.
+  std::string view;        ///< Instead of the view of the block; empty: that one.
+  bool denoise = false;    ///< Shows the denoised light as soon as it is known.
+  std::string layer = {};  ///< The layer that is shown, see shown_layer.h; empty: the beauty.
 
   bool operator==(const DisplayChoice&) const = default;
 };

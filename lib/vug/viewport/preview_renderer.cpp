@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/image/denoise.h>
 #include <vug/image/io.h>
 #include <vug/viewport/preview_renderer.h>
+#include <vug/viewport/shown_layer.h>
 
 #include <algorithm>
 #include <chrono>
@@ -16,13 +18,22 @@ constexpr int kPlainSamples = 16;
 
 int divided(int size, int divider) { return std::max(1, size / divider); }
 
+std::vector<uint8_t> codes_of(const Preview& picture) {
+  if (picture.mode != Mode::path) return image::display_codes(*picture.light, image::plain_view());
+  const DisplayChoice& display = picture.display;
+  // The exposure is that of the picture, whichever layer is shown.
+  const image::ViewOptions view =
+      view_options(display, picture.scene.scene->job.output, *picture.metered);
+  if (!display.layer.empty())
+    if (const auto layer = shown_layer(*picture.light, display.layer))
+      return image::display_codes(layer->image, layer->is_light ? view : image::plain_view());
+  return image::display_codes(
+      display.denoise && picture.denoised ? *picture.denoised : *picture.light, view);
+}
+
 /// Writes the display values of the region into the picture.
 void show_light(Preview& picture) {
-  const picture::PictureOutput& output = picture.scene.scene->job.output;
-  std::vector<uint8_t> codes = image::display_codes(
-      *picture.light, picture.mode == Mode::path
-                          ? view_options(picture.display, output, *picture.light)
-                          : image::plain_view());
+  std::vector<uint8_t> codes = codes_of(picture);
   const render::Region& region = picture.region;
   if (codes.size() == picture.rgb.size() || picture.rgb.empty()) {
     picture.rgb = std::move(codes);
@@ -98,6 +109,7 @@ render::Options PreviewRenderer::options(const PreviewRequest& request,
   if (request.region) out.crop = pixels_of(*request.region, out.width, out.height);
   if (const auto preview = preview_integrator(request.mode, step.occlusion)) {
     out.integrator = preview;
+    out.aovs = render::plan_aovs({"beauty"}, {});
     out.openings = false;
     out.bright_edges = false;
     out.spp = kPlainSamples;
@@ -140,9 +152,14 @@ Preview PreviewRenderer::render(const PreviewRequest& request, const PreviewStep
   out.samples = step.samples;
   out.complete = last;
   out.scene = {scene_, prepared.world, own, static_cast<double>(request.width) / request.height};
+  if (step.samples == 1) denoised_.reset(), denoised_samples_ = 0;
+  out.denoised = denoised_;
+  out.denoised_samples = denoised_samples_;
+  out.metered = request.region && backdrop_.light ? backdrop_.light : out.light;
   if (request.region) out.rgb = backdrop(out.width, out.height);
   show_light(out);
-  if (!request.region) backdrop_ = {out.width, out.height, out.rgb};
+  if (!request.region)
+    backdrop_ = {out.width, out.height, out.rgb, out.mode == Mode::path ? out.light : nullptr};
   return out;
 }
 
@@ -155,6 +172,18 @@ std::vector<uint8_t> PreviewRenderer::backdrop(int width, int height) const {
           (y * backdrop_.height / height) * backdrop_.width + x * backdrop_.width / width;
       std::copy_n(backdrop_.rgb.begin() + 3 * from, 3, out.begin() + 3 * (y * width + x));
     }
+  return out;
+}
+
+Preview PreviewRenderer::denoised(const Preview& picture, Progress& progress) {
+  image::Image smooth = image::denoise(*picture.light, {}, progress);
+  smooth.channels = {"R", "G", "B"};
+  denoised_ = std::make_shared<const image::Image>(std::move(smooth));
+  denoised_samples_ = picture.samples;
+  Preview out = picture;
+  out.denoised = denoised_;
+  out.denoised_samples = denoised_samples_;
+  show_light(out);
   return out;
 }
 

@@ -20,6 +20,11 @@ struct Preview {
   /// The pixels that were rendered. The others are those of the last whole picture, or black.
   render::Region region;
   std::shared_ptr<const image::Image> light;  ///< The linear values of the region.
+  /// The light that an automatic exposure meters: a region has that of the last whole picture.
+  std::shared_ptr<const image::Image> metered;
+  /// R, G and B of the region, denoised from `denoised_samples` samples; null before.
+  std::shared_ptr<const image::Image> denoised;
+  int denoised_samples = 0;
   DisplayChoice display;
   Mode mode = Mode::clay;
   View view;
@@ -77,16 +82,22 @@ class PreviewRenderer {
   Preview render(const PreviewRequest& request, const PreviewStep& step, bool last,
                  Progress& progress = Progress::none());
 
+  /// The picture of the last step with its light denoised; finer ones keep this light until they
+  /// are denoised themselves. It is that of the layer `denoised` of `vug render --denoise` with the
+  /// same samples. Throws as image::denoise does.
+  Preview denoised(const Preview& picture, Progress& progress = Progress::none());
+
   /// The picture with another display, from the same samples.
   static Preview displayed(const Preview& picture, const DisplayChoice& display);
 
   const render::SessionCounters& counters() const { return session_.counters(); }
 
  private:
-  /// The display values of the last whole picture.
+  /// The last whole picture.
   struct Backdrop {
     int width = 0, height = 0;
     std::vector<uint8_t> rgb;
+    std::shared_ptr<const image::Image> light;  ///< Null unless it was rendered in Mode::path.
   };
 
   std::vector<uint8_t> backdrop(int width, int height) const;
@@ -99,6 +110,8 @@ class PreviewRenderer {
   std::optional<View> camera_view_;
   render::CameraPtr camera_;
   Backdrop backdrop_;
+  std::shared_ptr<const image::Image> denoised_;
+  int denoised_samples_ = 0;
   double seconds_per_pixel_ = 0;  ///< Measured with one sample; 0: unknown.
 };
 

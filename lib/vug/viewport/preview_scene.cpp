@@ -74,8 +74,7 @@ PreviewScene build_preview(LiveText& text, const picture::PictureOptions& option
   picture::PictureOptions chosen = options;
   chosen.eye = 0;
   chosen.source = &text.source();
-  chosen.settings.insert(chosen.settings.end(),
-                         {{"noise", 0}, {"deep", false}, {"layers", List{"beauty"}}});
+  chosen.settings.insert(chosen.settings.end(), {{"noise", 0}, {"deep", false}});
   picture::PicturePlan plan = picture::plan_picture(shot, chosen);
   plan.render.settings.crop = {};
   PreviewScene out;

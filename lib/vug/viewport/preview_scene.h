@@ -22,10 +22,11 @@ struct DeclaredPlace {
 };
 
 struct PreviewScene {
-  picture::PictureJob job;  ///< Its camera is that of the text.
-  View home;                ///< The view of the camera of the text.
-  std::string camera;       ///< Its name; empty if the text has none.
-  uint64_t version = 0;     ///< The number of the text; see Viewport.
+  picture::PictureJob job;                  ///< Its camera is that of the text.
+  View home;                                ///< The view of the camera of the text.
+  std::string camera;                       ///< Its name; empty if the text has none.
+  uint64_t version = 0;                     ///< The number of the text; see Viewport.
+  std::shared_ptr<const std::string> text;  ///< The text; null if the builder did not keep it.
   /// The declarations of each object or place of the shot: itself, then its mesh, cells, volume and
   /// material.
   std::map<std::string, std::vector<DeclaredPlace>> declared;

@@ -2,10 +2,40 @@
 #include <vug/viewport/viewport.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace vug::viewport {
 namespace {
+
+/// Samples per pixel from which on pictures are denoised: with fewer, their variances are unknown.
+constexpr int kDenoisedSamples = 4;
+
+/// The times at which unfinished pictures are denoised: at most once a second, and during half of
+/// the time at most.
+class DenoisingPace {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  bool is_due() const { return Clock::now() >= next_; }
+  /// Calls the work and takes its time.
+  template <class Work>
+  void run(const Work& work) {
+    const Clock::time_point begin = Clock::now();
+    work();
+    const Clock::time_point end = Clock::now();
+    next_ = end + std::max<Clock::duration>(std::chrono::seconds(1), end - begin);
+  }
+
+ private:
+  Clock::time_point next_ = Clock::now();
+};
+
+/// Whether the last picture of a request is to be denoised.
+bool needs_denoising(const Preview& picture) {
+  return picture.display.denoise && picture.mode == Mode::path &&
+         picture.samples >= kDenoisedSamples && picture.denoised_samples != picture.samples;
+}
 
 /// The view with its target on the surface in the middle of the picture.
 View with_surface_target(const View& view, const PickScene& scene) {
@@ -100,9 +130,9 @@ void Viewport::set_paused(bool paused) {
     if (status.paused == paused) return;
     status.paused = paused;
     if (paused && refining_) render_->cancel();
-    if (paused) return;
     ++requests_;
     status.rendering = scene_ != nullptr;
+    if (paused) return;
     status.stopped = false;
   });
 }
@@ -150,6 +180,9 @@ void Viewport::build_texts() {
     out.on_warning = [&](const Diagnostics& found) { warnings.append(found); };
     return out;
   };
+  // All pictures have the layers that denoising needs, so that a switch needs no new samples.
+  picture::PictureOptions picture = options_.picture;
+  picture.settings.emplace_back("denoise", true);
   LiveText text(file_, options_.load, with_warnings);
   uint64_t done = 0;
   while (true) {
@@ -182,6 +215,7 @@ void Viewport::build_texts() {
       });
     };
     try {
+      const auto kept = std::make_shared<const std::string>(content);
       const bool usable = text.load(std::move(content), progress, options_.check);
       problems = text.problems();
       report = text.report();
@@ -189,7 +223,8 @@ void Viewport::build_texts() {
       show_problems(!usable);
       if (!usable) continue;
       progress->check();
-      auto scene = std::make_shared<PreviewScene>(build_preview(text, options_.picture));
+      auto scene = std::make_shared<PreviewScene>(build_preview(text, picture));
+      scene->text = kept;
       scene->version = version;
       problems.append(warnings);
       report = text.loaded().report(problems);
@@ -241,6 +276,7 @@ void Viewport::render_pictures() {
   std::optional<PreviewRequest> rendered;
   std::vector<PreviewStep> steps;
   size_t next = 0;
+  DenoisingPace pace;
   while (true) {
     PreviewRequest request;
     PreviewScenePtr scene;
@@ -259,6 +295,16 @@ void Viewport::render_pictures() {
       status_.rendering = true;
     }
     if (notify_) notify_();
+    const auto denoise = [&] {
+      const PreviewPtr last = status().picture;
+      if (!last || last->scene.scene != scene || !needs_denoising(*last)) return;
+      {
+        const std::lock_guard lock(mutex_);
+        if (requests_ != done) return;
+        refining_ = true;
+      }
+      pace.run([&] { publish(renderer.denoised(*last, *progress), renderer.counters()); });
+    };
     try {
       const bool continues = scene == known && next > 0 && rendered->same_samples(request);
       if (scene != known) renderer.set_scene(known = scene);
@@ -278,7 +324,9 @@ void Viewport::render_pictures() {
         publish(renderer.render(request, steps[next], next + 1 == steps.size(), *progress),
                 renderer.counters());
         ++next;
+        if (next < steps.size() && pace.is_due()) denoise();
       }
+      denoise();
     } catch (const Error& error) {
       if (error.code() == ErrorCode::cancelled) continue;
       update([&](ViewportStatus& status) {

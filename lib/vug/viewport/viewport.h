@@ -78,6 +78,7 @@ class Viewport {
   /// The display of the light, without new samples. A view must be a known one.
   void set_display(const DisplayChoice& display);
   /// A pause ends the refinement of the picture and keeps its samples; afterwards they continue.
+  /// A paused picture is denoised if its display requests it.
   /// Changes of the text or the view still show their coarsest picture.
   void set_paused(bool paused);
   /// Ends all work soon. The last picture stays.

@@ -131,7 +131,7 @@ class SceneBench {
   const std::optional<viewport::PixelReport>& inspected() const { return inspected_; }
   /// Selects the declaration of the material of the inspected pixel.
   void select_material();
-  /// Error(bad_input) for an unknown view.
+  /// Error(bad_input) for an unknown view, and for a layer that the picture does not have.
   void set_display(const viewport::DisplayChoice& display);
   /// Selects a declaration of the picked object.
   void select_declaration(size_t index);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of the scene bench that reads pictures: handles, gizmos, pixels, the display.
+#include <vug/base/diagnostics.h>
 #include <vug/base/error.h>
 #include <vug/language/edits.h>
+#include <vug/viewport/shown_layer.h>
 #include <vug/workbench/handle_drag.h>
 #include <vug/workbench/scene_bench.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace vug::workbench {
 
@@ -66,6 +70,13 @@ void SceneBench::select_material() {
 void SceneBench::set_display(const viewport::DisplayChoice& display) {
   const viewport::PreviewPtr shown = picture();
   view_options(display, shown->scene.scene->job.output, *shown->light);
+  const std::vector<std::string> layers = viewport::layers_to_show(*shown->light);
+  if (!display.layer.empty() &&
+      std::find(layers.begin(), layers.end(), display.layer) == layers.end())
+    throw Error(
+        ErrorCode::bad_input, fmt::format("the picture has no layer '{}'", display.layer), {},
+        did_you_mean(display.layer, layers,
+                     "name it in the `layers` of the render block; mode path shows layers"));
   viewport_->set_display(display);
 }
 

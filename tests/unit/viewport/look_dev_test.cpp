@@ -3,10 +3,14 @@
 // is that of a render.
 #include "scene.h"
 
+#include <vug/image/denoise.h>
 #include <vug/picture/picture.h>
 #include <vug/viewport/inspect.h>
 #include <vug/viewport/screen_view.h>
+#include <vug/viewport/shown_layer.h>
 #include <vug/viewport/viewport.h>
+
+#include <limits>
 
 namespace vug::viewport {
 namespace {
@@ -131,6 +135,106 @@ TEST_F(LookDev, ARegionRendersItsPixelsOnly) {
   viewport_.set_display({});
   viewport_.set_region(std::nullopt);
   EXPECT_EQ(after().picture->rgb, whole.picture->rgb);
+}
+
+TEST_F(LookDev, ARegionHasTheAutomaticExposureOfTheWholePicture) {
+  std::string text = lit_text();
+  text.replace(text.find("exposure 0"), 10, "exposure auto");
+  viewport_.set_text(text);
+  const ViewportStatus whole = after();
+  viewport_.set_region(RegionBox{0, 0, 0.25, 0.25});
+  EXPECT_EQ(after().picture->rgb, whole.picture->rgb);
+}
+
+TEST_F(LookDev, ThePictureIsDenoisedFromTheSamplesThatExist) {
+  const ViewportStatus noisy = after();
+  DisplayChoice display;
+  display.denoise = true;
+  viewport_.set_display(display);
+  const ViewportStatus smooth = after();
+  ASSERT_TRUE(smooth.picture->denoised);
+  EXPECT_EQ(smooth.counters.samples, noisy.counters.samples);
+  EXPECT_EQ(smooth.picture->denoised_samples, 4);
+  EXPECT_TRUE(smooth.picture->complete);
+  EXPECT_EQ(smooth.picture->light, noisy.picture->light);
+  EXPECT_NE(smooth.picture->rgb, noisy.picture->rgb);
+
+  // It is the layer `denoised` of the render with --denoise.
+  LiveText live("scene.vug", {});
+  ASSERT_TRUE(live.load(lit_text(), std::make_shared<Progress>())) << live.report();
+  picture::PictureOptions options;
+  options.settings = {{"denoise", true}};
+  const auto rendered =
+      picture::render_picture(live.builder(), picture::plan_picture(live.loaded().shot, options));
+  ASSERT_TRUE(rendered.image);
+  EXPECT_EQ(smooth.picture->denoised->pixels, image::denoise(*rendered.image).pixels);
+
+  viewport_.set_display({});
+  const ViewportStatus restored = after();
+  EXPECT_EQ(restored.picture->rgb, noisy.picture->rgb);
+  // Another view begins without the denoised light, and ends with its own.
+  viewport_.set_display(display);
+  viewport_.set_view(orbit(viewport_.view(), 0.3, 0));
+  const ViewportStatus turned = after();
+  EXPECT_EQ(turned.picture->denoised_samples, 4);
+  EXPECT_NE(turned.picture->denoised->pixels, smooth.picture->denoised->pixels);
+  // The other displays have no light.
+  viewport_.set_mode(Mode::clay);
+  EXPECT_EQ(after().picture->denoised, nullptr);
+}
+
+TEST_F(LookDev, APausedPictureIsDenoised) {
+  DisplayChoice display;
+  display.denoise = true;
+  viewport_.set_paused(true);
+  viewport_.set_display(display);
+  EXPECT_EQ(after().picture->denoised_samples, 4);
+  // One sample is too few: its variance is unknown.
+  viewport_.set_view(orbit(viewport_.view(), 0.3, 0));
+  const ViewportStatus coarse = after();
+  EXPECT_EQ(coarse.picture->samples, 1);
+  EXPECT_EQ(coarse.picture->denoised, nullptr);
+}
+
+TEST_F(LookDev, LayersAreShownFromTheSamplesThatExist) {
+  const ViewportStatus beauty = after();
+  const std::vector<std::string> layers = layers_to_show(*beauty.picture->light);
+  ASSERT_FALSE(layers.empty());
+  EXPECT_EQ(layers.front(), "beauty");
+  const auto shown = [&](const std::string& name) {
+    viewport_.set_display({0, "", false, name});
+    const ViewportStatus now = after();
+    EXPECT_EQ(now.counters.samples, beauty.counters.samples);
+    return now.picture->rgb;
+  };
+  EXPECT_EQ(shown("beauty"), beauty.picture->rgb);
+  EXPECT_EQ(shown("nothing"), beauty.picture->rgb) << "a layer that the text has no more";
+  const auto middle = [](const std::vector<uint8_t>& rgb) { return &rgb[3 * (18 * 64 + 32)]; };
+  // The ball faces the eye, which looks along -Z.
+  const std::vector<uint8_t> normals = shown("N");
+  EXPECT_GT(middle(normals)[2], 250);
+  EXPECT_NEAR(middle(normals)[0], 128, 25);
+  EXPECT_NE(shown("albedo"), normals);
+  EXPECT_NE(shown("Z"), normals);
+}
+
+TEST(ShownLayers, NumbersReachFromBlackToWhite) {
+  image::Image picture(3, 1, {"R", "G", "B", "Z", "light_key.R", "light_key.G", "light_key.B"});
+  picture.at(0, 0, 3) = 2, picture.at(1, 0, 3) = 4;
+  picture.at(2, 0, 3) = std::numeric_limits<float>::infinity();
+  picture.at(1, 0, 4) = 7;
+  const auto depth = shown_layer(picture, "Z");
+  ASSERT_TRUE(depth);
+  EXPECT_FALSE(depth->is_light);
+  EXPECT_EQ(depth->image.at(0, 0), 0);
+  EXPECT_EQ(depth->image.at(1, 0), 1);
+  EXPECT_EQ(depth->image.at(2, 0, 2), 1);
+  const auto group = shown_layer(picture, "light_key");
+  ASSERT_TRUE(group);
+  EXPECT_TRUE(group->is_light);
+  EXPECT_EQ(group->image.at(1, 0), 7);
+  EXPECT_FALSE(shown_layer(picture, "light_fill"));
+  EXPECT_EQ(layers_to_show(picture), (std::vector<std::string>{"beauty", "Z", "light_key"}));
 }
 
 TEST(Regions, AreWholePixelsOfThePicture) {
