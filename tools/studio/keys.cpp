@@ -57,6 +57,8 @@ const std::vector<KeyRow>& scene_rows() {
       {"complete", "Ctrl+Space", "Lists the words that can be written at the caret"},
       {"edit text", "Ctrl+1", "Goes to the text"},
       {"look at picture", "Ctrl+2", "Goes to the picture"},
+      {"list problems", "Ctrl+3", "Lists the problems"},
+      {"list pictures", "Ctrl+4", "Lists the kept pictures"},
       {"save as", "Ctrl+Shift+S", "Saves the text to another file"},
       {"palette", "Ctrl+Shift+P", "Opens the command palette"},
       {"quit", "Ctrl+Q", "Closes the window"}};
@@ -76,6 +78,8 @@ constexpr KeyRow kPictureRows[] = {
     {"", "Ctrl + left button, click", "Reads the values of a pixel"},
     {"", "Ctrl + Shift + left button, click", "Selects the material of the pixel"},
     {"", "Right button", "Lists all declarations of the object"},
+    {"", "Left button on the edge of a wipe, drag", "Moves the edge"},
+    {"", "In the list of pictures: Enter; R; Del", "Shows a picture; compares with it; forgets it"},
     {"", "Arrow keys; + and -", "Turn the view; move the eye nearer or farther away"},
     {"", "Shift + arrow keys", "Move the view"},
     {"", "Enter", "Selects the declaration of the object in the middle"}};

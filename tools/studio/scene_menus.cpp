@@ -55,11 +55,15 @@ void SceneWindow::build_menus() {
   add_command(view, "denoise");
   add_command(view, "go_material");
   add_command(view, "gizmos");
+  add_command(view, "keep_picture");
+  add_command(view, "compare");
   view->addSeparator();
   for (const auto& [name, widget] :
        {std::pair<QString, QWidget*>("edit text", editor_), {"look at picture", viewport_}})
     add_action(view, name, name == "edit text" ? tr("Go to the text") : tr("Go to the picture"),
                [widget = widget] { widget->setFocus(); });
+  add_action(view, "list problems", tr("List the problems"), [this] { show_list(0); });
+  add_action(view, "list pictures", tr("List the kept pictures"), [this] { show_list(1); });
   view->addSeparator();
   for (const char* name : {"system", "light", "dark"})
     add_action(view, QString("theme ") + name, tr("Theme: %1").arg(name), [this, name] {

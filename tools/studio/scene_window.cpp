@@ -4,6 +4,7 @@
 #include "changed_file_bar.h"
 #include "look_bar.h"
 #include "params_panel.h"
+#include "pictures_panel.h"
 #include "preset_bar.h"
 #include "scene_lists.h"
 
@@ -18,6 +19,8 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QSplitter>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 namespace vug::studio {
@@ -74,8 +77,14 @@ SceneWindow::SceneWindow(SceneStudio& studio) : BenchWindow(studio), studio_(stu
 void SceneWindow::build_panels() {
   editor_ = new SceneEditor(studio_);
   viewport_ = new ViewportWidget(studio_);
-  auto* problems = titled(tr("Problems"), new ProblemList(studio_));
-  auto* left = splitter(Qt::Vertical, {editor_, problems}, {600, 130});
+  lists_ = new QTabWidget;
+  lists_->setObjectName("lists");
+  lists_->setAccessibleName(tr("Lists"));
+  lists_->setDocumentMode(true);
+  lists_->tabBar()->setDrawBase(false);
+  lists_->addTab(new ProblemList(studio_), tr("Problems"));
+  lists_->addTab(new PicturesPanel(studio_), tr("Pictures"));
+  auto* left = splitter(Qt::Vertical, {editor_, lists_}, {540, 190});
   auto* side = splitter(
       Qt::Vertical,
       {titled(tr("Parameters"), stacked({new PresetBar(studio_), new ParamsPanel(studio_)}, 1)),
@@ -86,6 +95,11 @@ void SceneWindow::build_panels() {
   left->setStretchFactor(0, 1);
   all->setStretchFactor(1, 1);
   set_content(stacked({new ChangedFileBar(studio_), all}, 1));
+}
+
+void SceneWindow::show_list(int index) {
+  lists_->setCurrentIndex(index);
+  lists_->currentWidget()->setFocus();
 }
 
 void SceneWindow::refresh() {

@@ -10,6 +10,7 @@
 
 class QComboBox;
 class QLabel;
+class QTabWidget;
 
 namespace vug::studio {
 
@@ -23,6 +24,7 @@ class SceneWindow : public BenchWindow {
 
  private:
   void build_panels();
+  void show_list(int index);
   void build_menus();
   QAction* add_command(class QMenu* menu, const std::string& name, const QString& icon = "");
   void add_action(class QMenu* menu, const QString& name, const QString& title,
@@ -35,6 +37,7 @@ class SceneWindow : public BenchWindow {
   SceneStudio& studio_;
   SceneEditor* editor_ = nullptr;
   ViewportWidget* viewport_ = nullptr;
+  QTabWidget* lists_ = nullptr;  ///< Problems, kept pictures and so on.
   QComboBox* mode_ = nullptr;
   QLabel* status_ = nullptr;
 };

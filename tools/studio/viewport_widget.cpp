@@ -24,6 +24,7 @@ constexpr double kDegreesPerPixel = 0.4, kKeyDegrees = 5, kKeyPan = 0.05, kWheel
 constexpr double kClick = 4;
 /// Pixels of the window within which the mouse takes a handle.
 constexpr double kReach = 9;
+constexpr double kEdgeReach = 6;
 
 }  // namespace
 
@@ -39,8 +40,50 @@ ViewportWidget::ViewportWidget(SceneStudio& studio) : studio_(studio) {
   connect(&studio_, &SceneStudio::analysed, this, &ViewportWidget::follow_overlay);
   connect(&studio_, &SceneStudio::changed, this, [this] {
     send_size();
+    follow_history();
     follow_overlay();
   });
+}
+
+/// The kept picture or the comparison that is shown instead of the picture.
+void ViewportWidget::follow_history() {
+  const workbench::PictureHistory& history = studio_.bench().history();
+  if (!image_.isNull() && history.revision() == history_ && compared_with_ == picture_) return;
+  history_ = history.revision();
+  compared_with_ = picture_;
+  compared_ = history.displayed(picture_);
+  const auto image_of = [](const auto& picture) {
+    return QImage(picture.rgb.data(), picture.width, picture.height, 3 * picture.width,
+                  QImage::Format_RGB888);
+  };
+  image_ = compared_ ? image_of(*compared_) : picture_ ? image_of(*picture_) : QImage();
+  update();
+}
+
+bool ViewportWidget::is_on_edge(const QPointF& at) const {
+  const workbench::PictureHistory& history = studio_.bench().history();
+  return history.comparison() == workbench::ComparisonMode::wipe &&
+         std::abs(at.x() - history.edge() * width()) < kEdgeReach;
+}
+
+/// The edge, and the numbers of both pictures next to it.
+void ViewportWidget::paint_wipe(QPainter& painter) const {
+  const workbench::PictureHistory& history = studio_.bench().history();
+  if (history.comparison() != workbench::ComparisonMode::wipe) return;
+  const double x = history.edge() * width();
+  painter.fillRect(QRectF(x - 1.5, 0, 3, height()), QColor(0, 0, 0, 150));
+  painter.fillRect(QRectF(x - 0.5, 0, 1, height()), Qt::white);
+  const auto label = [&](const QString& letter, int number, bool left) {
+    const QString text =
+        number == 0 ? tr("%1: present").arg(letter) : tr("%1: picture %2").arg(letter).arg(number);
+    QRectF box = painter.fontMetrics().boundingRect(text).adjusted(-6, -3, 6, 3);
+    box.moveBottomLeft({left ? x - 8 - box.width() : x + 8, height() - 10.0});
+    painter.fillRect(box, QColor(0, 0, 0, 170));
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter, text);
+  };
+  label(tr("A"), history.shown(), true);
+  label(tr("B"), history.reference(), false);
 }
 
 void ViewportWidget::take_news() {
@@ -48,10 +91,8 @@ void ViewportWidget::take_news() {
   const viewport::ViewportStatus status = bench.status();
   if (status.picture != picture_) {
     picture_ = status.picture;
-    image_ = picture_ ? QImage(picture_->rgb.data(), picture_->width, picture_->height,
-                               3 * picture_->width, QImage::Format_RGB888)
-                      : QImage();
   }
+  follow_history();
   stale_ = bench.has_document() && bench.stale();
   building_ = status.building;
   fraction_ = status.fraction;
@@ -100,7 +141,9 @@ void ViewportWidget::paintEvent(QPaintEvent*) {
   if (!image_.isNull()) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.drawImage(rect(), image_);
-    paint_overlay(painter, overlay_, grip_ ? grip_->hit.name : hovered_, devicePixelRatioF());
+    const workbench::PictureHistory& history = studio_.bench().history();
+    if (history.shown() == 0 && history.comparison() != workbench::ComparisonMode::difference)
+      paint_overlay(painter, overlay_, grip_ ? grip_->hit.name : hovered_, devicePixelRatioF());
   }
   QString note;
   if (!picture_)
@@ -117,6 +160,7 @@ void ViewportWidget::paintEvent(QPaintEvent*) {
     painter.drawText(place, Qt::AlignCenter, note);
   }
   paint_region(painter);
+  paint_wipe(painter);
   if (building_) painter.fillRect(QRectF(0, height() - 3, width() * fraction_, 3), theme().accent);
   if (hasFocus()) {
     painter.setPen(theme().accent);
@@ -160,7 +204,10 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event) {
   moved_ = false;
   grip_.reset();
   box_.reset();
+  moves_edge_ = false;
   if (event->button() != Qt::LeftButton || event->modifiers() != Qt::NoModifier) return;
+  moves_edge_ = is_on_edge(pressed_);
+  if (moves_edge_) return;
   if (const auto hit = handle_at(overlay_, pixel_of(pressed_), kReach * devicePixelRatioF()))
     grip_ = Grip{*hit, QString("drag %1").arg(++drags_)};
 }
@@ -172,6 +219,8 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
   moved_ = true;
   last_ = event->position();
   if (grip_) return drag_handle(last_);
+  if (moves_edge_)
+    return static_cast<void>(studio_.run(fmt::format("wipe {:.4f}", last_.x() / width())));
   if (event->buttons() == Qt::LeftButton && event->modifiers() == Qt::ShiftModifier) {
     box_ = QRectF(pressed_, last_);
     return update();
@@ -201,9 +250,9 @@ void ViewportWidget::drag_handle(const QPointF& at) {
 void ViewportWidget::hover(const QPointF& at) {
   const auto hit = handle_at(overlay_, pixel_of(at), kReach * devicePixelRatioF());
   const std::string name = hit ? hit->name : "";
+  setCursor(is_on_edge(at) ? Qt::SplitHCursor : hit ? Qt::SizeAllCursor : Qt::ArrowCursor);
   if (name == hovered_) return;
   hovered_ = name;
-  setCursor(hit ? Qt::SizeAllCursor : Qt::ArrowCursor);
   update();
 }
 

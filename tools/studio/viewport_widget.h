@@ -42,6 +42,10 @@ class ViewportWidget : public QWidget {
   void drag_handle(const QPointF& at);
   void hover(const QPointF& at);
   void paint_region(QPainter& painter) const;
+  void paint_wipe(QPainter& painter) const;
+  /// Whether a position is on the edge of a wipe.
+  bool is_on_edge(const QPointF& at) const;
+  void follow_history();
   void send_region(const QRectF& box);
   void click(const QPointF& at, Qt::KeyboardModifiers modifiers);
   void move_view(const QPointF& by, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers);
@@ -50,6 +54,10 @@ class ViewportWidget : public QWidget {
   SceneStudio& studio_;
   viewport::PreviewPtr picture_;  ///< Owns the pixels of the image.
   QImage image_;
+  std::shared_ptr<const workbench::ShownPicture> compared_;  ///< Instead of the picture.
+  viewport::PreviewPtr compared_with_;
+  uint64_t history_ = 0;
+  bool moves_edge_ = false;
   bool stale_ = false, building_ = false;
   double fraction_ = 0;
   QString stage_;

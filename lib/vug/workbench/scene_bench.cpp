@@ -67,6 +67,7 @@ void SceneBench::open(const std::filesystem::path& file, const std::optional<std
     stack.push("Recover", std::make_shared<const std::string>(scene::normalise_text(*text)));
   file_ = std::move(saved);
   stack_ = std::move(stack);
+  history_.clear();
   attach();
   select(language::range_at(file.string(), {1, 1}));
 }

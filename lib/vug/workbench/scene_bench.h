@@ -10,6 +10,7 @@
 #include <vug/viewport/inspect.h>
 #include <vug/viewport/screen_view.h>
 #include <vug/viewport/viewport.h>
+#include <vug/workbench/picture_history.h>
 #include <vug/workbench/preset_store.h>
 #include <vug/workbench/saved_file.h>
 #include <vug/workbench/scene_overlay.h>
@@ -136,6 +137,12 @@ class SceneBench {
   /// Selects a declaration of the picked object.
   void select_declaration(size_t index);
 
+  /// The kept pictures of this document; they end with it.
+  PictureHistory& history() { return history_; }
+  const PictureHistory& history() const { return history_; }
+  /// Takes the text of a kept picture, as one step.
+  void restore_text(int number);
+
   /// Receives the line of each command that changes the document.
   std::function<void(const std::string& line)> journal = {};
 
@@ -180,6 +187,7 @@ class SceneBench {
   std::optional<viewport::Pick> picked_;
   size_t picked_declaration_ = 0;
   std::optional<viewport::PixelReport> inspected_;
+  PictureHistory history_;
   std::unique_ptr<viewport::Viewport> viewport_;
 };
 

@@ -67,6 +67,12 @@ void SceneBench::select_material() {
   select_place(*inspected_->material);
 }
 
+void SceneBench::restore_text(int number) {
+  require_document();
+  const KeptPicturePtr kept = history_.find(number);
+  edit_recorded(change_between(text(), *kept->text), fmt::format("Restore picture {}", number));
+}
+
 void SceneBench::set_display(const viewport::DisplayChoice& display) {
   const viewport::PreviewPtr shown = picture();
   view_options(display, shown->scene.scene->job.output, *shown->light);

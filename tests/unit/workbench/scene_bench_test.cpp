@@ -67,6 +67,36 @@ TEST_F(SceneBenches, ARegionEndsByItsCommandOrByStop) {
   EXPECT_TRUE(is_whole());
 }
 
+TEST_F(SceneBenches, TheTextOfAKeptPictureReturnsAsOneStep) {
+  build();
+  run("keep_picture");
+  run("param RADIUS 70cm");
+  build();
+  run("keep_picture");
+  expect(bench_, {"kept_pictures", "=", "1 2"});
+  run("reference_picture 1");
+  expect(bench_, {"comparison", "=", "0 wipe 1"});
+  expect(bench_, {"difference", "above", "0"});
+  run("reference_picture 2");
+  expect(bench_, {"difference", "=", "0"});
+  std::vector<std::string> journal;
+  bench_.journal = [&](const std::string& line) { journal.push_back(line); };
+  const std::string changed = bench_.text();
+  run("restore_text 1");
+  EXPECT_EQ(bench_.text(), kText);
+  EXPECT_EQ(bench_.stack().undo_name(), "Restore picture 1");
+  ASSERT_EQ(journal.size(), 1u) << "a change that a journal can repeat without pictures";
+  EXPECT_EQ(journal[0].substr(0, 5), "edit ");
+  run("undo");
+  EXPECT_EQ(bench_.text(), changed);
+  EXPECT_NE(refusal("restore_text 3"), "");
+  run("compare difference");
+  run("compare");
+  expect(bench_, {"comparison", "=", "0 off 2"});
+  run("open " + quoted(file_.string()));
+  EXPECT_TRUE(bench_.history().all().empty()) << "pictures belong to a document";
+}
+
 TEST_F(SceneBenches, SlidersWriteIntoTheTextAndUndoRestoresItsBytes) {
   ASSERT_EQ(bench_.params().size(), 1u);
   run("param RADIUS 62cm drag");
