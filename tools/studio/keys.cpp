@@ -59,6 +59,7 @@ const std::vector<KeyRow>& scene_rows() {
       {"look at picture", "Ctrl+2", "Goes to the picture"},
       {"list problems", "Ctrl+3", "Lists the problems"},
       {"list pictures", "Ctrl+4", "Lists the kept pictures"},
+      {"list renders", "Ctrl+5", "Lists the renders of the queue"},
       {"save as", "Ctrl+Shift+S", "Saves the text to another file"},
       {"palette", "Ctrl+Shift+P", "Opens the command palette"},
       {"quit", "Ctrl+Q", "Closes the window"}};

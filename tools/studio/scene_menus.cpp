@@ -33,6 +33,8 @@ void SceneWindow::build_menus() {
   add_command(file, "reload");
   add_action(file, "save as", tr("Save as..."), [this] { ask_and_run("save"); });
   file->addSeparator();
+  add_command(file, "queue_render");
+  file->addSeparator();
   add_action(file, "quit", tr("Quit"), [this] { close(); });
 
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
@@ -64,6 +66,7 @@ void SceneWindow::build_menus() {
                [widget = widget] { widget->setFocus(); });
   add_action(view, "list problems", tr("List the problems"), [this] { show_list(0); });
   add_action(view, "list pictures", tr("List the kept pictures"), [this] { show_list(1); });
+  add_action(view, "list renders", tr("List the renders"), [this] { show_list(2); });
   view->addSeparator();
   for (const char* name : {"system", "light", "dark"})
     add_action(view, QString("theme ") + name, tr("Theme: %1").arg(name), [this, name] {

@@ -111,10 +111,19 @@ void SceneScript::expect(const Words& words) {
   }
 }
 
+/// `wait-renders` waits until the queue has no render to run.
+void SceneScript::wait_for_renders() {
+  constexpr int kMost = 180'000;
+  if (!QTest::qWaitFor([this] { return !studio_.runner().busy(); }, kMost))
+    throw Error(ErrorCode::bad_input, "the renders did not end within three minutes");
+}
+
 bool SceneScript::send_event(const Words& words) {
   QWidget& viewport = window_.viewport();
   const bool on_picture = words.size() > 3 && words[1] == "viewport";
-  if (words[0] == "click" && on_picture)
+  if (words[0] == "wait-renders")
+    wait_for_renders();
+  else if (words[0] == "click" && on_picture)
     QTest::mouseClick(&viewport, Qt::LeftButton,
                       words.size() > 4 && words[4] == "ctrl" ? Qt::ControlModifier : Qt::NoModifier,
                       picture_point(viewport, words[2], words[3]));

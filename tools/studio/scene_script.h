@@ -21,6 +21,8 @@ class SceneScript : public ScriptHost {
   bool send_event(const std::vector<std::string>& words) override;
 
  private:
+  void wait_for_renders();
+
   SceneStudio& studio_;
   SceneWindow& window_;
 };

@@ -30,8 +30,13 @@ SceneStudio::SceneStudio(QObject* parent)
         if (!pending_.exchange(true))
           QMetaObject::invokeMethod(this, &SceneStudio::poll, Qt::QueuedConnection);
       }),
-      recorder_(bench_, workbench::journal_folder()) {
+      recorder_(bench_, workbench::journal_folder()),
+      queue_(recorder_.folder()),
+      runner_(queue_) {
+  bench_.queue = &queue_;
   bench_.preset_folder = recorder_.folder();
+  // What waited at the end of the last session goes on when the window is there.
+  QTimer::singleShot(0, &runner_, &RenderRunner::update);
   typed_.setSingleShot(true);
   rest_.setSingleShot(true);
   touched_.setSingleShot(true);
@@ -94,6 +99,7 @@ void SceneStudio::schedule(bool typing, bool drag) {
 void SceneStudio::execute(const std::string& line) {
   const workbench::SceneCommand* command = recorder_.run(line);
   if (!command) return;
+  runner_.update();
   Q_EMIT message("", false);
   Q_EMIT changed();
   if (!bench_.has_document()) return;

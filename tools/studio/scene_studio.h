@@ -4,6 +4,7 @@
 #pragma once
 
 #include "bench_studio.h"
+#include "render_runner.h"
 
 #include <vug/workbench/scene_bench.h>
 
@@ -22,6 +23,8 @@ class SceneStudio : public BenchStudio {
   workbench::SceneBench& bench() { return bench_; }
   const workbench::SceneBench& bench() const { return bench_; }
   workbench::SceneRecorder& recorder() { return recorder_; }
+
+  RenderRunner& runner() { return runner_; }
 
   void execute(const std::string& line) override;
   bool recover(const workbench::LostJournal& lost) override;
@@ -50,6 +53,8 @@ class SceneStudio : public BenchStudio {
   std::atomic<bool> pending_{false};
   workbench::SceneBench bench_;
   workbench::SceneRecorder recorder_;
+  workbench::RenderQueue queue_;
+  RenderRunner runner_;
   QTimer typed_;  ///< Ends when the user stops typing.
   QTimer rest_;   ///< Ends when the undo step of the typing is complete.
   QFileSystemWatcher watcher_;

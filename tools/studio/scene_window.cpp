@@ -6,9 +6,11 @@
 #include "params_panel.h"
 #include "pictures_panel.h"
 #include "preset_bar.h"
+#include "renders_panel.h"
 #include "scene_lists.h"
 
 #include <vug/base/pluralize.h>
+#include <vug/language/outline.h>
 #include <vug/workbench/scene_command.h>
 #include <vug/workbench/words.h>
 
@@ -84,6 +86,7 @@ void SceneWindow::build_panels() {
   lists_->tabBar()->setDrawBase(false);
   lists_->addTab(new ProblemList(studio_), tr("Problems"));
   lists_->addTab(new PicturesPanel(studio_), tr("Pictures"));
+  lists_->addTab(new RendersPanel(studio_, [this] { ask_and_run("queue_render"); }), tr("Renders"));
   auto* left = splitter(Qt::Vertical, {editor_, lists_}, {540, 190});
   auto* side = splitter(
       Qt::Vertical,
@@ -143,6 +146,7 @@ void SceneWindow::ask_and_run(const std::string& name) {
   if (name == "open" && !may_discard()) return;
   if (name == "open") file = QFileDialog::getOpenFileName(this, tr("Open scene"), folder, kinds);
   if (name == "save") file = QFileDialog::getSaveFileName(this, tr("Save scene"), folder, kinds);
+  if (name == "queue_render") return ask_for_render();
   if (name == "save_preset") {
     bool given = false;
     const QString preset =
@@ -158,6 +162,28 @@ void SceneWindow::ask_and_run(const std::string& name) {
     return editor_->setFocus();
   }
   if (!file.isEmpty()) studio_.run(name + " " + workbench::quoted(file.toStdString()));
+}
+
+void SceneWindow::ask_for_render() {
+  const std::filesystem::path scene = std::filesystem::absolute(studio_.bench().file());
+  QStringList renders;
+  for (const language::OutlineItem& each : language::outline_of(*studio_.bench().analysis()))
+    if (each.detail == "render") renders << text_of(each.name);
+  QString render;
+  if (renders.size() > 1) {
+    bool given = false;
+    render = QInputDialog::getItem(this, tr("Queue a render"), tr("Render block"), renders, 0,
+                                   false, &given);
+    if (!given) return;
+  }
+  const QString stem = text_of((scene.parent_path() / scene.stem()).string());
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Queue a render"), stem + (render.isEmpty() ? "" : "_" + render) + ".exr",
+      tr("Pictures (*.exr)"));
+  if (file.isEmpty()) return;
+  if (studio_.run("queue_render " + workbench::quoted(file.toStdString()) +
+                  (render.isEmpty() ? "" : " " + workbench::quoted(render.toStdString()))))
+    show_list(2);
 }
 
 bool SceneWindow::may_discard() {

@@ -25,6 +25,7 @@ class SceneWindow : public BenchWindow {
  private:
   void build_panels();
   void show_list(int index);
+  void ask_for_render();
   void build_menus();
   QAction* add_command(class QMenu* menu, const std::string& name, const QString& icon = "");
   void add_action(class QMenu* menu, const QString& name, const QString& title,

@@ -12,6 +12,7 @@
 #include <vug/viewport/viewport.h>
 #include <vug/workbench/picture_history.h>
 #include <vug/workbench/preset_store.h>
+#include <vug/workbench/render_queue.h>
 #include <vug/workbench/saved_file.h>
 #include <vug/workbench/scene_overlay.h>
 #include <vug/workbench/scene_text.h>
@@ -142,6 +143,9 @@ class SceneBench {
   const PictureHistory& history() const { return history_; }
   /// Takes the text of a kept picture, as one step.
   void restore_text(int number);
+
+  /// The renders of the program; null: it has no queue. It must outlive its use by commands.
+  RenderQueue* queue = nullptr;
 
   /// Receives the line of each command that changes the document.
   std::function<void(const std::string& line)> journal = {};

@@ -25,4 +25,8 @@ std::string without_picture(const SceneBench& bench) {
   return bench.status().picture ? "" : "the first picture is not finished";
 }
 
+std::string without_renders(const SceneBench& bench) {
+  return bench.queue && !bench.queue->all().empty() ? "" : "the queue has no render";
+}
+
 }  // namespace vug::workbench

@@ -21,6 +21,7 @@ const SceneCommand* run_command(SceneBench& bench, const std::string& line);
 /// Reasons that several commands share.
 std::string without_scene(const SceneBench& bench);
 std::string without_picture(const SceneBench& bench);
+std::string without_renders(const SceneBench& bench);
 
 }  // namespace vug::workbench
 

@@ -97,6 +97,28 @@ TEST_F(SceneBenches, TheTextOfAKeptPictureReturnsAsOneStep) {
   EXPECT_TRUE(bench_.history().all().empty()) << "pictures belong to a document";
 }
 
+TEST_F(SceneBenches, TheQueueRendersTheSavedFile) {
+  EXPECT_NE(refusal("queue_render a.exr"), "") << "without a queue";
+  RenderQueue queue(folder_.path());
+  bench_.queue = &queue;
+  run("queue_render cave.exr main RADIUS=40cm");
+  const QueuedRender& render = queue.find(1);
+  EXPECT_EQ(render.scene, std::filesystem::absolute(file_));
+  EXPECT_EQ(render.output, std::filesystem::absolute("cave.exr"));
+  EXPECT_EQ(render.render, "main");
+  EXPECT_EQ(render.parameters, std::vector<std::string>{"RADIUS=40cm"});
+  run("pause_render 1");
+  expect(bench_, {"renders", "=", "1 paused"});
+  run("resume_render 1");
+  run("cancel_render 1");
+  EXPECT_TRUE(queue.all().empty());
+  EXPECT_NE(refusal("queue_render cave.png").find("written to an .exr"), std::string::npos);
+  EXPECT_NE(refusal("queue_render cave.exr main RADIUS").find("does not set a parameter"),
+            std::string::npos);
+  run("param RADIUS 70cm");
+  EXPECT_NE(refusal("queue_render cave.exr").find("not saved"), std::string::npos);
+}
+
 TEST_F(SceneBenches, SlidersWriteIntoTheTextAndUndoRestoresItsBytes) {
   ASSERT_EQ(bench_.params().size(), 1u);
   run("param RADIUS 62cm drag");
