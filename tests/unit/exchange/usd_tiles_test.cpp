@@ -17,7 +17,7 @@ TEST(UsdTiles, HullsHaveFewTrianglesOnTheirVertices) {
   const mesh::Mesh fine = mesh::sphere_mesh({1, 2, 3}, 1, 5);
   std::set<std::tuple<float, float, float>> positions;
   for (const Vec3f& p : fine.positions) positions.insert({p.x, p.y, p.z});
-  for (const size_t most : {16, 64, 1000}) {
+  for (const size_t most : {16u, 64u, 1000u}) {
     const mesh::Mesh hull = coarse_hull(fine, most);
     EXPECT_NO_THROW(mesh::validate(hull, "t"));
     EXPECT_LE(hull.triangles.size(), most);

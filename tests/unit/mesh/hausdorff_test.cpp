@@ -118,7 +118,7 @@ TEST(Hausdorff, TheFarthestPointIsInsideOfATriangle) {
 TEST(Hausdorff, SamplesNeverExceedTheBound) {
   uint64_t seed = 17;
   for (const Mesh& mesh : {sphere_mesh({1, 2, 3}, 1, 4), torus_mesh(1, 0.3, 60, 30)})
-    for (const size_t divisor : {3, 10, 40}) {
+    for (const size_t divisor : {3u, 10u, 40u}) {
       const Mesh coarse = simplified(mesh, mesh.triangles.size() / divisor);
       const double bound = hausdorff_bound(mesh, coarse);
       const double found =

@@ -57,7 +57,7 @@ TEST(Simplify, ClosedSurfacesKeepTheirTopology) {
   for (const Mesh& mesh : {sphere_mesh({1, 2, 3}, 1, 5), torus_mesh(1, 0.3, 90, 40),
                            joined(sphere_mesh({0, 0, 0}, 0.2, 4), torus_mesh(1, 0.1, 90, 12))}) {
     const Topology before = inspect(mesh);
-    for (const size_t divisor : {4, 16, 64, 1000000}) {
+    for (const size_t divisor : {4u, 16u, 64u, 1000000u}) {
       const Mesh coarse = simplified_to(mesh, mesh.triangles.size() / divisor);
       EXPECT_LE(coarse.triangles.size(), std::max<size_t>(mesh.triangles.size() / divisor, 200));
       const Topology after = inspect(coarse);
@@ -93,7 +93,7 @@ TEST(Simplify, BordersStayBitForBit) {
   const std::set<PointEdge> border = border_of(half);
   ASSERT_GT(border.size(), 100u);
   EXPECT_EQ(Simplifier(half).border_edges(), border.size());
-  for (const size_t divisor : {4, 10, 1000000}) {
+  for (const size_t divisor : {4u, 10u, 1000000u}) {
     const Mesh coarse = simplified_to(half, half.triangles.size() / divisor);
     EXPECT_LT(coarse.triangles.size(), half.triangles.size() / 3);
     EXPECT_EQ(border_of(coarse), border) << divisor;
@@ -107,8 +107,8 @@ TEST(Simplify, PiecesThatAreSimplifiedSeparatelyStayClosed) {
   const Vec3d axis(1, 0.4, 0.2);
   const Mesh one = part_of(whole, axis), other = part_of(whole, -axis);
   ASSERT_EQ(one.triangles.size() + other.triangles.size(), whole.triangles.size());
-  for (const size_t a : {1, 8, 1000000})
-    for (const size_t b : {1, 8, 1000000}) {
+  for (const size_t a : {1u, 8u, 1000000u})
+    for (const size_t b : {1u, 8u, 1000000u}) {
       const Mesh left = simplified_to(one, one.triangles.size() / a);
       const Mesh right = simplified_to(other, other.triangles.size() / b);
       std::map<PointEdge, int> uses;

@@ -246,7 +246,7 @@ TEST(TileLevels, EndWhereTheBorderPreventsMore) {
   one.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   one.triangles = {{0, 1, 2}};
   EXPECT_TRUE(tile_levels(one, 3).empty());
-  for (const size_t tile : {0, 7}) {
+  for (const size_t tile : {0u, 7u}) {
     const std::vector<TileLevel> many = tile_levels(cave_levels().at(tile, 0), 12);
     ASSERT_FALSE(many.empty());
     EXPECT_LT(many.size(), 5u);
