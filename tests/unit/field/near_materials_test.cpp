@@ -74,7 +74,9 @@ std::vector<Vec3f> points_near(const Vec3d& centre) {
 }
 
 TEST(NearMaterials, HaveTheBitsOfSinglePoints) {
-  for (const auto& [name, field] : fields()) {
+  for (const auto& each : fields()) {
+    const std::string& name = each.first;
+    const Field& field = each.second;
     const std::vector<Vec3f> points =
         points_near(name == "far" ? Vec3d(3000, -500, 700) : Vec3d(0.0));
     for (const int threads : {1, 7}) {
