@@ -38,6 +38,8 @@ RenderRunner::RenderRunner(workbench::RenderQueue& queue, QObject* parent)
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     [[maybe_unused]] const int niceness = ::nice(kNiceness);
   });
+  end_timer_.setSingleShot(true);
+  connect(&end_timer_, &QTimer::timeout, &process_, &QProcess::kill);
   connect(&process_, &QProcess::readyReadStandardError, this, [this] {
     queue_.said(number_, process_.readAllStandardError().toStdString());
     Q_EMIT changed();
@@ -66,11 +68,10 @@ RenderRunner::~RenderRunner() {
 void RenderRunner::update() {
   if (number_ == 0) {
     if (const auto next = queue_.next()) start(*next);
-  } else if (queue_.find(number_).state != workbench::RenderState::running) {
+  } else if (queue_.find(number_).state != workbench::RenderState::running &&
+             !end_timer_.isActive()) {
     process_.terminate();
-    QTimer::singleShot(kEndTimeout, &process_, [this, number = number_] {
-      if (number_ == number) process_.kill();
-    });
+    end_timer_.start(kEndTimeout);
   }
 }
 
@@ -86,6 +87,7 @@ void RenderRunner::start(int number) {
 }
 
 void RenderRunner::end(int exit) {
+  end_timer_.stop();
   queue_.ended(std::exchange(number_, 0), exit);
   Q_EMIT changed();
   // Not from within the signal of the process that has just ended.

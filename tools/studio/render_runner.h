@@ -5,6 +5,7 @@
 #include <vug/workbench/render_queue.h>
 
 #include <QProcess>
+#include <QTimer>
 
 namespace vug::studio {
 
@@ -28,7 +29,8 @@ class RenderRunner : public QObject {
 
   workbench::RenderQueue& queue_;
   QProcess process_;
-  int number_ = 0;  ///< The render of the process; 0: none runs.
+  QTimer end_timer_;  ///< Runs from the request to end until the process is killed.
+  int number_ = 0;    ///< The render of the process; 0: none runs.
 };
 
 }  // namespace vug::studio

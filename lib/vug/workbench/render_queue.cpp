@@ -20,10 +20,6 @@ namespace fs = std::filesystem;
 /// Messages that are kept of a program, in bytes.
 constexpr size_t kMostMessages = 4000;
 
-bool has_ended(const QueuedRender& render) {
-  return render.state == RenderState::done || render.state == RenderState::failed;
-}
-
 const std::string& name_of(RenderState state) {
   return render_state_names()[static_cast<size_t>(state)];
 }
@@ -132,7 +128,7 @@ int RenderQueue::add(QueuedRender added) {
     throw Error(ErrorCode::bad_input, "another window of vug-studio owns the queue of renders", {},
                 "add the render there, or close that window");
   for (const QueuedRender& each : all_)
-    if (!has_ended(each) && each.output == added.output)
+    if (each.state != RenderState::done && each.output == added.output)
       throw Error(ErrorCode::bad_input,
                   fmt::format("render {} of the queue already writes '{}'", each.number,
                               added.output.string()),
@@ -146,9 +142,9 @@ int RenderQueue::add(QueuedRender added) {
 
 void RenderQueue::pause(int number) {
   QueuedRender& paused = render(number);
-  if (has_ended(paused))
-    throw Error(ErrorCode::bad_input, fmt::format("render {} has ended", number), {},
-                "pause a render that waits or runs");
+  if (paused.state != RenderState::waiting && paused.state != RenderState::running)
+    throw Error(ErrorCode::bad_input, fmt::format("render {} is {}", number, name_of(paused.state)),
+                {}, "pause a render that waits or runs");
   paused.state = RenderState::paused;
   changed();
 }
@@ -166,7 +162,7 @@ void RenderQueue::resume(int number) {
 
 void RenderQueue::cancel(int number) {
   QueuedRender& cancelled = render(number);
-  if (cancelled.state == RenderState::running) {
+  if (number == active_) {  // Also a paused one, as long as its process writes the checkpoint.
     cancelled.state = RenderState::cancelled;
     return changed();
   }
@@ -187,6 +183,7 @@ std::optional<int> RenderQueue::next() const {
 void RenderQueue::started(int number) {
   QueuedRender& running = render(number);
   running.state = RenderState::running;
+  active_ = number;
   running.stage.clear();
   running.fraction = 0;
   line_.clear();
@@ -218,6 +215,7 @@ void RenderQueue::said(int number, std::string_view text) {
 }
 
 void RenderQueue::ended(int number, int exit) {
+  active_ = 0;
   QueuedRender& ended = render(number);
   take_line(ended, line_);
   line_.clear();

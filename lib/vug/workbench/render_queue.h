@@ -81,6 +81,7 @@ class RenderQueue {
 
   std::filesystem::path file_;
   int lock_ = -1;
+  int active_ = 0;  ///< The render whose process has not ended; 0: none.
   std::vector<QueuedRender> all_;
   std::string line_;      ///< The unfinished line of the running program.
   std::string messages_;  ///< Its last lines without a progress bar.

@@ -105,6 +105,27 @@ TEST_F(RenderQueues, ACancelledRenderLeavesNoCheckpoint) {
   EXPECT_THROW(queue_.cancel(1), Error);
 }
 
+TEST_F(RenderQueues, APausedRenderIsCancelledWhenItsProgramHasEnded) {
+  const std::filesystem::path output = folder_.file("a.exr");
+  queue_.add(render_of(output));
+  const std::filesystem::path checkpoint = queue_.find(1).checkpoint();
+  queue_.started(1);
+  queue_.pause(1);
+  queue_.cancel(1);
+  EXPECT_THROW(queue_.pause(1), Error) << "that would undo the cancellation";
+  write_text(checkpoint, "samples");
+  queue_.ended(1, 3);
+  EXPECT_FALSE(std::filesystem::exists(checkpoint));
+  EXPECT_TRUE(queue_.all().empty());
+}
+
+TEST_F(RenderQueues, AFailedRenderKeepsItsFile) {
+  queue_.add(render_of("/tmp/a.exr"));
+  queue_.started(1);
+  queue_.ended(1, 2);
+  EXPECT_THROW(queue_.add(render_of("/tmp/a.exr")), Error) << "both would write one checkpoint";
+}
+
 TEST_F(RenderQueues, RefusesTwoRendersOfOneFile) {
   queue_.add(render_of("/tmp/a.exr"));
   EXPECT_THROW(queue_.add(render_of("/tmp/a.exr")), Error);
