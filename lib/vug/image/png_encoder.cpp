@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/error.h>
 #include <vug/image/png_encoder.h>
+#include <vug/image/png_errors.h>
 
 #include <fmt/format.h>
 #include <png.h>
@@ -14,13 +15,10 @@ void append_bytes(png_structp png, png_bytep bytes, size_t count) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<char*>(bytes), count);
 }
 
-// Errors end in the jump; libpng would print warnings and errors otherwise.
-[[noreturn]] void jump(png_structp png, png_const_charp) { png_longjmp(png, 1); }
-void ignore(png_structp, png_const_charp) {}
-
 /// The libpng structures of one file.
 struct Encoder {
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jump, ignore);
+  png_structp png =
+      png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jump_out, ignore_warning);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
   Encoder() = default;
   Encoder(const Encoder&) = delete;
@@ -36,7 +34,7 @@ struct Content {
   std::vector<png_bytep> rows;
 };
 
-/// Owns nothing, because errors jump out of it.
+/// It has no objects with destructors, because errors leave it by a jump.
 bool encode(png_structp png, png_infop info, Content& content, std::string* out) {
   if (setjmp(png_jmpbuf(png))) return false;
   png_set_write_fn(png, out, append_bytes, nullptr);

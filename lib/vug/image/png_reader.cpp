@@ -2,6 +2,7 @@
 #include <vug/base/atomic_file.h>
 #include <vug/base/memory.h>
 #include <vug/image/part_channels.h>
+#include <vug/image/png_errors.h>
 #include <vug/image/png_reader.h>
 #include <vug/image/read_error.h>
 
@@ -19,10 +20,6 @@
 
 namespace vug::image {
 namespace {
-
-// Errors end in the jump; libpng would print warnings and errors otherwise.
-[[noreturn]] void jump_out(png_structp png, png_const_charp) { png_longjmp(png, 1); }
-void ignore_warning(png_structp, png_const_charp) {}
 
 /// An open file and the libpng structures that read it.
 struct PngFile {
@@ -44,8 +41,8 @@ struct PngFile {
   }
 };
 
-/// Reads the chunks before the pixels and asks for grey or R, G, B of 8 or 16 bits. Owns nothing,
-/// because errors jump out of it.
+/// Reads the chunks before the pixels and asks for grey or R, G, B of 8 or 16 bits. It has no
+/// objects with destructors, because errors leave it by a jump.
 bool read_header(const PngFile& in) {
   if (setjmp(png_jmpbuf(in.png))) return false;
   png_init_io(in.png, in.file.get());
@@ -91,9 +88,7 @@ std::unique_ptr<PngFile> open_plain(const std::filesystem::path& path) {
   if (extension_of(path) != ".png") return nullptr;
   auto in = std::make_unique<PngFile>(path);
   if (!in->info || !in->begins_like_a_png()) return nullptr;
-  if (!read_header(*in))
-    throw read_error(path, "it is not a .png image, or its beginning is damaged",
-                     "write it again with the program that made it");
+  if (!read_header(*in)) throw unreadable_beginning(path, ".png");
   return is_plain_png(*in) ? std::move(in) : nullptr;
 }
 
@@ -135,9 +130,7 @@ std::optional<Image> read_plain_png(const std::filesystem::path& path) {
   std::vector<png_bytep> rows;
   for (size_t y = 0; y < static_cast<size_t>(info.height); ++y)
     rows.push_back(bytes.data() + y * row);
-  if (!read_rows(*in, rows.data()))
-    throw read_error(path, "its pixels are damaged or truncated",
-                     "write it again with the program that made it");
+  if (!read_rows(*in, rows.data())) throw unreadable_pixels(path);
   Image image(info.width, info.height, info.channels);
   if (info.formats[0] == "uint16")
     scale<uint16_t>(bytes, image.pixels);

@@ -18,8 +18,7 @@ bool is_colour(const std::string& name) { return name == "R" || name == "G" || n
 void require_sound(const std::filesystem::path& path) {
   if (const std::string why = unreadable_reason(path); !why.empty()) throw read_error(path, why);
   for (const auto& fault_of : {exr_fault, png_fault})
-    if (const std::string fault = fault_of(path); !fault.empty())
-      throw read_error(path, fault, "write it again with the program that made it");
+    if (const std::string fault = fault_of(path); !fault.empty()) throw damage_error(path, fault);
 }
 
 /// As stored, by the lighter libraries if they can.

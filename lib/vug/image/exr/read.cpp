@@ -59,8 +59,7 @@ std::optional<Input> open_flat(const std::filesystem::path& path) {
   try {
     input.file = std::make_unique<Imf::MultiPartInputFile>(path.c_str());
   } catch (const std::exception&) {
-    throw read_error(path, "it is not a .exr image, or its beginning is damaged",
-                     "write it again with the program that made it");
+    throw unreadable_beginning(path, ".exr");
   }
   for (int part = 0; part < input.file->parts(); ++part) {
     const Imf::Header& header = input.file->header(part);
@@ -116,8 +115,7 @@ std::optional<Image> read_flat(const std::filesystem::path& path) {
       read_channels(*input->file, static_cast<int>(part), input->parts[part],
                     &image.pixels[channel], names.size());
     } catch (const std::exception&) {
-      throw read_error(path, "its pixels are damaged or truncated",
-                       "write it again with the program that made it");
+      throw unreadable_pixels(path);
     }
     channel += input->parts[part].channels.size();
   }

@@ -32,14 +32,12 @@ Error refuse_opening(const std::filesystem::path& path) {
                           ? "its name does not have the extension of an image format"
                           : fmt::format("no image format has the extension {}", ending),
                       "use a .exr, .png, .jpg, .hdr or .tif");
-  return read_error(path, fmt::format("it is not a {} image, or its beginning is damaged", ending),
-                    "write it again with the program that made it");
+  return unreadable_beginning(path, ending);
 }
 
 Error refuse_pixels(const std::filesystem::path& path, OIIO::ImageInput& input) {
   (void)input.geterror();
-  return read_error(path, "its pixels are damaged or truncated",
-                    "write it again with the program that made it");
+  return unreadable_pixels(path);
 }
 
 std::unique_ptr<OIIO::ImageInput> open_any(const std::filesystem::path& path) {
