@@ -2,13 +2,12 @@
 #include "pictures_panel.h"
 
 #include "focused_box.h"
+#include "list_layout.h"
 #include "named_button.h"
 
 #include <fmt/format.h>
 #include <QComboBox>
 #include <QContextMenuEvent>
-#include <QHBoxLayout>
-#include <QVBoxLayout>
 
 namespace vug::studio {
 namespace {
@@ -91,12 +90,7 @@ void PictureList::refresh() {
 }
 
 PicturesPanel::PicturesPanel(SceneStudio& studio) : studio_(studio) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
-  auto* line = new QHBoxLayout;
-  line->setContentsMargins(8, 4, 8, 0);
-  column->addLayout(line);
+  const auto [column, line] = list_layout(this);
   keep_ = named_button(tr("Keep"), "keep picture");
   keep_->setToolTip(tr("Keeps the picture with its text, view and display"));
   comparison_ = new FocusedBox<QComboBox>;

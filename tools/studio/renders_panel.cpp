@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "renders_panel.h"
 
+#include "list_layout.h"
 #include "named_button.h"
 
 #include <fmt/format.h>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 #include <cmath>
 
 namespace vug::studio {
@@ -52,12 +51,7 @@ QString source_text(const QueuedRender& render) {
 
 RendersPanel::RendersPanel(SceneStudio& studio, const std::function<void()>& add)
     : studio_(studio) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
-  auto* line = new QHBoxLayout;
-  line->setContentsMargins(8, 4, 8, 0);
-  column->addLayout(line);
+  const auto [column, line] = list_layout(this);
   add_ = named_button(tr("Add..."), "add render");
   pause_ = named_button(tr("Pause"), "pause render");
   resume_ = named_button(tr("Resume"), "resume render");

@@ -2,6 +2,7 @@
 #include <vug/image/denoise.h>
 #include <vug/image/io.h>
 #include <vug/viewport/preview_renderer.h>
+#include <vug/viewport/scaled_codes.h>
 #include <vug/viewport/shown_layer.h>
 
 #include <algorithm>
@@ -156,22 +157,11 @@ Preview PreviewRenderer::render(const PreviewRequest& request, const PreviewStep
   out.denoised = denoised_;
   out.denoised_samples = denoised_samples_;
   out.metered = request.region && backdrop_.light ? backdrop_.light : out.light;
-  if (request.region) out.rgb = backdrop(out.width, out.height);
+  if (request.region)
+    out.rgb = scaled_codes(backdrop_.rgb, backdrop_.width, backdrop_.height, out.width, out.height);
   show_light(out);
   if (!request.region)
     backdrop_ = {out.width, out.height, out.rgb, out.mode == Mode::path ? out.light : nullptr};
-  return out;
-}
-
-std::vector<uint8_t> PreviewRenderer::backdrop(int width, int height) const {
-  std::vector<uint8_t> out(static_cast<size_t>(3 * width * height));
-  if (backdrop_.rgb.empty()) return out;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const int from =
-          (y * backdrop_.height / height) * backdrop_.width + x * backdrop_.width / width;
-      std::copy_n(backdrop_.rgb.begin() + 3 * from, 3, out.begin() + 3 * (y * width + x));
-    }
   return out;
 }
 

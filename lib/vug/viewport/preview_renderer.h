@@ -100,7 +100,6 @@ class PreviewRenderer {
     std::shared_ptr<const image::Image> light;  ///< Null unless it was rendered in Mode::path.
   };
 
-  std::vector<uint8_t> backdrop(int width, int height) const;
   const render::CameraPtr& camera(const PreviewRequest& request);
   render::Options options(const PreviewRequest& request, const PreviewStep& step) const;
 

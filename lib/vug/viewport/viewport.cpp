@@ -8,7 +8,7 @@
 namespace vug::viewport {
 namespace {
 
-/// Samples per pixel from which on pictures are denoised: with fewer, their variances are unknown.
+/// The smallest number of samples per pixel for denoising: fewer give no variances.
 constexpr int kDenoisedSamples = 4;
 
 /// The times at which unfinished pictures are denoised: at most once a second, and during half of
@@ -18,7 +18,7 @@ class DenoisingPace {
   using Clock = std::chrono::steady_clock;
 
   bool is_due() const { return Clock::now() >= next_; }
-  /// Calls the work and takes its time.
+  /// Does the work and measures its duration.
   template <class Work>
   void run(const Work& work) {
     const Clock::time_point begin = Clock::now();

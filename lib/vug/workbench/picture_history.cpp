@@ -2,6 +2,7 @@
 #include <vug/base/error.h>
 #include <vug/base/pluralize.h>
 #include <vug/image/measure.h>
+#include <vug/viewport/scaled_codes.h>
 #include <vug/workbench/picture_history.h>
 
 #include <fmt/format.h>
@@ -16,20 +17,15 @@ namespace {
 
 const std::vector<std::string> kBeautyChannels = {"R", "G", "B"};
 
-/// The byte of `b` below the pixel of a picture of the size of `a`.
-size_t matching_byte(const ShownPicture& a, const ShownPicture& b, int x, int y) {
-  return static_cast<size_t>(3 * ((y * b.height / a.height) * b.width + x * b.width / a.width));
-}
-
 /// The pixels of `a`, changed by `change(x, pixel of a, pixel of b)`.
 template <class Change>
 ShownPicture combined(const ShownPicture& a, const ShownPicture& b, const Change& change) {
   ShownPicture out = a;
   if (b.rgb.empty()) return out;
-  for (int y = 0; y < a.height; ++y)
-    for (int x = 0; x < a.width; ++x)
-      change(x, &out.rgb[static_cast<size_t>(3 * (y * a.width + x))],
-             &b.rgb[matching_byte(a, b, x, y)]);
+  const std::vector<uint8_t> below =
+      viewport::scaled_codes(b.rgb, b.width, b.height, a.width, a.height);
+  for (size_t at = 0; at < below.size(); at += 3)
+    change(static_cast<int>(at / 3) % a.width, &out.rgb[at], &below[at]);
   return out;
 }
 
@@ -81,7 +77,7 @@ ShownPicture difference_of(const ShownPicture& a, const ShownPicture& b) {
 const KeptPicturePtr& PictureHistory::find(int number) const {
   for (const KeptPicturePtr& each : all_)
     if (each->number == number) return each;
-  throw Error(ErrorCode::bad_input, fmt::format("there is no kept picture {}", number), {},
+  throw Error(ErrorCode::bad_input, fmt::format("the history has no picture {}", number), {},
               all_.empty() ? "keep one first: keep_picture"
                            : fmt::format("the last one is {}", all_.back()->number));
 }

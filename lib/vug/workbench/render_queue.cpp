@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 #include <vug/base/atomic_file.h>
 #include <vug/base/error.h>
 #include <vug/workbench/render_queue.h>
 #include <vug/workbench/words.h>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Messages that are kept of a program, in bytes.
+/// The largest size of the messages of a program that are kept, in bytes.
 constexpr size_t kMostMessages = 4000;
 
 const std::string& name_of(RenderState state) {
@@ -33,7 +34,7 @@ std::string stored(const QueuedRender& render) {
   return out + "\n";
 }
 
-/// Nothing for a line of another kind.
+/// Returns nothing for lines of other kinds.
 std::optional<QueuedRender> read_stored(const std::string& line) {
   const std::vector<std::string> words = split_words(line);
   const auto& names = render_state_names();
