@@ -5,6 +5,7 @@
 #include <vug/field/material_source.h>
 #include <vug/field/near_materials.h>
 #include <vug/field/translated.h>
+#include <vug/field/value_below.h>
 
 #include <tbb/task_arena.h>
 
@@ -22,7 +23,8 @@ namespace {
 class DeferredNode final : public Node,
                            public MaterialSource,
                            public NearMaterials,
-                           public EvaluatesBelow {
+                           public EvaluatesBelow,
+                           public ValueBelow {
  public:
   DeferredNode(Traits traits, DeferredWork work, Digest inputs, std::function<Field()> make)
       : Node(std::move(traits)), work_(std::move(work)), inputs_(inputs), make_(std::move(make)) {}
@@ -64,6 +66,9 @@ class DeferredNode final : public Node,
   }
   Restriction restrict_below(const Ball& ball, double limit) const override {
     return field::restrict_below(made(), ball, limit);
+  }
+  double value_below(const Point<double>& p, double limit) const override {
+    return field::value_below(made(), p, limit);
   }
   NodePtr translated(const Vec3d& by) const override {
     made();

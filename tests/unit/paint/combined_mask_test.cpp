@@ -37,6 +37,8 @@ TEST(CombinedMasks, CombineTheirInputs) {
   EXPECT_EQ(value(mask("value", {{"name", "Cd"}})), 0.25);
   EXPECT_EQ(value(mask("value", {{"name", "dry"}, {"otherwise", 0.125}})), 0.125);
   EXPECT_EQ(value(mask("add", {{"of", list}})), 1.5);
+  EXPECT_EQ(value(mask("multiply", {{"of", list}})), 0.25 * 0.5 * 0.75);
+  EXPECT_EQ(value(mask("multiply", {{"of", List{Value(0), wet}}})), 0);
   EXPECT_EQ(value(mask("greatest", {{"of", list}})), 0.75);
   EXPECT_EQ(value(mask("least", {{"of", list}})), 0.25);
   EXPECT_EQ(value(mask("invert", {{"mask", wet}})), 0.75);

@@ -2,6 +2,7 @@
 // Fields and noises along the axes of passages: closed forms, and the guarantees of all fields.
 #include "passage_samples.h"
 
+#include <vug/field/value_below.h>
 #include <vug/passages/lines/along_flow.h>
 #include <vug/passages/lines/centreline.h>
 #include <vug/passages/lines/height_above_floor.h>
@@ -67,6 +68,25 @@ TEST(Lines, TheDistanceIsThatToTheNearestLeg) {
     }
     ASSERT_NEAR(field.value(p), least - 0.25, 1e-9) << p;
   }
+}
+
+TEST(Lines, ValuesBelowALimitAreThoseOfTheField) {
+  const Field field = centreline(cave_lines(), 0.25);
+  RandomStream random(RandomKey(2));
+  int below = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3d p = point_of_cave(random);
+    const double limit = 4 * random.uniform() - 0.25;
+    const double value = field.value(p);
+    const double found = field::value_below(*field.node(), field::point(p), limit);
+    if (value < limit)
+      ASSERT_EQ(found, value) << p;
+    else
+      ASSERT_GE(found, limit) << p;
+    below += value < limit;
+  }
+  EXPECT_GT(below, 500);
+  EXPECT_LT(below, 4500);
 }
 
 // A straight passage that descends by 1 in 4, 2 m high: everywhere across it the floor is that of

@@ -20,7 +20,10 @@ VUG_MASK_KIND(multiply) {
   return mask_kind<Multiply>("multiply", [](const Multiply& m) {
     const auto evaluate = [m](const EvalPoint& point) {
       double product = 1;
-      for (const Mask& mask : m.of) product *= (*mask)(point);
+      for (const Mask& mask : m.of) {
+        if (product == 0) break;  // Masks are finite, so the others do not matter.
+        product *= (*mask)(point);
+      }
       return product;
     };
     return make_mask(evaluate, attribute_uses(m.of));

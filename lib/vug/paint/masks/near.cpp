@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <vug/field/value_below.h>
 #include <vug/paint/kind.h>
 #include <vug/paint/space.h>
+
+#include <algorithm>
 
 namespace vug::paint {
 namespace {
@@ -27,7 +30,10 @@ struct Near : InSpace {
 VUG_MASK_KIND(near) {
   return mask_kind<Near>("near", [](const Near& n) {
     const auto evaluate = [n](const EvalPoint& point) {
-      return ramp(n.field.value(point.position), n.from, n.to);
+      // Beyond both distances the mask is constant.
+      const double distance =
+          field::value_below(*n.field.node(), field::point(point.position), std::max(n.from, n.to));
+      return ramp(distance, n.from, n.to);
     };
     return make_mask(in_space(n, evaluate), n.uses());
   });

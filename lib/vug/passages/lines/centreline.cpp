@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/opaque.h>
+#include <vug/field/value_below.h>
 #include <vug/passages/lines/centreline.h>
 #include <vug/passages/lines/line_bvh.h>
 
@@ -18,6 +19,18 @@ struct Tubes {
   double value(const Vec3d& p) const { return lines->nearest(p).distance - radius; }
 };
 
+class CentrelineNode final : public field::OpaqueNode<Tubes>, public field::ValueBelow {
+ public:
+  CentrelineNode(const field::Traits& traits, Tubes tubes)
+      : OpaqueNode("centreline", traits, std::move(tubes)) {}
+  double value_below(const field::Point<double>& p, double limit) const override {
+    const double radius = source().radius;
+    const double reach = (limit + radius) * (1 + 1e-12);  // Rounding does not matter beyond it.
+    const double distance = source().lines->nearest(vector(p), reach).distance;
+    return distance < reach ? distance - radius : limit;
+  }
+};
+
 }  // namespace
 
 field::Field centreline(std::vector<AxisLine> lines, double radius) {
@@ -26,8 +39,7 @@ field::Field centreline(std::vector<AxisLine> lines, double radius) {
   traits.exactness = radius > 0 ? field::Exactness::eikonal : field::Exactness::exact;
   traits.bounds = grown(bvh->bounds(), radius);
   traits.growth = 1;
-  return field::Field(
-      std::make_shared<field::OpaqueNode<Tubes>>("centreline", traits, Tubes{bvh, radius}));
+  return field::Field(std::make_shared<CentrelineNode>(traits, Tubes{bvh, radius}));
 }
 
 }  // namespace vug::passages

@@ -46,8 +46,8 @@ void LineBvh::build(uint32_t at, uint32_t first, uint32_t count) {
   nodes_[at] = node;
 }
 
-LineBvh::Nearest LineBvh::nearest(const Vec3d& p) const {
-  Nearest best;
+LineBvh::Nearest LineBvh::nearest(const Vec3d& p, double limit) const {
+  Nearest best{limit, Vec3d(0.0)};
   search(
       best.distance, [&](const Node& node) { return node.distance(p); },
       [&](uint32_t, const AxisLine& line) {

@@ -40,7 +40,8 @@ class LineBvh {
     double distance = kInfinity;
     Vec3d point{0.0};  ///< On a line.
   };
-  Nearest nearest(const Vec3d& p) const;
+  /// The nearest point of the lines; if none is nearer than the limit, only the limit.
+  Nearest nearest(const Vec3d& p, double limit = kInfinity) const;
 
   void add_to(Digester& digester) const { digester(lines_); }
 
