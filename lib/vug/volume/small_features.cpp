@@ -30,11 +30,21 @@ using Kind = SmallFeature::Kind;
 /// The side that polygons_of assigns to a value.
 bool is_inside(float value) { return value < std::numeric_limits<float>::min(); }
 
+/// How far across a gap the exact field is examined, in voxels.
+constexpr int kLargestGap = 3;
+
 /// The sides of samples, some of which have been flipped.
 class Sides {
  public:
-  Sides(const openvdb::FloatGrid& grid, const field::Field* exact, const std::set<Coord>& flipped)
-      : values_(grid.tree()), transform_(grid.transform()), exact_(exact), flipped_(flipped) {}
+  /// The exact field is examined only around samples of the cube of `size` samples from `origin`.
+  Sides(const openvdb::FloatGrid& grid, const field::Field* exact, const std::set<Coord>& flipped,
+        const Coord& origin, int size)
+      : values_(grid.tree()),
+        transform_(grid.transform()),
+        exact_(exact),
+        flipped_(flipped),
+        middle_(origin.asVec3d() + openvdb::Vec3d(0.5 * (size - 1))),
+        reach_(0.5 * (size - 1) + kLargestGap) {}
 
   bool inside(const Coord& at) const { return inside(value(at), at); }
   bool inside(float value, const Coord& at) const {
@@ -54,18 +64,34 @@ class Sides {
   bool exactly_connected(const Coord& from, const Coord& to) const {
     if (!exact_) return false;
     constexpr int kSteps = 16;
+    const field::Field& near = exact_nearby();
     for (int i = 0; i <= kSteps; ++i) {
       const openvdb::Vec3d at = from.asVec3d() + (to - from).asVec3d() * (1.0 * i / kSteps);
-      if ((exact_->value(position(at)) <= 0) != inside(from)) return false;
+      if ((near.value(position(at)) <= 0) != inside(from)) return false;
     }
     return true;
   }
 
  private:
+  /// The exact field without what does not matter in the cube; made when it is first needed.
+  const field::Field& exact_nearby() const {
+    if (!nearby_) {
+      const double voxel = transform_.voxelSize().x();
+      // A little larger, because positions are rounded.
+      const field::Ball ball{position(middle_), voxel * (std::sqrt(3.0) * reach_ + 0.1)};
+      const field::NodePtr smaller = exact_->node()->restrict_to(ball).node;
+      nearby_ = smaller ? field::Field(smaller) : *exact_;
+    }
+    return *nearby_;
+  }
+
   openvdb::tree::ValueAccessor<const Tree, false> values_;
   const openvdb::math::Transform& transform_;
   const field::Field* exact_;
   const std::set<Coord>& flipped_;
+  openvdb::Vec3d middle_;
+  double reach_;
+  mutable std::optional<field::Field> nearby_;
 };
 
 struct Feature {
@@ -117,12 +143,12 @@ std::optional<Feature> closed_set_at(const Sides& sides, const Coord& seed) {
 /// exact field does not have.
 constexpr int kSmall = 6, kFar = 24;
 
-/// The largest distance of the ends of a handle at this sample; 0 if there is no gap next to it.
-int handle_reach(const Sides& sides, const Coord& at) {
-  constexpr int kSmallGap = 2, kLargestGap = 3;
-  const SignCube cube(kLargestGap, sides.around(at));
+/// The largest distance of the ends of a handle at a sample with these ones across a gap; 0 if the
+/// gap is too wide.
+int handle_reach(const Sides& sides, const Coord& at, const std::vector<Offset>& opposite) {
+  constexpr int kSmallGap = 2;
   int reach = 0;
-  for (const Offset& by : opposite_samples(cube, kLargestGap)) {
+  for (const Offset& by : opposite) {
     if (sides.exactly_connected(at, at.offsetBy(by[0], by[1], by[2]))) return kFar;
     if (std::max({std::abs(by[0]), std::abs(by[1]), std::abs(by[2])}) <= kSmallGap) reach = kSmall;
   }
@@ -152,15 +178,25 @@ std::vector<std::vector<Offset>> cross_sections(const SignCube& cube) {
   return sets;
 }
 
-/// A handle that this sample, or a pair with it, closes or cuts. The components of both sides stay
-/// as they are, so the Euler characteristic grows by 2 only if a handle disappears.
+/// The sets of one or two samples whose flip removes a handle, if both sides stay connected: then
+/// the Euler characteristic grows by 2 only if a handle disappears.
+std::vector<std::vector<Offset>> closing_sets(const SignCube& cube) {
+  std::vector<std::vector<Offset>> sets = cross_sections(cube);
+  std::erase_if(sets, [&](const auto& set) { return euler_change(cube, set, 1) != 2; });
+  return sets;
+}
+
+/// A handle that this sample, or a pair with it, closes or cuts.
 std::optional<Feature> handle_at(const Sides& sides, const Coord& at) {
-  const int reach = handle_reach(sides, at);
+  const std::vector<Offset> opposite =
+      opposite_samples(SignCube(kLargestGap, sides.around(at)), kLargestGap);
+  if (opposite.empty()) return std::nullopt;
+  const std::vector<std::vector<Offset>> sets = closing_sets(SignCube(4, sides.around(at)));
+  if (sets.empty()) return std::nullopt;
+  const int reach = handle_reach(sides, at, opposite);  // Last, because fields are slow.
   if (reach == 0) return std::nullopt;
-  const SignCube cube(4, sides.around(at));
   std::optional<Feature> best;
-  for (const std::vector<Offset>& set : cross_sections(cube)) {
-    if (euler_change(cube, set, 1) != 2) continue;
+  for (const std::vector<Offset>& set : sets) {
     Feature next{Kind::handle, 0, {}};
     for (const Offset& by : set) {
       next.samples.push_back(at.offsetBy(by[0], by[1], by[2]));
@@ -239,15 +275,17 @@ class Search {
   }
 
  private:
-  Sides sides() const { return Sides(grid_, exact_, flipped_); }
+  Sides sides(const Coord& origin, int size) const {
+    return Sides(grid_, exact_, flipped_, origin, size);
+  }
 
   std::vector<Feature> candidates(const std::vector<Coord>& origins) const {
     std::vector<std::vector<Feature>> by_leaf(origins.size());
     parallel_for(
         origins.size(),
         [&](size_t i) {
-          by_leaf[i] =
-              features_in(sides(), Leaves(grid_.tree(), origins[i]), origins[i], progress_);
+          const Sides here = sides(origins[i], static_cast<int>(Tree::LeafNodeType::DIM));
+          by_leaf[i] = features_in(here, Leaves(grid_.tree(), origins[i]), origins[i], progress_);
         },
         16);
     std::vector<Feature> all;
@@ -262,7 +300,8 @@ class Search {
     std::set<Coord> near;
     for (const Feature& each : features) {
       progress_.check();
-      const std::optional<Feature> now = feature_at(sides(), each.samples.front());
+      const Coord& first = each.samples.front();
+      const std::optional<Feature> now = feature_at(sides(first, 1), first);
       if (!now) continue;
       add(*now);
       flipped_.insert(now->samples.begin(), now->samples.end());
@@ -281,7 +320,7 @@ class Search {
     SmallFeature out{feature.kind, Vec3d(0), {}};
     for (const Coord& at : feature.samples) {
       out.at +=
-          sides().position(at.asVec3d()) * (1.0 / static_cast<double>(feature.samples.size()));
+          sides(at, 1).position(at.asVec3d()) * (1.0 / static_cast<double>(feature.samples.size()));
       out.samples.emplace_back(at.x(), at.y(), at.z());
     }
     found_.push_back(std::move(out));
