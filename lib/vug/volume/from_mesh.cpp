@@ -3,6 +3,7 @@
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
 #include <vug/mesh/distance.h>
+#include <vug/mesh/shells.h>
 #include <vug/mesh/topology.h>
 #include <vug/mesh/weld.h>
 #include <vug/volume/contact.h>
@@ -13,12 +14,15 @@
 
 #include <fmt/format.h>
 #include <openvdb/tools/ChangeBackground.h>
+#include <openvdb/tools/Composite.h>
 #include <openvdb/tools/MeshToVolume.h>
 #include <openvdb/tools/Prune.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace vug::volume {
 namespace {
@@ -146,6 +150,73 @@ openvdb::FloatGrid::Ptr voxelized(openvdb::util::NullInterrupter& interrupter,
       openvdb::tools::DISABLE_RENORMALIZATION);
 }
 
+/// Voxelizes the shells of a mesh from the largest to the smallest, because OpenVDB fills whatever
+/// a surface encloses. A shell is a cavity if its normals point into the space that it encloses and
+/// it lies in the solid of the larger shells.
+class ShellVoxelizer {
+ public:
+  ShellVoxelizer(openvdb::util::NullInterrupter& interrupter, double voxel, float band)
+      : interrupter_(interrupter),
+        voxel_(voxel),
+        band_(band),
+        lattice_(openvdb::math::Transform::createLinearTransform(voxel)) {}
+
+  openvdb::FloatGrid::Ptr run(const mesh::Mesh& mesh) {
+    std::vector<mesh::Shell> shells = mesh::shells(mesh::welded(mesh));
+    // If the normals of the largest shell point inwards, all normals are taken as reversed.
+    const double outward = !shells.empty() && shells[0].volume < 0 ? -1 : 1;
+    const bool solid = std::all_of(shells.begin(), shells.end(), [&](const mesh::Shell& shell) {
+      return outward * shell.volume >= 0;
+    });
+    if (solid) return whole(mesh);
+    for (const mesh::Shell& shell : shells) {
+      const bool cavity = outward * shell.volume < 0 && holds(shell);
+      if (cavity != removes_) merge();
+      removes_ = cavity;
+      append(shell.surface);
+    }
+    merge();
+    return grid_;
+  }
+
+ private:
+  openvdb::FloatGrid::Ptr whole(const mesh::Mesh& mesh) const {
+    return voxelized(interrupter_, LatticeMesh(mesh, voxel_), *lattice_, band_);
+  }
+  void append(const mesh::Mesh& surface) {
+    const auto first = static_cast<uint32_t>(pending_.positions.size());
+    pending_.positions.insert(pending_.positions.end(), surface.positions.begin(),
+                              surface.positions.end());
+    for (const mesh::Triangle& t : surface.triangles)
+      pending_.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  /// Whether the larger shells before this one contain it.
+  bool holds(const mesh::Shell& shell) {
+    if (!removes_) merge();
+    const Vec3d p = Vec3d(shell.surface.positions[0]) / voxel_;
+    return grid_->tree().getValue(openvdb::Coord::round({p.x, p.y, p.z})) < 0;
+  }
+  /// Adds the pending shells to the solid, or removes them from it.
+  void merge() {
+    if (pending_.triangles.empty()) return;
+    const openvdb::FloatGrid::Ptr next = whole(std::exchange(pending_, {}));
+    if (!grid_)
+      grid_ = next;
+    else if (removes_)
+      openvdb::tools::csgDifference(*grid_, *next);
+    else
+      openvdb::tools::csgUnion(*grid_, *next);
+  }
+
+  openvdb::util::NullInterrupter& interrupter_;
+  double voxel_;
+  float band_;
+  openvdb::math::Transform::Ptr lattice_;
+  openvdb::FloatGrid::Ptr grid_;
+  mesh::Mesh pending_;
+  bool removes_ = false;
+};
+
 }  // namespace
 
 double from_mesh_bytes(double area, const FromMeshOptions& options) {
@@ -162,10 +233,9 @@ LevelSet from_mesh(const mesh::Mesh& mesh, const FromMeshOptions& options, Progr
   require_memory(bytes, limit, fmt::format("a level set with voxels of {} m", options.voxel),
                  fitting_voxel_hint(options.voxel, bytes, limit));
   progress.begin("level set of a mesh", 1);
-  const auto lattice = openvdb::math::Transform::createLinearTransform(options.voxel);
   const auto band = static_cast<float>(options.half_width + 1);
   Interrupter interrupter(progress);
-  const auto grid = voxelized(interrupter, LatticeMesh(mesh, options.voxel), *lattice, band);
+  const auto grid = ShellVoxelizer(interrupter, options.voxel, band).run(mesh);
   progress.check();
   const float background = mesh_background(options);
   if (grid->activeVoxelCount() > 0) make_exact(grid->tree(), mesh, options.voxel, background);

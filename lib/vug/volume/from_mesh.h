@@ -15,7 +15,9 @@ struct FromMeshOptions {
 };
 
 /// Signed distances to the triangles. A point is outside if it is reachable from far away, so
-/// intersecting surfaces, for example of moved meshes, bound one solid. The lattice is that of
+/// intersecting surfaces, for example of moved meshes, bound one solid. The exception are cavities:
+/// connected surfaces inside the solid whose normals point into the space that they enclose (all
+/// normals count as reversed if those of the largest surface point inwards). The lattice is that of
 /// `voxelize`. A mesh without triangles gives an empty grid. The result has the same bytes for any
 /// number of threads. Throws Error(bad_input) for an open mesh, which does not bound a solid, and
 /// for lattice points beyond 32-bit indices; Error(too_large) before the work starts;

@@ -49,6 +49,36 @@ TEST(FromMesh, IntersectingSurfacesBoundOneSolid) {
   EXPECT_GT(grid.value(Vec3d(0, 0.5, 0)), 0);
 }
 
+mesh::Mesh turned(mesh::Mesh mesh) {
+  for (mesh::Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+// A room in rock with a boulder that floats in it and has a bubble, and a stone next to the rock.
+TEST(FromMesh, SurfacesWithNormalsIntoTheirInteriorBoundCavities) {
+  const auto ball = [](double x, double radius) {
+    return mesh::sphere_mesh(Vec3d(x, 0, 0), radius, 4);
+  };
+  const mesh::Mesh cave =
+      mesh::joined(mesh::joined(mesh::joined(ball(0, 1), turned(ball(0, 0.7))),
+                                mesh::joined(ball(0.2, 0.3), turned(ball(0.2, 0.15)))),
+                   turned(ball(1.5, 0.3)));
+  for (const mesh::Mesh& each : {cave, turned(cave)}) {
+    const LevelSet grid = from_mesh(each, options(0.03));
+    EXPECT_EQ(check(grid).fault, "");
+    for (const double x : {-0.85, 0.85, 0.4, 0.0}) EXPECT_LT(grid.value(Vec3d(x, 0, 0)), 0) << x;
+    for (const double x : {-1.2, -0.5, 0.6, 0.2}) EXPECT_GT(grid.value(Vec3d(x, 0, 0)), 0) << x;
+  }
+  EXPECT_LT(from_mesh(cave, options(0.03)).value(Vec3d(1.5, 0, 0)), 0)
+      << "outside of the rock nothing is hollow";
+  const LevelSet grid = from_mesh(cave, options(0.03));
+  const mesh::MeshDistance exact(cave);
+  each_lattice_point(grid, [&](const Vec3d& p, double value) {
+    ASSERT_NEAR(std::fabs(value), std::min(exact.closest(p).distance, grid.background()), 1e-6)
+        << p;
+  });
+}
+
 TEST(FromMesh, SameBytesForAnyNumberOfThreads) {
   const mesh::Mesh ring = mesh::torus_mesh(1, 0.4, 64, 32);
   std::vector<Digest> made;
