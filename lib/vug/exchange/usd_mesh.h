@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vug/exchange/assembly.h>
-#include <vug/exchange/usd_text.h>
+#include <vug/exchange/usd_layer.h>
 
 #include <map>
 #include <string>
@@ -24,12 +24,12 @@ struct UsdMaterials {
 
 /// Writes a Mesh prim of that name, bound to the materials, with a subset for each of its rocks;
 /// with levels of detail an Xform with one variant per mesh.
-void write_usd_mesh(UsdText& out, const Prototype& prototype, const std::string& name,
+void write_usd_mesh(UsdLayer& out, const Prototype& prototype, const std::string& name,
                     const UsdMaterials& materials);
 
 /// Writes a Mesh prim of that name and purpose without materials, with a subset for each of its
 /// rocks.
-void write_usd_bare_mesh(UsdText& out, const mesh::Mesh& mesh, const std::string& name,
+void write_usd_bare_mesh(UsdLayer& out, const mesh::Mesh& mesh, const std::string& name,
                          const std::string& purpose);
 
 /// "Mesh" or "Xform", depending on the levels.
@@ -37,7 +37,7 @@ std::string usd_mesh_type(const Prototype& prototype);
 
 /// Writes a Material prim: a UsdPreviewSurface that reads varying properties from primvars of the
 /// mesh.
-void write_usd_material(UsdText& out, const Prototype& prototype, const std::string& path,
+void write_usd_material(UsdLayer& out, const Prototype& prototype, const std::string& path,
                         const std::string& name);
 
 /// Whether both can share one material.

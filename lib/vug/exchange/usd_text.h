@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to exchange/: a writer for USD's text format.
+// Internal to exchange/: writes USD's text format (.usda).
 #pragma once
 
-#include <vug/base/transform.h>
+#include <vug/exchange/usd_layer.h>
 #include <vug/mesh/byte_writer.h>
 
 #include <fmt/format.h>
@@ -14,56 +14,38 @@ namespace vug::exchange {
 
 /// Writes lines with indentation and blocks in braces. Numbers are the shortest that read back
 /// as the same value.
-class UsdText {
+class UsdText : public UsdLayer {
  public:
-  /// `depth`: the number of blocks around the text.
-  explicit UsdText(const mesh::ByteSink& sink, size_t depth = 0) : out_(sink), depth_(depth) {}
+  explicit UsdText(const mesh::ByteSink& sink) : out_(sink) {}
 
-  template <class... Parts>
-  UsdText& line(fmt::format_string<Parts...> form, Parts&&... parts) {
-    indent();
-    out_.text(fmt::format(form, std::forward<Parts>(parts)...)).text("\n");
-    return *this;
-  }
-  /// Opens `def TYPE "NAME" (metadata) {`; end() closes it.
-  UsdText& def(const std::string& type, const std::string& name,
-               const std::vector<std::string>& metadata = {});
-  UsdText& open(const std::string& text);
-  UsdText& end();
-
-  /// Writes `TYPE[] NAME = [(...), ...]` with tuples of `arity` numbers, followed by the metadata
-  /// in brackets.
-  template <class T>
-  UsdText& array(const std::string& type, const std::string& name, const T* values, size_t count,
-                 int arity, const std::string& metadata = {}) {
-    indent();
-    out_.text(type).text("[] ").text(name).text(" = [");
-    for (size_t i = 0; i < count; ++i) {
-      if (i > 0) out_.text(", ");
-      if (arity > 1) out_.text("(");
-      for (int k = 0; k < arity; ++k) {
-        if (k > 0) out_.text(", ");
-        out_.number(values[i * static_cast<size_t>(arity) + static_cast<size_t>(k)]);
-      }
-      if (arity > 1) out_.text(")");
-    }
-    out_.text("]").text(metadata).text("\n");
-    return *this;
-  }
-  /// Writes the transform of a prim; nothing for the identity.
-  UsdText& place(const Transform& place);
-  void finish() { out_.finish(); }
+  using UsdLayer::begin_prim;
+  using UsdLayer::begin_variant;
+  void header(const UsdHeader& header) override;
+  void begin_prim(const std::string& type, const std::string& name,
+                  const UsdPrimMetadata& metadata) override;
+  void begin_variant_set(const std::string& name) override;
+  void begin_variant(const std::string& name, const UsdPrimMetadata& metadata) override;
+  void end() override;
+  void attribute(const UsdAttribute& attribute, const UsdValue& value) override;
+  void connection(const UsdAttribute& attribute, const std::string& source) override;
+  void relationship(const std::string& name, const std::string& target) override;
+  void relationships(const std::string& name, const std::vector<std::string>& targets) override;
+  void finish() override { out_.finish(); }
 
  private:
+  template <class... Parts>
+  void line(fmt::format_string<Parts...> form, Parts&&... parts) {
+    indent();
+    out_.text(fmt::format(form, std::forward<Parts>(parts)...)).text("\n");
+  }
   void indent();
+  /// Opens a block after a line of text and the metadata in brackets.
+  void open(const std::string& text, const UsdPrimMetadata& metadata, bool same_line);
+  template <class T>
+  void numbers(const T* values, size_t count, int arity);
 
   mesh::ByteWriter out_;
-  size_t depth_;
+  size_t depth_ = 0;
 };
-
-/// The text in quotes with escapes.
-std::string usd_string(const std::string& text);
-/// (x, y, z)
-std::string usd_tuple(const Vec3d& v);
 
 }  // namespace vug::exchange

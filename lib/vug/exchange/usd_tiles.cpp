@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/exchange/names.h>
-#include <vug/exchange/usd_header.h>
+#include <vug/exchange/usd_file.h>
 #include <vug/exchange/usd_mesh.h>
 #include <vug/exchange/usd_tiles.h>
-#include <vug/mesh/file.h>
 #include <vug/mesh/shapes.h>
 #include <vug/mesh/weld.h>
 
@@ -12,42 +11,42 @@
 namespace vug::exchange {
 namespace {
 
+constexpr const char* kSet = "levelOfDetail";
 constexpr const char* kFirstLevel = "full";
 
 /// The corners of the boxes for the purposes default, render and proxy, in the order of UsdGeom.
-/// There is nothing with the default purpose; UsdGeom writes such a box as the largest float and
-/// its negative.
-std::string extents_hint(const UsdTile& tile) {
-  constexpr const char* kNothing =
-      "(3.4028235e38, 3.4028235e38, 3.4028235e38), (-3.4028235e38, -3.4028235e38, -3.4028235e38)";
+/// There is nothing with the default purpose.
+UsdTuples extents_hint(const UsdTile& tile) {
   const Box3d proxy = mesh::bounds(tile.proxy);
-  return fmt::format("[{}, {}, {}, {}, {}]", kNothing, usd_tuple(tile.bounds.min),
-                     usd_tuple(tile.bounds.max), usd_tuple(proxy.min), usd_tuple(proxy.max));
+  return {Vec3d(kUsdEmptyExtent),
+          Vec3d(-kUsdEmptyExtent),
+          tile.bounds.min,
+          tile.bounds.max,
+          proxy.min,
+          proxy.max};
 }
 
-std::string payload(const UsdTile::Level& level) {
-  return fmt::format("prepend payload = @./{}@", level.file);
-}
+UsdPrimMetadatum payload(const UsdTile::Level& level) { return usd_payload("./" + level.file); }
 
-void write_tile_prim(UsdText& out, const UsdTile& tile, const std::string& name) {
-  std::vector<std::string> metadata = {"prepend apiSchemas = [\"GeomModelAPI\"]",
-                                       "kind = \"component\""};
+void write_tile_prim(UsdLayer& out, const UsdTile& tile, const std::string& name) {
+  UsdPrimMetadata metadata = {usd_api_schema("GeomModelAPI"), usd_kind("component")};
   const bool has_levels = tile.levels.size() > 1;
   if (has_levels) {
-    metadata.push_back(fmt::format("variants = {{ string levelOfDetail = \"{}\" }}", kFirstLevel));
-    metadata.emplace_back("prepend variantSets = \"levelOfDetail\"");
+    metadata.push_back(usd_variant_selection(kSet, kFirstLevel));
+    metadata.push_back(usd_variant_set(kSet));
   } else {
     metadata.push_back(payload(tile.levels.at(0)));
   }
-  out.def("Xform", name, metadata);
-  out.line("float3[] extentsHint = {}", extents_hint(tile));
+  out.begin_prim("Xform", name, metadata);
+  out.attribute({"float3", "extentsHint"}, extents_hint(tile));
   write_usd_bare_mesh(out, tile.proxy, "proxy", "proxy");
   if (has_levels) {
-    out.open("variantSet \"levelOfDetail\" = {");
+    out.begin_variant_set(kSet);
     for (size_t i = 0; i < tile.levels.size(); ++i) {
-      out.line("\"{}\" (", i == 0 ? kFirstLevel : fmt::format("lod{}", i));
-      out.line("    {}", payload(tile.levels[i])).open(") {");
-      if (i > 0) out.line("custom double vug:distance = {}", tile.levels[i].distance);
+      out.begin_variant(i == 0 ? kFirstLevel : fmt::format("lod{}", i), {payload(tile.levels[i])});
+      if (i > 0)
+        out.attribute({.type = "double", .name = "vug:distance", .custom = true},
+                      tile.levels[i].distance);
       out.end();
     }
     out.end();
@@ -78,25 +77,23 @@ mesh::Mesh coarse_hull(const mesh::Mesh& mesh, size_t triangles) {
 
 void write_usd_tile(const mesh::Mesh& mesh, const Provenance& provenance,
                     const std::filesystem::path& file) {
-  mesh::write_file(file, [&](const mesh::ByteSink& sink) {
-    UsdText out(sink);
-    write_usd_header(out, "tile", provenance, {});
-    out.def("Xform", "tile");
+  write_usd_file(file, [&](UsdLayer& out) {
+    out.header({"tile", provenance, {}});
+    out.begin_prim("Xform", "tile");
     write_usd_bare_mesh(out, mesh, "shape", "render");
-    out.end().finish();
+    out.end();
   });
 }
 
 void write_usd_tiles(const std::string& name, const std::vector<UsdTile>& tiles,
                      const Provenance& provenance, const std::filesystem::path& file) {
-  mesh::write_file(file, [&](const mesh::ByteSink& sink) {
-    UsdText out(sink);
+  write_usd_file(file, [&](UsdLayer& out) {
     const std::string root = identifier(name);
-    write_usd_header(out, root, provenance, {});
-    out.def("Xform", root, {"kind = \"assembly\""});
+    out.header({root, provenance, {}});
+    out.begin_prim("Xform", root, {usd_kind("assembly")});
     UniqueNames names;
     for (const UsdTile& tile : tiles) write_tile_prim(out, tile, names.unique(tile.name));
-    out.end().finish();
+    out.end();
   });
 }
 

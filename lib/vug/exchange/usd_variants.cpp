@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vug/base/hash.h>
+#include <vug/exchange/usd_digest.h>
 #include <vug/exchange/usd_variants.h>
-#include <vug/exchange/usda_writer.h>
+#include <vug/exchange/usd_writer.h>
 
 #include <algorithm>
 #include <functional>
@@ -11,84 +11,75 @@
 namespace vug::exchange {
 namespace {
 
-/// Where a pass writes.
-struct Target {
-  std::filesystem::path file;            ///< Environment maps are named after this file.
-  const mesh::ByteSink* sink = nullptr;  ///< Null: nothing is written.
-  size_t depth = 0;                      ///< Number of blocks around the parts.
-};
-
 /// A pass over the parts of an assembly, of which some are written.
-class UsdaPass {
+class UsdPass {
  public:
-  UsdaPass(const Assembly& assembly, const FormatOptions& options, const Target& target)
-      : sink_([this, target](std::string_view bytes) {
-          digest_.add(bytes);
-          if (target.sink && writes_) (*target.sink)(bytes);
-        }),
-        text_(sink_, target.depth),
-        writer_(assembly, options, text_, target.file, report_) {}
+  /// Environment maps are named after `file`.
+  UsdPass(const Assembly& assembly, const FormatOptions& options, const std::filesystem::path& file)
+      : writer_(assembly, options, digest_, file, report_) {}
 
-  /// The digests of all parts; `keeps` selects the parts to write by their index.
-  std::vector<std::string> run(const std::function<bool(size_t)>& keeps, Progress& progress) {
-    std::vector<std::string> digests;
+  /// The digests of all parts.
+  std::vector<std::string> digests(Progress& progress) {
+    std::vector<std::string> all;
+    writer_.write_skies(false);
     writer_.each_part(
-        [&](const UsdaWriter::Part& write) {
-          digest_ = Hasher();
-          writes_ = keeps(digests.size());
-          writer_.write_skies(writes_);
+        [&](const UsdWriter::Part& write) {
           write();
-          text_.finish();
-          digests.push_back(digest_.finish().hex());
+          all.push_back(digest_.take().hex());
         },
         progress);
-    return digests;
+    return all;
+  }
+  /// Writes the parts whose index `keeps` selects.
+  void write(UsdLayer& layer, const std::function<bool(size_t)>& keeps, Progress& progress) {
+    size_t part = 0;
+    writer_.each_part(
+        [&](const UsdWriter::Part& write) {
+          const bool kept = keeps(part++);
+          writer_.write_skies(kept);
+          writer_.write_into(kept ? layer : digest_);
+          write();
+        },
+        progress);
   }
   const WriteReport& report() const { return report_; }
 
  private:
-  Hasher digest_;
-  bool writes_ = false;
-  mesh::ByteSink sink_;
+  UsdDigest digest_;
   WriteReport report_;
-  UsdText text_;
-  UsdaWriter writer_;
+  UsdWriter writer_;
 };
 
 /// Writes the assembly and its variants as variants of the root prim. Parts that are equal in all
 /// of them are outside of the variants.
-class UsdaVariants {
+class UsdVariants {
  public:
-  UsdaVariants(const Assembly& assembly, const std::filesystem::path& file,
-               const FormatOptions& options, Progress& progress)
+  UsdVariants(const Assembly& assembly, const std::filesystem::path& file,
+              const FormatOptions& options, Progress& progress)
       : options_(options), progress_(progress) {
     UniqueNames names;
     for (const AssemblyVariant& each : options.variants)
       versions_.push_back({names.unique(each.name), each.assembly.get(), picture_file(file, each)});
     versions_.insert(versions_.begin(), Version{names.unique("default"), &assembly, file});
     for (Version& each : versions_) {
-      each.digests = UsdaPass(*each.assembly, options_, {each.file})
-                         .run([](size_t) { return false; }, progress_);
+      each.digests = UsdPass(*each.assembly, options_, each.file).digests(progress_);
       for (const std::string& part : std::set(each.digests.begin(), each.digests.end()))
         ++occurrences_[part];
     }
   }
 
-  void write(const mesh::ByteSink& sink, WriteReport& written) {
+  void write(UsdLayer& layer, WriteReport& written) {
     const Version& whole = versions_.front();
-    UsdText text(sink);
-    UsdaWriter root(*whole.assembly, options_, text, whole.file, written);
-    root.begin({"prepend variantSets = \"variant\"",
-                fmt::format("variants = {{ string variant = \"{}\" }}", whole.name)});
-    text.finish();
-    write_parts(whole, true, sink, written);
-    text.open("variantSet \"variant\" = {");
+    UsdWriter root(*whole.assembly, options_, layer, whole.file, written);
+    root.begin({usd_variant_set("variant"), usd_variant_selection("variant", whole.name)});
+    write_parts(whole, true, layer, written);
+    layer.begin_variant_set("variant");
     for (const Version& each : versions_) {
-      text.open(fmt::format("\"{}\" {{", each.name)).finish();
-      write_parts(each, false, sink, written);
-      text.end();
+      layer.begin_variant(each.name);
+      write_parts(each, false, layer, written);
+      layer.end();
     }
-    text.end();
+    layer.end();
     root.end();
   }
 
@@ -107,10 +98,10 @@ class UsdaVariants {
   }
 
   /// Writes the parts that all versions share, or the others.
-  void write_parts(const Version& version, bool shared, const mesh::ByteSink& sink,
-                   WriteReport& written) {
-    UsdaPass pass(*version.assembly, options_, {version.file, &sink, shared ? 1u : 3u});
-    pass.run(
+  void write_parts(const Version& version, bool shared, UsdLayer& layer, WriteReport& written) {
+    UsdPass pass(*version.assembly, options_, version.file);
+    pass.write(
+        layer,
         [&](size_t part) {
           return (occurrences_.at(version.digests[part]) == versions_.size()) == shared;
         },
@@ -132,9 +123,9 @@ class UsdaVariants {
 }  // namespace
 
 void write_usd_variants(const Assembly& assembly, const std::filesystem::path& file,
-                        const FormatOptions& options, const mesh::ByteSink& sink,
-                        WriteReport& written, Progress& progress) {
-  UsdaVariants(assembly, file, options, progress).write(sink, written);
+                        const FormatOptions& options, UsdLayer& layer, WriteReport& written,
+                        Progress& progress) {
+  UsdVariants(assembly, file, options, progress).write(layer, written);
 }
 
 }  // namespace vug::exchange

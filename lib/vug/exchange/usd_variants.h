@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to exchange/: several versions of an assembly in one USD text.
+// Internal to exchange/: several versions of an assembly in one USD layer.
 #pragma once
 
 #include <vug/exchange/format.h>
-#include <vug/mesh/format.h>
+#include <vug/exchange/usd_layer.h>
 
 namespace vug::exchange {
 
@@ -11,7 +11,7 @@ namespace vug::exchange {
 /// prim, in which the assembly is called "default". Parts that are equal in all versions are
 /// written once, outside of the variants.
 void write_usd_variants(const Assembly& assembly, const std::filesystem::path& file,
-                        const FormatOptions& options, const mesh::ByteSink& sink,
-                        WriteReport& written, Progress& progress);
+                        const FormatOptions& options, UsdLayer& layer, WriteReport& written,
+                        Progress& progress);
 
 }  // namespace vug::exchange

@@ -1,23 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // USD as text: a layer that can be written without a library.
-#include <vug/exchange/usd_variants.h>
-#include <vug/exchange/usda_writer.h>
-#include <vug/mesh/file.h>
+#include <vug/exchange/usd_writer.h>
 
 namespace vug::exchange {
 namespace {
-
-WriteReport write_usda(const Assembly& assembly, const std::filesystem::path& file,
-                       const FormatOptions& options, Progress& progress) {
-  WriteReport written{{file}, {}};
-  mesh::write_file(file, [&](const mesh::ByteSink& sink) {
-    if (!options.variants.empty())
-      return write_usd_variants(assembly, file, options, sink, written, progress);
-    UsdText text(sink);
-    UsdaWriter(assembly, options, text, file, written).write(progress);
-  });
-  return written;
-}
 
 /// Reads the lines `string "vug:NAME" = "..."` before the first prim.
 std::vector<std::pair<std::string, std::string>> read_usda(std::string_view bytes,
@@ -59,7 +45,7 @@ VUG_EXCHANGE_FORMAT(usda) {
            {}},
           std::nullopt,
           true,
-          write_usda,
+          write_usd_assembly,
           read_usda,
           true};
 }
