@@ -29,6 +29,7 @@ vug_needs(embree 3 CONFIG)
 vug_needs(boost_context CONFIG)
 vug_needs(PkgConfig)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(cpp_httplib REQUIRED IMPORTED_TARGET cpp-httplib)
 pkg_check_modules(log4cplus REQUIRED IMPORTED_TARGET log4cplus)
 # Debian installs OpenVDB's find module next to its libraries.

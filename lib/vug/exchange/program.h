@@ -21,6 +21,10 @@ const std::vector<const Program*>& programs();
 /// Throws Error(bad_input), listing the known programs, for an unknown name.
 const Program& program(const std::string& name);
 
+/// The program with another format of USD layers, "usda" or "usdc". Throws Error(bad_input) if its
+/// formats are not USD.
+Program with_usd_format(Program program, const std::string& format);
+
 inline Program make_program(std::string name, std::string doc) {
   Program program;
   program.info = {std::move(name), "program", std::move(doc), "", {}};

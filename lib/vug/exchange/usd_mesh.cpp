@@ -4,6 +4,8 @@
 #include <vug/exchange/usd_mesh.h>
 #include <vug/mesh/rock_weights.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -6,6 +6,7 @@
 #include <vug/mesh/shapes.h>
 #include <vug/mesh/weld.h>
 
+#include <fmt/format.h>
 #include <meshoptimizer.h>
 
 namespace vug::exchange {

@@ -3,6 +3,8 @@
 #include <vug/exchange/usd_variants.h>
 #include <vug/exchange/usd_writer.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <map>

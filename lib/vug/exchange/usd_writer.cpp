@@ -6,6 +6,8 @@
 #include <vug/exchange/usd_variants.h>
 #include <vug/exchange/usd_writer.h>
 
+#include <fmt/format.h>
+
 #include <optional>
 
 namespace vug::exchange {

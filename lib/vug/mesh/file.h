@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 namespace vug::mesh {
 
@@ -13,5 +14,10 @@ namespace vug::mesh {
 /// throws, the previous file remains unchanged. Throws Error(io).
 void write_file(const std::filesystem::path& file,
                 const std::function<void(const ByteSink&)>& write);
+
+/// The same for a file that begins with offsets of later data: the bytes that `write` returns
+/// replace the first bytes of the file.
+void write_file_with_header(const std::filesystem::path& file,
+                            const std::function<std::string(const ByteSink&)>& write);
 
 }  // namespace vug::mesh

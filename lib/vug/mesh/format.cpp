@@ -35,6 +35,14 @@ Mesh read_mesh(const std::filesystem::path& file) {
 
 void write_file(const std::filesystem::path& file,
                 const std::function<void(const ByteSink&)>& write) {
+  write_file_with_header(file, [&](const ByteSink& sink) {
+    write(sink);
+    return std::string();
+  });
+}
+
+void write_file_with_header(const std::filesystem::path& file,
+                            const std::function<std::string(const ByteSink&)>& write) {
   AtomicFile target(file);
   const auto refuse = [&] {
     throw Error(ErrorCode::io,
@@ -45,9 +53,14 @@ void write_file(const std::filesystem::path& file,
   };
   std::unique_ptr<std::FILE, Closer> out(std::fopen(target.path().c_str(), "wb"));
   if (!out) refuse();
-  write([&](std::string_view bytes) {
+  const auto put = [&](std::string_view bytes) {
     if (std::fwrite(bytes.data(), 1, bytes.size(), out.get()) != bytes.size()) refuse();
-  });
+  };
+  const std::string header = write(put);
+  if (!header.empty()) {
+    if (std::fseek(out.get(), 0, SEEK_SET) != 0) refuse();
+    put(header);
+  }
   if (std::fclose(out.release()) != 0) refuse();
   target.commit();
 }

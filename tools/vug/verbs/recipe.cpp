@@ -35,8 +35,9 @@ Verb recipe_verb() {
   return {"recipe", "Prints the scene text from which a file was built and can be rebuilt.",
           [](CLI::App& app) {
             auto options = std::make_shared<RecipeOptions>();
-            app.add_option("file", options->file,
-                           "A .vdb, .glb, .usda, .ply, .obj, picture, partial render or checkpoint")
+            app.add_option(
+                   "file", options->file,
+                   "A .vdb, .glb, .usda, .usdc, .ply, .obj, picture, partial render or checkpoint")
                 ->required();
             app.add_option("-o,--output", options->output, "Output file; default standard output");
             return [options] { return run_recipe(*options); };
