@@ -159,14 +159,34 @@ class Export(VugTest):
         self.assertIn("it is a folder", self.expect(2, "export", "cave.vug", "-o", "o").err)
         self.assertEqual(os.listdir(self.folder / "o"), ["cave.usda"])
 
+    def test_binary_usd(self):
+        for program in ("houdini", "maya", "unreal", "usd"):
+            said = self.expect(0, "export", "cave.vug", "-o", program, "--for", program, "--usd-format", "usdc")
+            self.assertEqual(said.out.split()[-1], f"{program}/cave.usdc")
+            self.assertFalse((self.folder / program / "cave.usda").exists())
+            about = json.loads(self.expect(0, "info", f"{program}/cave.usdc", "--json").out)
+            self.assertEqual(about["metadata"]["vug:recipe"], SCENE)
+        self.assertEqual(self.expect(0, "recipe", "usd/cave.usdc").out, SCENE)
+        self.assertIn("files for blender are not USD", self.expect(
+            2, "export", "cave.vug", "-o", "o", "--for", "blender", "--usd-format", "usdc").err)
+        self.vug("export", "cave.vug", "-o", "o", "--usd-format", "usdz")
+        self.assertFalse((self.folder / "o").exists())
+        # A file without its end has no table of contents.
+        whole = (self.folder / "usd/cave.usdc").read_bytes()
+        self.write("half.usdc", whole[:len(whole) // 2])
+        self.assertIn("truncated or damaged", self.expect(2, "recipe", "half.usdc").err)
+        self.write("text.usdc", "#usda 1.0\n")
+        self.assertIn("not a binary USD file", self.expect(2, "recipe", "text.usdc").err)
+
     def test_a_full_disk_leaves_the_old_files(self):
-        for program, name in (("usd", "cave.usda"), ("blender", "cave.glb"), ("meshes", "cave.ply")):
+        for program, name in (("usd", "cave.usda"), ("blender", "cave.glb"), ("meshes", "cave.ply"), ("maya", "cave.usdc")):
             folder = self.folder / program
-            self.expect(0, "export", "cave.vug", "-o", program, "--for", program)
+            more = ["--usd-format", "usdc"] if name.endswith("usdc") else []
+            self.expect(0, "export", "cave.vug", "-o", program, "--for", program, *more)
             before = {path.name: digest(path) for path in folder.iterdir()}
             # A limit on the size of files makes the disk look full for large files.
             limit = (folder / name).stat().st_size // 2
-            said = self.vug("export", "cave.vug", "-o", program, "--for", program, "-D", "R=1.1m",
+            said = self.vug("export", "cave.vug", "-o", program, "--for", program, "-D", "R=1.1m", *more,
                             preexec_fn=lambda most=limit: set_file_limit(most))
             self.assertEqual(said.code, 3, said.err)
             self.assertIn(f"cannot write '{program}/cave", said.err)

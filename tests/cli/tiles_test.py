@@ -151,6 +151,19 @@ class Tiles(TilesTest):
         self.assertTrue((self.tiles("out") / names["frond"]["file"]).exists())
         self.assertEqual(len(names["cave"]["tiles"]), 8)
 
+    def test_binary_usd_has_the_same_names(self):
+        self.build("-o", "text", "--tiles=64", "--lods", "1")
+        self.build("-o", "binary", "--tiles=64", "--lods", "1", "--usd-format", "usdc")
+        text, binary = ({path.name for path in self.tiles(folder).iterdir()} for folder in ("text", "binary"))
+        renamed = {re.sub(r"usda$", "usdc", name) for name in text}
+        self.assertEqual(renamed, binary)
+        self.assertIn("assembly.usdc", renamed)
+        index = (self.tiles("text") / "index.json").read_text().replace(".usda", ".usdc")
+        self.assertEqual(index, (self.tiles("binary") / "index.json").read_text())
+        first = self.index("binary")["meshes"][0]["tiles"][0]
+        self.assertEqual((self.tiles("binary") / first["usd"]).read_bytes()[:8], b"PXR-USDC")
+        self.build("-o", "x", "--tiles=64", "--usd-format", "usdc", code=2)  # needs --lods
+
     def test_errors(self):
         for edge in ("63", "100", "0", "-64", "100000"):
             self.assertRegex(self.build("-o", "out", f"--tiles={edge}", code=2).err, "multiple of 8|error")

@@ -27,7 +27,9 @@ async function tinyusdz() {
 async function three() {
   const THREE = await import('three');
   const {USDLoader} = await import('three/examples/jsm/loaders/USDLoader.js');
-  const scene = new USDLoader().parse(fs.readFileSync(file, 'utf8'));
+  const bytes = fs.readFileSync(file);
+  const content = file.endsWith('.usdc') ? new Uint8Array(bytes).buffer : bytes.toString('utf8');
+  const scene = new USDLoader().parse(content);
   scene.updateMatrixWorld(true);
   const found = [];
   scene.traverse((object) => {

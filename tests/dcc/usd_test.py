@@ -12,6 +12,14 @@ from external_tools import SCENE, VugTest, node, require_node
 # Metres per unit, and whether z is up.
 SPACES = {"usd": (1, False), "maya": (0.01, False), "unreal": (0.01, True)}
 
+# A box of two rocks, whose mesh has a subset for each of them.
+ROCKS = """let beds = [made_of(slab(thickness: 40cm).translate((0, 0.5, 0)), of: "chert")]
+let layered = host_rock(box(size: (1, 1, 1)).translate((5, 0.5, 2)), of: "limestone", bodies: beds, contact: 8cm)
+volume bank = level_set(layered, voxel: 10cm)
+mesh bank on bank {}
+object bank on bank {}
+"""
+
 
 def prims(text):
     """[(type, name)] of every prim in the output of tinyusdz."""
@@ -27,6 +35,20 @@ def block(text, kind, name):
 def numbers(text, name):
     found = re.search(rf"\b{re.escape(name)} = (.*)", text).group(1)
     return [float(n) for n in re.findall(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?", found)]
+
+
+def contents(text):
+    """The lines in the output of tinyusdz without differences that have no meaning: the extension of
+    layers in payloads, and brackets around a single target, which binary files do not have.
+    tinyusdz omits the properties of variants in binary files, such as vug:distance; tests/unit/exchange/usdc_test.cpp reads them."""
+    text = re.sub(r"\.usdc@", ".usda@", text)
+    text = re.sub(r"= \[(<[^<>]*>)\]", r"= \1", text)
+    return [line for line in text.splitlines() if "vug:distance" not in line]
+
+
+def flat(value):
+    """All numbers in nested lists."""
+    return [number for each in value for number in flat(each)] if isinstance(value, list) else [value]
 
 
 class Usd(VugTest):
@@ -138,6 +160,76 @@ class TiledUsd(VugTest):
             self.assertEqual(len(numbers(shape, "faceVertexCounts")), level["triangles"])
             self.assertEqual(len(numbers(shape, "points")), 3 * level["vertices"])
             self.assertIn('purpose = "render"', shape)
+
+
+class BinaryUsd(VugTest):
+    """The .usda and .usdc files of one scene are equal as read by both readers."""
+
+    def prepare(self):
+        self.write("all.vug", "param R = 30cm in 10cm..1m\n" + SCENE.replace("sphere(30cm)", "sphere(R)") + ROCKS +
+                   "variant small { R 20cm }\nvariant large { R 40cm }\n")
+        self.write("cave.vug", "volume cave = level_set(displace(torus(radius: 2m, tube: 80cm), noise: "
+                   "fbm(scale: 60cm, octaves: 3), amount: 20cm), voxel: 5cm)\nmesh cave on cave {}\n")
+
+    def export(self, *arguments):
+        for layer in ("usda", "usdc"):
+            self.expect(0, *arguments, "-o", layer, "--usd-format", layer, "-q")
+
+    def expect_equal(self, name, *mode):
+        """Both files of a name have the same prims, properties and values. Returns what three.js finds in them."""
+        text, binary = (node("read_usd.mjs", self.folder / layer / f"{name}.{layer}", *mode)
+                        for layer in ("usda", "usdc"))
+        lines = [contents(each["tinyusdz"]) for each in (text, binary)]
+        self.assertGreater(len(lines[0]), 20)
+        self.assertEqual(*lines, name)
+        return text["three"], binary["three"]
+
+    def assert_same_scene(self, text, binary):
+        self.assertEqual(len(text), len(binary))
+        for one, other in zip(text, binary):
+            self.assertEqual(one.keys(), other.keys())
+            for key in one:
+                if key in ("matrix", "box", "color", "intensity"):
+                    for a, b in zip(flat(one[key]), flat(other[key]), strict=True):
+                        self.assertAlmostEqual(a, b, delta=1e-6 * max(1, abs(a)), msg=one["name"])
+                else:
+                    self.assertEqual(one[key], other[key])
+
+    def test_all_kinds_of_prims(self):
+        for program in SPACES:
+            self.export("export", "all.vug", "--for", program)
+            text, binary = self.expect_equal("all")
+            self.assertGreater(len(text), 20)
+            self.assert_same_scene(text, binary)
+
+    def test_levels_and_variants(self):
+        # three.js shows the selected variants of binary files only, not those of text.
+        self.export("export", "all.vug", "--lod", "2")
+        text, binary = self.expect_equal("all")
+        self.assertEqual([each["name"] for each in binary if each["type"] == "Mesh"], ["shape"] * 3)
+        self.export("export", "all.vug", "--variants")
+        text, binary = self.expect_equal("all")
+        names = [each["name"] for each in text]
+        shown = [each["name"] for each in binary]
+        self.assertEqual(sorted(set(names) - set(shown)), [])
+        self.assertIn("heap", shown)
+
+    def test_tiles(self):
+        self.export("build", "cave.vug", "--tiles=64", "--lods", "2")
+        self.expect_equal("cave.tiles/assembly", "layer")
+        index = json.loads((self.folder / "usdc/cave.tiles/index.json").read_text())
+        self.assertEqual(index["usd"], "assembly.usdc")
+        for tile in index["meshes"][0]["tiles"][:2]:
+            for level in [tile] + tile["levels"]:
+                self.expect_equal("cave.tiles/" + pathlib.Path(level["usd"]).stem, "layer")
+
+    def test_threads_do_not_change_a_byte(self):
+        for threads in (1, 2, 7):
+            self.expect(0, "export", "all.vug", "-o", f"t{threads}", "--usd-format", "usdc", "-q",
+                        "--threads", threads, "--no-cache")
+        files = [(self.folder / f"t{threads}/all.usdc").read_bytes() for threads in (1, 2, 7)]
+        self.assertEqual(files[0], files[1])
+        self.assertEqual(files[0], files[2])
 
 
 if __name__ == "__main__":

@@ -56,7 +56,7 @@ std::vector<std::string> TileLevelFiles::write(const mesh::Mesh& mesh, const std
   if (count_ <= 0 || mesh.triangles.empty()) return written;
   const std::string stem = std::filesystem::path(file).stem().string();
   const auto write_usd = [&](const mesh::Mesh& each, const std::string& name) {
-    written.push_back(name + ".usda");
+    written.push_back(name + usd_extension_);
     require_writable(folder_ / written.back());
     exchange::write_usd_tile(without_keys(each), provenance_of(shot_), folder_ / written.back());
     return written.back();
@@ -85,7 +85,7 @@ std::vector<std::string> TileLevelFiles::write(const mesh::Mesh& mesh, const std
 
 exchange::UsdTile TileLevelFiles::write_whole(const mesh::Mesh& mesh,
                                               const std::string& name) const {
-  const std::string file = name + "_whole.usda";
+  const std::string file = name + "_whole" + usd_extension_;
   exchange::write_usd_tile(mesh, provenance_of(shot_), folder_ / file);
   return {name, mesh::bounds(mesh), {{file, 0}}, exchange::coarse_hull(mesh, kProxyTriangles)};
 }

@@ -18,9 +18,10 @@ namespace vug::delivery {
 /// Writes levels for the tiles of the meshes of one shot.
 class TileLevelFiles {
  public:
-  /// `count`: the number of levels in addition to the full mesh.
-  TileLevelFiles(const shot::Shot& shot, std::filesystem::path folder, int count)
-      : shot_(shot), folder_(std::move(folder)), count_(count) {}
+  /// `count`: the number of levels in addition to the full mesh. `usd_format`: "usda" or "usdc".
+  TileLevelFiles(const shot::Shot& shot, std::filesystem::path folder, int count,
+                 const std::string& usd_format)
+      : shot_(shot), folder_(std::move(folder)), count_(count), usd_extension_("." + usd_format) {}
 
   int count() const { return count_; }
 
@@ -37,6 +38,7 @@ class TileLevelFiles {
   const shot::Shot& shot_;
   std::filesystem::path folder_;
   int count_;
+  std::string usd_extension_;
 };
 
 /// The files that `write` has named in an entry.

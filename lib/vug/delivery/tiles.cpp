@@ -53,6 +53,7 @@ Json numbers(const Vec3d& v) { return Json::array({v.x, v.y, v.z}); }
 Digest key_of_tiles(const shot::Shot& shot, const shot::VolumePlan& volume,
                     const TileOptions& options) {
   Digester out;
+  if (options.usd_format != "usda") out(options.usd_format);
   out(options.edge, options.levels, shot.recipe, shot.draft, volume.name,
       building::level_set_key(volume));
   for (const shot::MeshPtr& mesh : shot::declared_meshes(shot))
@@ -80,7 +81,7 @@ class VolumeTiles {
         options_(options),
         voxelize_(building::voxelize_options(plan, builder.memory_budget())),
         records_(folder_, key_of_tiles(builder.shot(), plan, options)),
-        levels_(builder.shot(), folder_, options.levels) {
+        levels_(builder.shot(), folder_, options.levels, options.usd_format) {
     for (const shot::MeshPtr& mesh : shot::declared_meshes(builder.shot())) {
       if (mesh->volume.get() != &plan) continue;
       meshes_.push_back({*mesh});
@@ -419,12 +420,13 @@ TilesReport write_tiles(building::Builder& builder, const Path& folder,
                   "see the tiles in index.json, which is written with all of them");
     return report;
   }
-  write_whole_meshes(builder, target, TileLevelFiles(shot, target, options.levels), meshes,
+  write_whole_meshes(builder, target,
+                     TileLevelFiles(shot, target, options.levels, options.usd_format), meshes,
                      report.files, usd);
   Json content = {{"format", "vug-tiles"}, {"version", 1},          {"name", shot.name},
                   {"seed", shot.seed},     {"recipe", shot.recipe}, {"edge", options.edge}};
   if (options.levels > 0) {
-    const Path assembly = target / "assembly.usda";
+    const Path assembly = target / ("assembly." + options.usd_format);
     exchange::write_usd_tiles(shot.name, usd, provenance_of(shot), assembly);
     report.files.push_back(assembly);
     content["levels"] = options.levels;

@@ -15,6 +15,7 @@ struct TileOptions {
   int edge = 1024;          ///< Edge of a tile in voxels; a multiple of 8, at least 64.
   std::vector<Vec3i> only;  ///< The tiles to write, without an index; empty: all tiles.
   int levels = 0;  ///< Levels of detail of each tile of a mesh in addition to the full one.
+  std::string usd_format = "usda";  ///< Format of the USD layers: "usda" or "usdc".
 };
 
 struct TilesReport {
@@ -35,8 +36,8 @@ std::string obstacle_to_tiles(const shot::Shot& shot);
 /// interrupted run of the same scene completed are not built again.
 ///
 /// With levels, each tile of a mesh also has MESH_I_J_K_lodN.EXT; see meshing/tile_levels.h. Each
-/// level and the full mesh have a layer .usda, and assembly.usda shows all tiles; see
-/// exchange/usd_tiles.h.
+/// level and the full mesh have a USD layer, and assembly.usda or assembly.usdc shows all tiles;
+/// see exchange/usd_tiles.h.
 ///
 /// Error(bad_input) with an obstacle, or for tiles that do not exist, or for levels without a mesh
 /// on a volume; Error(too_large) if one tile exceeds the memory; Error(io).

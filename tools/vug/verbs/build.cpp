@@ -31,6 +31,7 @@ struct BuildOptions {
   bool in_tiles = false;
   int tile_edge = 0;  // In voxels.
   int levels = 0;
+  std::string usd_format = "usda";
   std::vector<std::string> only;
   building::CheckpointOptions keep;
 };
@@ -52,7 +53,7 @@ Vec3i parse_tile(const std::string& text) {
 
 void build_tiles(const BuildOptions& options, building::Builder& builder,
                  const loading::Loaded& loaded, int edge) {
-  delivery::TileOptions tiles{edge, {}, options.levels};
+  delivery::TileOptions tiles{edge, {}, options.levels, options.usd_format};
   for (const std::string& text : options.only) tiles.only.push_back(parse_tile(text));
   if (loaded.shot.volumes.empty())
     throw Error(ErrorCode::bad_input,
@@ -167,11 +168,17 @@ Verb build_verb() {
             ->expected(1)
             ->take_all();
         constexpr int kMostLevels = 12;
-        app.add_option("--lods", options->levels,
-                       "Number of levels of detail of each tile in addition to the full mesh, each "
-                       "with a quarter of the triangles, and a USD assembly of the tiles")
-            ->needs(tiles)
-            ->check(CLI::Range(0, kMostLevels));
+        auto* lods =
+            app.add_option(
+                   "--lods", options->levels,
+                   "Number of levels of detail of each tile in addition to the full mesh, each "
+                   "with a quarter of the triangles, and a USD assembly of the tiles")
+                ->needs(tiles)
+                ->check(CLI::Range(0, kMostLevels));
+        app.add_option("--usd-format", options->usd_format,
+                       "Format of the USD files: usda (text, the default) or usdc (binary)")
+            ->needs(lods)
+            ->check(one_of({"usda", "usdc"}));
         options->work.add_to(app);
         return [options, tiles] {
           options->in_tiles = tiles->count() > 0;

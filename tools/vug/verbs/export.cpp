@@ -21,7 +21,7 @@ struct ExportOptions {
   WorkOptions work;
   std::string folder;
   std::string program = "usd";
-  std::string up, unit;
+  std::string up, unit, usd_format;
   int levels = 0;
   bool variants = false;
 };
@@ -73,7 +73,10 @@ std::vector<std::unique_ptr<BuiltVariant>> build_variants(const ExportOptions& o
 
 int run_export(const ExportOptions& options) {
   delivery::ExportOptions what;
-  what.program = &exchange::program(options.program);
+  exchange::Program program = exchange::program(options.program);
+  if (!options.usd_format.empty())
+    program = exchange::with_usd_format(std::move(program), options.usd_format);
+  what.program = &program;
   if (!options.up.empty()) what.up = options.up == "z" ? exchange::UpAxis::z : exchange::UpAxis::y;
   if (!options.unit.empty()) what.metres_per_unit = options.unit == "cm" ? 0.01 : 1;
   what.levels = options.levels;
@@ -109,6 +112,9 @@ Verb export_verb() {
             app.add_option(
                 "--for", options->program,
                 fmt::format("Target program: {}; default usd", fmt::join(programs, ", ")));
+            app.add_option("--usd-format", options->usd_format,
+                           "Format of USD files: usda (text, the default) or usdc (binary)")
+                ->check(one_of({"usda", "usdc"}));
             app.add_option("--up", options->up, "Up axis, y or z; default: that of the program")
                 ->check(one_of({"y", "z"}));
             app.add_option("--unit", options->unit,
