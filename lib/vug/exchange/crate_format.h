@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to exchange/: the constants of OpenUSD's binary format (crate files), version 0.8.0, as
+// The constants of OpenUSD's binary format (crate files), version 0.8.0, as
 // defined by pxr/usd/usd/crateFile.h and crateDataTypes.h of OpenUSD.
 //
 // A file begins with a header of 88 bytes. Values follow, then the sections TOKENS, STRINGS,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to exchange/: the tables of a crate file that is being written: tokens, strings, fields,
+// The tables of a crate file that is being written: tokens, strings, fields,
 // sets of fields and paths, each entry once.
 #pragma once
 

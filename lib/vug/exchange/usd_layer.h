@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Internal to exchange/: the interface of the writers of USD layers, which receive prims,
+// The interface of the writers of USD layers, which receive prims,
 // properties and typed values one after the other. The terms are those of OpenUSD's Sdf.
 #pragma once
 
