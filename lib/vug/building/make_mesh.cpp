@@ -63,7 +63,7 @@ SurfaceMesh make_surface_mesh(const shot::MeshPlan& plan, const volume::LevelSet
   progress.begin("components of the mesh");
   mesh::LargeComponents pieces = mesh::large_components(std::move(polygons), plan.smallest_piece);
   progress.begin("materials of the rock");
-  add_rock_weights(pieces.mesh, volume);
+  add_rock_weights(pieces.mesh, volume, plan.polish);
   std::vector<mesh::Attribute> rock_weights = std::move(pieces.mesh.attributes);
   pieces.mesh.attributes.clear();
   progress.end();

@@ -11,8 +11,8 @@ namespace vug::building {
 /// The kinds of products that are stored. Increase the epoch of a kind in the same change as the
 /// code that alters bytes of its products, or their files; tests/unit/building/epoch_test.cpp
 /// fails otherwise. A change of fields alters level sets and meshes.
-inline const store::ProductKind kLevelSetKind{"level_set", 2};
-inline const store::ProductKind kMeshKind{"mesh", 3};
+inline const store::ProductKind kLevelSetKind{"level_set", 3};
+inline const store::ProductKind kMeshKind{"mesh", 4};
 inline const store::ProductKind kCellMeshKind{"cell_mesh", 1};
 inline const store::ProductKind kDripGraphKind{"drip_graph", 1};
 inline const store::ProductKind kGrownFormsKind{"grown_forms", 1};

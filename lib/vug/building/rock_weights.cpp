@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/memory.h>
+#include <vug/base/parallel.h>
 #include <vug/building/rock_weights.h>
 #include <vug/field/material_source.h>
 #include <vug/mesh/rock_weights.h>
+#include <vug/meshing/project.h>
 #include <vug/volume/band.h>
 
 #include <fmt/format.h>
@@ -35,6 +37,26 @@ std::vector<int32_t> numbers_of(const std::vector<field::MaterialMix>& mixes,
   return out;
 }
 
+/// The nearest points of the surface, at most a voxel away. In single precision, so that a point
+/// does not depend on the other ones.
+std::vector<Vec3f> moved_to_surface(const shot::VolumePlan& plan,
+                                    const std::vector<Vec3f>& points) {
+  constexpr size_t kChunk = 1024;
+  constexpr double kTolerance = 1e-5;
+  std::vector<Vec3f> out(points.size());
+  parallel_for((points.size() + kChunk - 1) / kChunk, [&](size_t chunk) {
+    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(chunk * kChunk);
+    const auto end =
+        begin + static_cast<std::ptrdiff_t>(std::min(kChunk, points.size() - chunk * kChunk));
+    const std::vector<Vec3d> starts(begin, end);
+    meshing::SurfaceProjector projector(plan.field, starts, kInfinity);
+    const auto placed =
+        projector.project(starts, {.reach = plan.voxel, .tolerance = kTolerance, .steps = 4});
+    for (size_t i = 0; i < placed.size(); ++i) out[chunk * kChunk + i] = Vec3f(placed[i].point);
+  });
+  return out;
+}
+
 }  // namespace
 
 std::vector<std::string> materials_of(const shot::VolumePlan& plan) {
@@ -45,10 +67,11 @@ std::vector<std::string> materials_of(const shot::VolumePlan& plan) {
   return out;
 }
 
-void add_rock_weights(mesh::Mesh& mesh, const shot::VolumePlan& plan) {
+void add_rock_weights(mesh::Mesh& mesh, const shot::VolumePlan& plan, bool polished) {
   const std::vector<std::string> names = materials_of(plan);
   if (names.empty()) return;
-  const std::vector<field::MaterialMix> mixes = field::materials_at(plan.field, mesh.positions);
+  const std::vector<field::MaterialMix> mixes = field::materials_at(
+      plan.field, polished ? mesh.positions : moved_to_surface(plan, mesh.positions));
   for (const std::string& name : names)
     mesh.attributes.push_back({mesh::weight_attribute(name), 1, weights_of(mixes, name)});
 }

@@ -20,8 +20,10 @@ namespace vug::building {
 std::vector<std::string> materials_of(const shot::VolumePlan& plan);
 
 /// Adds an attribute of weights for each material of the volume; none for a volume without
-/// materials. See mesh::weight_attribute.
-void add_rock_weights(mesh::Mesh& mesh, const shot::VolumePlan& plan);
+/// materials. See mesh::weight_attribute. The vertices of a mesh that is not polished lie up to
+/// half a voxel off the surface, where thin layers have other weights: theirs are those of the
+/// surface next to them.
+void add_rock_weights(mesh::Mesh& mesh, const shot::VolumePlan& plan, bool polished);
 
 /// Grids on the level set's lattice, with values in its active voxels and 0 elsewhere: for each
 /// material the weight `w_NAME`, and `material`, the number of the largest weight, counted from 1

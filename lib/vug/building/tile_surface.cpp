@@ -21,7 +21,7 @@ meshing::TileMesh make_tile_mesh(const shot::MeshPlan& plan, const volume::Level
   meshing::TileMesh out = meshing::tile_mesh(whole.mesh, *whole.keys, tile);
   if (!plan.elements.empty()) facade::add_semantics(out.mesh, plan.elements);
   add_labels(out.mesh, plan.labels);
-  add_rock_weights(out.mesh, *plan.volume);
+  add_rock_weights(out.mesh, *plan.volume, plan.polish);
   progress.end();
   return out;
 }

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vug::building {
@@ -56,6 +57,24 @@ TEST_F(RockWeights, VerticesHaveTheWeightsOfTheField) {
       EXPECT_NEAR(static_cast<double>(limestone[v]), t * t * (3 - 2 * t), 1e-6);
     }
   }
+}
+
+// A layer of half a millimetre on rough rock, whose vertices a draft leaves off the surface.
+TEST_F(RockWeights, DraftsHaveTheWeightsOfTheSurface) {
+  loading::Loaded loaded = load(
+      "let bare = made_of(displace(sphere(1m), noise: fbm(scale: 50cm, octaves: 4), amount: "
+      "15cm),\n"
+      "  of: \"limestone\")\n"
+      "let thin = host_rock(bare, of: \"calcite\", bodies: [offset(bare, by: 0.5mm)], contact: "
+      "1mm)\n"
+      "volume rock = level_set(thin, voxel: 8cm)\nmesh wall on rock {}\n");
+  loaded.shot.draft = true;
+  Builder builder(loaded.shot);
+  const mesh::MeshPtr mesh = builder.mesh(loaded.shot.meshes.back());
+  const auto& calcite = mesh::find_attribute(*mesh, "w_calcite")->values;
+  const auto wrong =
+      std::count_if(calcite.begin(), calcite.end(), [](float w) { return w > 0.5F; });
+  EXPECT_LT(static_cast<double>(wrong), 0.01 * static_cast<double>(calcite.size()));
 }
 
 TEST_F(RockWeights, AFieldWithoutMaterialsAddsNothing) {
