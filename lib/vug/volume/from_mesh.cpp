@@ -194,7 +194,7 @@ class ShellVoxelizer {
   bool holds(const mesh::Shell& shell) {
     if (!removes_) merge();
     const Vec3d p = Vec3d(shell.surface.positions[0]) / voxel_;
-    return grid_->tree().getValue(openvdb::Coord::round({p.x, p.y, p.z})) < 0;
+    return grid_->tree().getValue(openvdb::Coord::round(openvdb::Vec3d(p.x, p.y, p.z))) < 0;
   }
   /// Adds the pending shells to the solid, or removes them from it.
   void merge() {
