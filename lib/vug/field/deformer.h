@@ -3,6 +3,7 @@
 // scale * child(map(p)).
 #pragma once
 
+#include <vug/field/evaluates_below.h>
 #include <vug/field/kind.h>
 #include <vug/field/material_source.h>
 #include <vug/field/near_materials.h>
@@ -21,6 +22,7 @@ namespace vug::field {
 ///     optional: see Node::translated
 template <class D>
 class DeformerNode final : public EvaluationModes<DeformerNode<D>>,
+                           public LimitModes<DeformerNode<D>>,
                            public MaterialSource,
                            public NearMaterials {
  public:
@@ -28,7 +30,8 @@ class DeformerNode final : public EvaluationModes<DeformerNode<D>>,
       : EvaluationModes<DeformerNode<D>>(deformer.traits(child->traits())),
         name_(std::move(name)),
         deformer_(std::move(deformer)),
-        child_(std::move(child)) {}
+        child_(std::move(child)),
+        below_(evaluates_below(*child_)) {}
 
   template <class T>
   T at(const Point<T>& p) const {
@@ -36,32 +39,26 @@ class DeformerNode final : public EvaluationModes<DeformerNode<D>>,
   }
   template <class T>
   void fill(const Point<Pack>* points, int count, T* out, Scratch& scratch) const {
-    Scratch::Frame frame(scratch);
-    const auto size = static_cast<size_t>(count);
-    auto* moved = frame.template take<Point<Pack>>(size);
-    constexpr bool kValues = std::is_same_v<T, Pack>;
-    if constexpr (kValues || kConstantDerivative) {
-      for (int i = 0; i < count; ++i) moved[i] = deformer_.map(points[i]);
-      child_->eval(moved, count, out, scratch);
-      if constexpr (!kValues)
-        for (int i = 0; i < count; ++i) {
-          const Point<Pack> outside = deformer_.pull_back(gradient_of(out[i]));
-          out[i] = {out[i].v, outside.x, outside.y, outside.z};
-        }
-    } else {
-      auto* mapped = frame.template take<Point<T>>(size);
-      for (int i = 0; i < count; ++i) {
-        mapped[i] = deformer_.map(seeded(points[i]));
-        moved[i] = {mapped[i].x.v, mapped[i].y.v, mapped[i].z.v};
-      }
-      child_->eval(moved, count, out, scratch);
-      for (int i = 0; i < count; ++i)
-        out[i] = differentiated(out[i].v, gradient_of(out[i]), mapped[i]);
-    }
-    const double scale = deformer_.scale();
-    if (scale != 1)
-      for (int i = 0; i < count; ++i) out[i] = out[i] * T(scale);
+    fill_by([&](const Point<Pack>* moved) { child_->eval(moved, count, out, scratch); }, points,
+            count, out, scratch);
   }
+  template <class T>
+  void fill_below(const Point<Pack>* points, const Pack* limits, int count, T* out,
+                  Scratch& scratch) const {
+    if (!below_) return fill(points, count, out, scratch);
+    Scratch::Frame frame(scratch);
+    const double scale = deformer_.scale();
+    if (scale != 1) {
+      Pack* scaled = frame.template take<Pack>(static_cast<size_t>(count));
+      for (int i = 0; i < count; ++i) scaled[i] = limit_for(limits[i] * Pack(1 / scale), 0);
+      limits = scaled;
+    }
+    fill_by(
+        [&](const Point<Pack>* moved) { below_->eval_below(moved, limits, count, out, scratch); },
+        points, count, out, scratch);
+  }
+  bool skips() const override { return below_ != nullptr; }
+  const Node* only_child() const override { return child_.get(); }
 
   Restriction restrict_to(const Ball& ball) const override {
     const Restriction inner = child_->restrict_to(deformer_.map(ball));
@@ -110,9 +107,41 @@ class DeformerNode final : public EvaluationModes<DeformerNode<D>>,
     deformer.pull_back(g);
   };
 
+  /// `eval_child` fills `out` with the child's values at moved points.
+  template <class Eval, class T>
+  void fill_by(const Eval& eval_child, const Point<Pack>* points, int count, T* out,
+               Scratch& scratch) const {
+    Scratch::Frame frame(scratch);
+    const auto size = static_cast<size_t>(count);
+    auto* moved = frame.template take<Point<Pack>>(size);
+    constexpr bool kValues = std::is_same_v<T, Pack>;
+    if constexpr (kValues || kConstantDerivative) {
+      for (int i = 0; i < count; ++i) moved[i] = deformer_.map(points[i]);
+      eval_child(moved);
+      if constexpr (!kValues)
+        for (int i = 0; i < count; ++i) {
+          const Point<Pack> outside = deformer_.pull_back(gradient_of(out[i]));
+          out[i] = {out[i].v, outside.x, outside.y, outside.z};
+        }
+    } else {
+      auto* mapped = frame.template take<Point<T>>(size);
+      for (int i = 0; i < count; ++i) {
+        mapped[i] = deformer_.map(seeded(points[i]));
+        moved[i] = {mapped[i].x.v, mapped[i].y.v, mapped[i].z.v};
+      }
+      eval_child(moved);
+      for (int i = 0; i < count; ++i)
+        out[i] = differentiated(out[i].v, gradient_of(out[i]), mapped[i]);
+    }
+    const double scale = deformer_.scale();
+    if (scale != 1)
+      for (int i = 0; i < count; ++i) out[i] = out[i] * T(scale);
+  }
+
   std::string name_;
   D deformer_;
   NodePtr child_;
+  const EvaluatesBelow* below_;  // The child, or null.
 };
 
 }  // namespace vug::field

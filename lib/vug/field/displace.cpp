@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/field/displace.h>
+#include <vug/field/evaluates_below.h>
+#include <vug/field/numbers/value_of.h>
 #include <vug/field/operands.h>
 #include <vug/field/translated.h>
 
@@ -11,13 +13,15 @@ namespace {
 
 double greatest(Interval range) { return std::max(std::fabs(range.lo), std::fabs(range.hi)); }
 
-class DisplaceNode final : public EvaluationModes<DisplaceNode> {
+class DisplaceNode final : public EvaluationModes<DisplaceNode>, public LimitModes<DisplaceNode> {
  public:
   DisplaceNode(Traits traits, NodePtr child, Noise noise, Displacement options)
       : EvaluationModes(std::move(traits)),
         child_(std::move(child)),
         noise_(std::move(noise)),
-        options_(std::move(options)) {}
+        options_(std::move(options)),
+        farthest_(farthest_push(noise_, options_)),
+        below_(evaluates_below(*child_)) {}
 
   static bool depends_on_slope(const Displacement& options) {
     return options.floor != options.wall || options.ceiling != options.wall;
@@ -41,29 +45,34 @@ class DisplaceNode final : public EvaluationModes<DisplaceNode> {
   template <class T>
   void fill(const Point<Pack>* points, int count, T* out, Scratch& scratch) const {
     Scratch::Frame frame(scratch);
-    const auto size = static_cast<size_t>(count);
-    T* push = frame.template take<T>(size);
-    noise_.field.node()->eval(points, count, push, scratch);
-    T* other = frame.template take<T>(size);
-    if (depends_on_slope(options_)) {
-      auto* moved = frame.template take<Point<Pack>>(size);
-      T* above = frame.template take<T>(size);
-      const Pack h(options_.feel);
-      for (int i = 0; i < count; ++i) moved[i] = {points[i].x, points[i].y + h, points[i].z};
-      child_->eval(moved, count, above, scratch);
-      for (int i = 0; i < count; ++i) moved[i].y = points[i].y - h;
-      child_->eval(moved, count, other, scratch);
-      for (int i = 0; i < count; ++i)
-        push[i] = push[i] * T(options_.amount) * facing(above[i], other[i]);
-    } else {
-      for (int i = 0; i < count; ++i) push[i] = push[i] * T(options_.amount) * T(options_.wall);
-    }
-    if (options_.by) {
-      options_.by->field.node()->eval(points, count, other, scratch);
-      for (int i = 0; i < count; ++i) push[i] = push[i] * share(other[i]);
-    }
+    T* push = frame.template take<T>(static_cast<size_t>(count));
+    fill_push(points, count, push, scratch);
     child_->eval(points, count, out, scratch);
     for (int i = 0; i < count; ++i) out[i] = out[i] - push[i];
+  }
+  /// Noises are only evaluated where they can lower the child's value below the limit.
+  template <class T>
+  void fill_below(const Point<Pack>* points, const Pack* limits, int count, T* out,
+                  Scratch& scratch) const {
+    Scratch::Frame frame(scratch);
+    const auto size = static_cast<size_t>(count);
+    Pack* child_limits = frame.template take<Pack>(size);
+    for (int i = 0; i < count; ++i) child_limits[i] = limit_for(limits[i], farthest_);
+    if (below_)
+      below_->eval_below(points, child_limits, count, out, scratch);
+    else
+      child_->eval(points, count, out, scratch);
+    auto* some = frame.template take<Point<Pack>>(size);
+    int* which = frame.template take<int>(size);
+    int near = 0;
+    for (int i = 0; i < count; ++i) {
+      if (!any(!(value_of(out[i]) >= child_limits[i]))) continue;
+      some[near] = points[i];
+      which[near++] = i;
+    }
+    T* push = frame.template take<T>(size);
+    if (near > 0) fill_push(some, near, push, scratch);
+    for (int j = 0; j < near; ++j) out[which[j]] = out[which[j]] - push[j];
   }
 
   Restriction restrict_to(const Ball& ball) const override {
@@ -102,6 +111,31 @@ class DisplaceNode final : public EvaluationModes<DisplaceNode> {
   void add_to(Digester& digester) const override { digester(child_, noise_, options_); }
 
  private:
+  /// What the noise subtracts from the child's values.
+  template <class T>
+  void fill_push(const Point<Pack>* points, int count, T* push, Scratch& scratch) const {
+    Scratch::Frame frame(scratch);
+    const auto size = static_cast<size_t>(count);
+    noise_.field.node()->eval(points, count, push, scratch);
+    T* other = frame.template take<T>(size);
+    if (depends_on_slope(options_)) {
+      auto* moved = frame.template take<Point<Pack>>(size);
+      T* above = frame.template take<T>(size);
+      const Pack h(options_.feel);
+      for (int i = 0; i < count; ++i) moved[i] = {points[i].x, points[i].y + h, points[i].z};
+      child_->eval(moved, count, above, scratch);
+      for (int i = 0; i < count; ++i) moved[i].y = points[i].y - h;
+      child_->eval(moved, count, other, scratch);
+      for (int i = 0; i < count; ++i)
+        push[i] = push[i] * T(options_.amount) * facing(above[i], other[i]);
+    } else {
+      for (int i = 0; i < count; ++i) push[i] = push[i] * T(options_.amount) * T(options_.wall);
+    }
+    if (options_.by) {
+      options_.by->field.node()->eval(points, count, other, scratch);
+      for (int i = 0; i < count; ++i) push[i] = push[i] * share(other[i]);
+    }
+  }
   /// The factor for a surface whose outward slope along y is (above - below) / 2h.
   template <class T>
   T facing(const T& above, const T& below) const {
@@ -114,15 +148,26 @@ class DisplaceNode final : public EvaluationModes<DisplaceNode> {
     return clamp(noise * T(0.5) + T(0.5), T(0.0), T(1.0));
   }
 
+  static double greatest_factor(const Displacement& options) {
+    return std::max(
+        {std::fabs(options.floor), std::fabs(options.wall), std::fabs(options.ceiling)});
+  }
+  /// A bound of the displacement, in metres.
+  static double farthest_push(const Noise& noise, const Displacement& options) {
+    const double out = std::fabs(options.amount) * greatest(noise.range) * greatest_factor(options);
+    return std::isfinite(out) ? out : kInfinity;
+  }
+
   NodePtr child_;
   Noise noise_;
   Displacement options_;
+  double farthest_;
+  const EvaluatesBelow* below_;  // The child, or null.
 };
 
 Traits DisplaceNode::traits_of(const Traits& child, const Noise& noise,
                                const Displacement& options) {
-  const double factor =
-      std::max({std::fabs(options.floor), std::fabs(options.wall), std::fabs(options.ceiling)});
+  const double factor = greatest_factor(options);
   const double size = std::fabs(options.amount) * greatest(noise.range);
   Traits out = child;
   out.lipschitz += std::fabs(options.amount) * factor * noise.field.lipschitz();

@@ -69,8 +69,7 @@ struct Operand {
   NodePtr node;
   double sign;  // The fold uses sign * node.
   Reach reach;
-  const EvaluatesBelow* below = sign > 0 ? dynamic_cast<const EvaluatesBelow*>(node.get())
-                                         : nullptr;
+  const EvaluatesBelow* below = sign > 0 ? evaluates_below(*node) : nullptr;
   void add_to(Digester& digester) const { digester(node, sign); }
 };
 

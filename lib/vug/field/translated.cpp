@@ -97,9 +97,9 @@ NodePtr Translation::translated(const NodePtr& child, const Vec3d& more) const {
 NodePtr translated(const NodePtr& node, const Vec3d& by) {
   if (by == Vec3d(0)) return node;
   if (NodePtr moved = node->translated(by)) return moved;
-  if (dynamic_cast<const EvaluatesBelow*>(node.get()))
-    return std::make_shared<TranslatedBelow>(by, node);
-  if (const auto* near = dynamic_cast<const NearSurface*>(node.get()))
+  const auto* below = interface_of<EvaluatesBelow>(*node);
+  if (below && !below->only_child()) return std::make_shared<TranslatedBelow>(by, node);
+  if (const auto* near = interface_of<NearSurface>(*node))
     return std::make_shared<TranslatedNear>(by, node, *near);
   return transformed(Field(node), Transform::translation(by)).node();
 }
