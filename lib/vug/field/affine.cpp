@@ -12,6 +12,7 @@ struct Affine {
   Transform inverse;
   double stretch_in;  // Largest stretch of the inverse.
   double scale_out;   // Smallest stretch of the forward map.
+  double uneven;      // Its largest stretch over the smallest: 1 for similarities.
 
   template <class T>
   Point<T> map(const Point<T>& p) const {
@@ -30,8 +31,12 @@ struct Affine {
     return {inverse.point(ball.centre), ball.radius * stretch_in};
   }
   double scale() const { return scale_out; }
+  /// Stretches do not depend on the position.
   NodePtr translated(const NodePtr& child, const Vec3d& by) const {
-    return transformed(Field(child), Transform::translation(by) * forward).node();
+    Affine moved = *this;
+    moved.forward = Transform::translation(by) * forward;
+    moved.inverse = moved.forward.inverse();
+    return std::make_shared<DeformerNode<Affine>>("transform", moved, child);
   }
   void add_to(Digester& digester) const {
     for (const Transform* map : {&forward, &inverse})
@@ -40,7 +45,6 @@ struct Affine {
   }
   Traits traits(const Traits& child) const {
     Traits out = child;
-    const double uneven = forward.max_stretch() / forward.min_stretch();  // 1 for similarities.
     if (uneven > 1 + 1e-12) out.exactness = std::max(out.exactness, Exactness::bound);
     out.bounds = forward.box(child.bounds);
     out.growth = child.growth_rate() / uneven;
@@ -53,6 +57,15 @@ bool is_translation(const Transform& map) {
          map.column(2) == Vec3d(0, 0, 1);
 }
 
+/// The map of a node of one of the two kinds, or null.
+template <class D>
+const D* map_of(const Node& node) {
+  const auto* placed = interface_of<DeformerNode<D>>(node);
+  return placed ? &placed->deformer() : nullptr;
+}
+const Translation* as_moved(const Node& node) { return map_of<Translation>(node); }
+const Affine* as_mapped(const Node& node) { return map_of<Affine>(node); }
+
 }  // namespace
 
 Field transformed(const Field& field, const Transform& map) {
@@ -60,19 +73,23 @@ Field transformed(const Field& field, const Transform& map) {
     return Field(std::make_shared<DeformerNode<Translation>>("translate", Translation{map.origin()},
                                                              field.node()));
   const Transform inverse = map.inverse();
-  const double least = map.min_stretch();
-  const bool similarity = map.max_stretch() <= least * (1 + 1e-12);
+  const double least = map.min_stretch(), greatest = map.max_stretch();
+  const bool similarity = greatest <= least * (1 + 1e-12);
   // A rotation has a stretch of exactly 1, so that moving a solid does not scale its distances.
   const double scale = similarity && std::fabs(least - 1) < 1e-12 ? 1 : least;
-  Affine affine{map, inverse, inverse.max_stretch(), scale};
+  const Affine affine{map, inverse, inverse.max_stretch(), scale, greatest / least};
   return Field(std::make_shared<DeformerNode<Affine>>("transform", affine, field.node()));
 }
 
 std::optional<Transform> placement_of(const Node& node) {
-  if (const auto* moved = dynamic_cast<const DeformerNode<Translation>*>(&node))
-    return Transform::translation(moved->deformer().by);
-  if (const auto* mapped = dynamic_cast<const DeformerNode<Affine>*>(&node))
-    return mapped->deformer().forward;
+  if (const auto* moved = as_moved(node)) return Transform::translation(moved->by);
+  if (const auto* mapped = as_mapped(node)) return mapped->forward;
+  return std::nullopt;
+}
+
+std::optional<Transform> inverse_placement_of(const Node& node) {
+  if (const auto* moved = as_moved(node)) return Transform::translation(-moved->by);
+  if (const auto* mapped = as_mapped(node)) return mapped->inverse;
   return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/digester.h>
 #include <vug/base/parallel.h>
+#include <vug/field/evaluates_below.h>
 #include <vug/field/placement.h>
 #include <vug/field/translated.h>
 #include <vug/volume/brick_evaluator.h>
@@ -23,23 +24,28 @@ constexpr int64_t kHalf = Brick::kSize / 2;
 /// scale. Noises do not count: they have no faces.
 double farthest_coordinate(const field::Node& node, double extent) {
   double stretch = 1;
-  if (const auto place = field::placement_of(node)) {
-    const Transform inverse = place->inverse();
+  if (const auto inverse = field::inverse_placement_of(node)) {
     double farthest = 0;
     for (int axis = 0; axis < 3; ++axis) {
       double sum = 0;
-      for (int i = 0; i < 3; ++i) sum += std::fabs(inverse.column(i)[axis]);
+      for (int i = 0; i < 3; ++i) sum += std::fabs(inverse->column(i)[axis]);
       stretch = std::max(stretch, sum / std::sqrt(3.0));
-      farthest = std::max(farthest, sum * extent + std::fabs(inverse.origin()[axis]));
+      farthest = std::max(farthest, sum * extent + std::fabs(inverse->origin()[axis]));
     }
     extent = farthest;
   }
   double farthest = extent;
-  for (const field::NodePtr& child : node.children()) {
-    const field::Traits& traits = child->traits();
+  const auto visit = [&](const field::Node& child) {
+    const field::Traits& traits = child.traits();
     if (traits.exactness != field::Exactness::sign || is_finite(traits.bounds))
-      farthest = std::max(farthest, farthest_coordinate(*child, extent));
-  }
+      farthest = std::max(farthest, farthest_coordinate(child, extent));
+  };
+  // Thousands of speleothems are nodes with one child: no list of children is made for these.
+  const auto* passes = field::interface_of<field::EvaluatesBelow>(node);
+  if (const field::Node* child = passes ? passes->only_child() : nullptr)
+    visit(*child);
+  else
+    for (const field::NodePtr& each : node.children()) visit(*each);
   return farthest / stretch;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Speleothems with lumps evaluate their noise only where their value can be below a limit, with the
-// same bits there.
+// same bits there; and placed nodes have the same maps however they were moved.
 #include <vug/base/rng.h>
 #include <vug/field/affine.h>
 #include <vug/field/boolean.h>
@@ -9,6 +9,7 @@
 #include <vug/field/lathe.h>
 #include <vug/field/material_source.h>
 #include <vug/field/numbers/value_of.h>
+#include <vug/field/placement.h>
 #include <vug/field/registry.h>
 #include <vug/field/speleothems/turned.h>
 #include <vug/field/translated.h>
@@ -187,6 +188,38 @@ TEST(Interfaces, AreThoseOfDynamicCasts) {
       EXPECT_EQ(interface_of<MaterialSource>(node), dynamic_cast<const MaterialSource*>(&node));
       EXPECT_EQ(interface_of<Node>(node), &node);
     }
+}
+
+void expect_equal(const Transform& a, const Transform& b) {
+  EXPECT_EQ(a.origin(), b.origin());
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(a.column(i), b.column(i));
+}
+
+TEST(Placement, IsThatOfTheMovedMap) {
+  RandomStream random(RandomKey(33));
+  for (int round = 0; round < 50; ++round) {
+    const auto draw = [&] {
+      const double x = random.uniform(-9, 9), y = random.uniform(-9, 9);
+      return Vec3d(x, y, random.uniform(-9, 9));
+    };
+    const Transform turn = Transform::rotation(draw(), random.uniform(0, 3));
+    const Transform stretch = Transform::scaling({1, random.uniform(0.5, 2), 1});
+    for (const Transform& map : {turn, turn * stretch, Transform()}) {
+      const Transform placed = Transform::translation(draw()) * map;
+      const Vec3d by = draw();
+      const Field moved = translated(transformed(bent_lumps(), placed), by),
+                  made = transformed(bent_lumps(), Transform::translation(by) * placed);
+      const auto at = placement_of(*moved.node()), inverse = inverse_placement_of(*moved.node());
+      ASSERT_TRUE(at && inverse);
+      expect_equal(*inverse, at->inverse());
+      expect_equal(at->inverse(), placement_of(*made.node())->inverse());
+      EXPECT_EQ(moved.digest(), made.digest());
+      EXPECT_EQ(moved.bounds(), made.bounds());
+      EXPECT_EQ(moved.lipschitz(), made.lipschitz());
+      EXPECT_EQ(moved.node()->traits().growth, made.node()->traits().growth);
+    }
+  }
+  EXPECT_FALSE(inverse_placement_of(*turned().node()));
 }
 
 }  // namespace
