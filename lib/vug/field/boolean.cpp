@@ -11,7 +11,7 @@ namespace vug::field {
 namespace {
 
 /// Bounds of the inside; a blended union bulges by at most its depth at every fold.
-Traits fold_traits(const std::vector<Operand>& operands, double sign, const Blend& blend) {
+Traits fold_traits(const OperandList& operands, double sign, const Blend& blend) {
   Traits traits;
   set_slope(traits, operands, blend);
   traits.bounds = sign > 0 ? Box3d() : infinite_box();
@@ -36,7 +36,7 @@ Traits fold_traits(const std::vector<Operand>& operands, double sign, const Blen
   return traits;
 }
 
-Field fold(std::vector<Operand> operands, double sign, const Blend& blend) {
+Field fold(OperandList operands, double sign, const Blend& blend) {
   Traits traits = fold_traits(operands, sign, blend);
   auto node = std::make_shared<FoldNode>(std::move(traits), std::move(operands), sign, blend);
   node->group_operands();
@@ -81,6 +81,8 @@ Operands operands_of(const Node& node) {
   return fold ? fold->operands() : Operands();
 }
 
-Field complement(const Field& a) { return fold({Operand(a.node(), 1)}, -1, {}); }
+Field complement(const Field& a) {
+  return fold(std::vector<Operand>{Operand(a.node(), 1)}, -1, {});
+}
 
 }  // namespace vug::field

@@ -76,8 +76,8 @@ struct NearFold {
 /// The same fold in single precision. A mix is unknown where operands blend, or may blend.
 NearMixes FoldNode::mixes_near(const NearPoints& points) const {
   const auto mixes = [&](const Operand& o) { return o.sign == sign_ || is_complement(); };
-  const auto last = std::find_if(operands_.rbegin(), operands_.rend(), mixes);
-  const auto count = static_cast<size_t>(operands_.rend() - last);  // Later ones add no materials.
+  size_t count = operands_.size();  // Later ones add no materials.
+  while (count > 0 && !mixes(operands_[count - 1])) --count;
   const double reach = blend_.profile == Profile::sharp ? 0 : blend_.radius;
   NearMixes out(points.size(), {}, true);
   NearFold folded(points.size());

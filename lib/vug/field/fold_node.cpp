@@ -65,7 +65,7 @@ template void FoldNode::add_near_operands(size_t, const Point<Pack>*, int, Dual<
                                           Scratch&) const;
 
 /// Computes the Lipschitz constant and exactness of a fold.
-void set_slope(Traits& traits, const std::vector<Operand>& operands, const Blend& blend) {
+void set_slope(Traits& traits, const OperandList& operands, const Blend& blend) {
   traits.lipschitz = 0;
   traits.exactness = Exactness::exact;
   for (const Operand& operand : operands) {
@@ -166,13 +166,14 @@ Restriction FoldNode::restricted(const Ball& ball, double limit) const {
   } else if (kept.size() == 1 && kept[0].operand->sign == sign_) {
     out.node = kept[0].smaller ? kept[0].smaller : kept[0].operand->node;
   } else if (changed) {
-    std::vector<Operand> operands;
-    operands.reserve(kept.size());
+    const auto smaller = std::count_if(kept.begin(), kept.end(),
+                                       [](const KeptOperand& k) { return k.smaller != nullptr; });
+    OperandList operands(operands_, kept.size(), static_cast<size_t>(smaller));
     for (KeptOperand& k : kept)
       if (k.smaller)
-        operands.emplace_back(std::move(k.smaller), *k.operand);
+        operands.replace(std::move(k.smaller), *k.operand);
       else
-        operands.push_back(*k.operand);
+        operands.share(*k.operand);
     std::vector<uint32_t> order;
     if (sharp && kept.size() > kFew && kept.size() <= kOrdered) {
       thread_local std::vector<std::pair<float, uint32_t>> by_distance;

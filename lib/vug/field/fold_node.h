@@ -5,10 +5,10 @@
 
 #include <vug/field/blend.h>
 #include <vug/field/box_lanes.h>
-#include <vug/field/fold_operand.h>
 #include <vug/field/material_source.h>
 #include <vug/field/near_materials.h>
 #include <vug/field/numbers/value_of.h>
+#include <vug/field/operand_list.h>
 #include <vug/field/operands.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace vug::field {
 
 /// Computes the Lipschitz constant and exactness of a fold.
-void set_slope(Traits& traits, const std::vector<Operand>& operands, const Blend& blend);
+void set_slope(Traits& traits, const OperandList& operands, const Blend& blend);
 
 class FoldNode final : public EvaluationModes<FoldNode>,
                        public MaterialSource,
@@ -28,7 +28,7 @@ class FoldNode final : public EvaluationModes<FoldNode>,
                        public EvaluatesBelow {
  public:
   /// `order`: see order_.
-  FoldNode(Traits traits, std::vector<Operand> operands, double sign, Blend blend,
+  FoldNode(Traits traits, OperandList operands, double sign, Blend blend,
            std::vector<uint32_t> order = {})
       : EvaluationModes(std::move(traits)),
         operands_(std::move(operands)),
@@ -165,7 +165,7 @@ class FoldNode final : public EvaluationModes<FoldNode>,
   void add_near_operands(size_t first, const Point<Pack>* points, int count, T* out,
                          Scratch& scratch) const;
 
-  std::vector<Operand> operands_;
+  OperandList operands_;
   double sign_;
   Blend blend_;
   BoxLanes boxes_;               // Empty if a test would not pay.

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 namespace vug::field {
@@ -188,6 +189,26 @@ TEST(Interfaces, AreThoseOfDynamicCasts) {
       EXPECT_EQ(interface_of<MaterialSource>(node), dynamic_cast<const MaterialSource*>(&node));
       EXPECT_EQ(interface_of<Node>(node), &node);
     }
+}
+
+/// Restricted unions share operands with the whole.
+TEST(Limits, RestrictedUnionsOutliveTheWhole) {
+  RandomStream random(RandomKey(34));
+  std::vector<Field> solids;
+  for (int i = 0; i < 60; ++i) {
+    const double x = random.uniform(-4, 4), y = random.uniform(-4, 4);
+    const Vec3d at(x, y, random.uniform(-4, 4));
+    solids.push_back(transformed(i % 2 ? lumpy() : turned(), Transform::translation(at)));
+  }
+  std::optional<Field> whole = unite(std::move(solids));
+  const Vec3d p(0.3, 0.2, -0.4);
+  const double expected = whole->value(p);
+  std::optional<Field> part = translated(*whole, Vec3d(1, 0, 0)).restricted({{1, 0, 0}, 3}).field;
+  whole.reset();
+  const Field smaller = part->restricted({{1, 0, 0}, 1}).field;
+  EXPECT_LT(node_count(smaller), node_count(*part));
+  part.reset();
+  EXPECT_NEAR(smaller.value(p + Vec3d(1, 0, 0)), expected, 1e-9);
 }
 
 void expect_equal(const Transform& a, const Transform& b) {
