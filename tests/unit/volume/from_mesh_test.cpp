@@ -57,7 +57,7 @@ mesh::Mesh turned(mesh::Mesh mesh) {
 // A room in rock with a boulder that floats in it and has a bubble, and a stone next to the rock.
 TEST(FromMesh, SurfacesWithNormalsIntoTheirInteriorBoundCavities) {
   const auto ball = [](double x, double radius) {
-    return mesh::sphere_mesh(Vec3d(x, 0, 0), radius, 4);
+    return mesh::sphere_mesh(Vec3d(x, 0, 0), radius, 3);
   };
   const mesh::Mesh cave =
       mesh::joined(mesh::joined(mesh::joined(ball(0, 1), turned(ball(0, 0.7))),
