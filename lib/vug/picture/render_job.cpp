@@ -31,8 +31,14 @@ void require_consistent(const RenderOptions& options) {
                 "continue from it with --resume, or remove it");
 }
 
-/// A hint on how to continue after a stop.
+/// A hint on how to continue after a stop. A render that is stopped while trees are built and light
+/// is learned has no samples, and writes no checkpoint.
 std::string resume_hint(const RenderOptions& options, const render::RenderState& state) {
+  if (!fs::exists(options.checkpoint))
+    return fmt::format(
+        "the render was stopped before its first sample, so '{}' was not written; the same command "
+        "starts again",
+        options.checkpoint.string());
   return fmt::format("'{}' contains the work so far, {:.1f} %; {} continues from it",
                      options.checkpoint.string(), std::floor(1000 * state.fraction()) / 10,
                      options.resume ? "the same command" : "the same command with --resume");

@@ -97,5 +97,38 @@ TEST_F(PartRendererTest, AFailedPartLeavesTheOthersPossible) {
   EXPECT_EQ(bytes("again"), bytes("first"));
 }
 
+/// The hint of a render of the scene that is stopped when a stage of this name begins.
+std::string hint_of_stop(const shot::Shot& shot, const PicturePlan& plan,
+                         const fs::path& checkpoint, const std::string& stage) {
+  Progress* running = nullptr;
+  Progress progress([&](const std::string& name, double) {
+    if (name.find(stage) != std::string::npos) running->cancel();
+  });
+  running = &progress;
+  building::Builder builder(shot, {}, progress);
+  RenderOptions options;
+  options.checkpoint = checkpoint, options.resume = true;
+  try {
+    render_picture(builder, plan, options);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::cancelled);
+    return error.hint();
+  }
+  return "it was not stopped";
+}
+
+TEST_F(PartRendererTest, AStopNamesTheCheckpointOnlyIfThereIsOne) {
+  const fs::path checkpoint = folder_.file("checkpoint");
+  const auto hint = [&](const std::string& stage) {
+    return hint_of_stop(loaded_.shot, plan_, checkpoint, stage);
+  };
+  const std::string early = hint("BVH and lights");
+  EXPECT_NE(early.find("before its first sample"), std::string::npos) << early;
+  EXPECT_FALSE(fs::exists(checkpoint));
+  const std::string late = hint("rendering");
+  EXPECT_NE(late.find("contains the work so far"), std::string::npos) << late;
+  EXPECT_TRUE(fs::exists(checkpoint));
+}
+
 }  // namespace
 }  // namespace vug::picture
