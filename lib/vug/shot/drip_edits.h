@@ -19,14 +19,20 @@ const Kinds<DripEditPtr>& drip_edit_kinds();
 using DripEditKind = Kind<DripEditPtr>;
 
 /// A kind whose parameter struct P has `static void describe(Schema<P>&)` and
-/// `void add(drips::DripEdits&) const`.
+/// `void add(drips::DripEdits&, const SourceLocation&) const`, which keeps the place of the call.
 template <class P>
 DripEditKind drip_edit_kind(std::string name) {
-  return make_kind<DripEditPtr, P>(std::move(name), "drip edit",
-                                   [](const P& params) -> DripEditPtr {
-                                     return std::make_shared<const DripEdit>(
-                                         [params](drips::DripEdits& edits) { params.add(edits); });
-                                   });
+  Schema<P> schema(std::move(name), "drip edit");
+  P::describe(schema);
+  KindInfo info = schema.info();
+  return {std::move(info),
+          [schema = std::move(schema)](const Arguments& arguments, const SourceLocation& where,
+                                       Diagnostics& diagnostics) -> std::optional<DripEditPtr> {
+            const std::optional<P> params = schema.bind(arguments, where, diagnostics);
+            if (!params) return std::nullopt;
+            return std::make_shared<const DripEdit>(
+                [params = *params, where](drips::DripEdits& edits) { params.add(edits, where); });
+          }};
 }
 
 /// Begins the definition of the function that the source of such a kind exports.

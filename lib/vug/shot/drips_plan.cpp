@@ -11,7 +11,7 @@ namespace vug::shot {
 
 DripsPlan::DripsPlan(const DripParams& params) : rock_(params.field), options_(params.options()) {
   drips::require_valid(options_.graph.edits, options_.graph);
-  drips::require_in_air(options_.graph.edits, rock_);
+  drips::require_below_roof(options_.graph.edits, rock_, options_.graph);
 }
 
 const drips::Graph& DripsPlan::graph() const {

@@ -39,7 +39,7 @@ TEST(Edits, ChangeTheDripsThatTheyNameAndNoOthers) {
   const std::vector<Seep> before = seeps({});
   ASSERT_GT(before.size(), 10u);
   const int64_t moved = before[2].id, removed = before[5].id;
-  const std::vector<Seep> after = seeps({.removed = {removed},
+  const std::vector<Seep> after = seeps({.removed = {{removed}},
                                          .moved = {{moved, Vec3d(0.5, 0, 0.5)}},
                                          .added = {{Vec3d(-1, 0, 1), 20, 4000}}});
   EXPECT_EQ(after.size(), before.size());
@@ -98,14 +98,22 @@ TEST(Edits, GrowAStalagmiteBelowADripThatWasAdded) {
             0u);
 }
 
+TEST(Edits, TheirPlacesInATextAreNoPartOfDigests) {
+  DripEdits a{.removed = {{3}}, .moved = {{4, Vec3d(1.0)}}, .added = {{Vec3d(2.0)}}}, b = a;
+  b.removed[0].where = b.moved[0].where = b.added[0].where = {"t.vug", 4, 2};
+  EXPECT_EQ(digest_of(a), digest_of(b));
+  b.removed[0].drip = 5;
+  EXPECT_NE(digest_of(a), digest_of(b));
+}
+
 TEST(Edits, ReportFaultsWithTheirRemedies) {
   const int64_t id = seeps({}).front().id;
   const auto has = [](const std::string& text, const std::string& part) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
-  has(message({.removed = {7777777}}), "drip 7777777 is removed, but the roof has no such drip");
+  has(message({.removed = {{7777777}}}), "drip 7777777 is removed, but the roof has no such drip");
   has(message({.moved = {{7777777, Vec3d(0.0)}}}), "drip 7777777 is moved");
-  has(message({.removed = {id, id}}), "moved or removed twice");
+  has(message({.removed = {{id}, {id}}}), "moved or removed twice");
   has(message({.added = {{Vec3d(0, 50, 0)}}}), "outside the box of the drips");
   has(message({.added = {{Vec3d(0, 2.95, 0)}}}), "in solid rock");
   has(message({.moved = {{id, Vec3d(0, 2.95, 0)}}}), "in solid rock");

@@ -220,9 +220,19 @@ TEST(DripsDeclaration, ReportsFaultsAtTheCall) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
   const std::string outside = report("edits: [add_drip(at: (0, 9, 0))]");
-  has(outside, "t.vug:2:15");
+  has(outside, "t.vug:2:87");
   has(outside, "a drip at (0, 9, 0) is outside the box of the drips");
   has(report("edits: [add_drip(at: (0, 0, 0), age: 20000)]"), "the oldest ones are 10000");
+  const std::string open =
+      load_text(
+          "let room = complement(box(size: (6, 3, 6)))\n"
+          "drips water = seepage(room, from: (-3, -2, -3), to: (3, 1, 3),\n"
+          "  edits: [add_drip(at: (1, 0.9, 0)), move_drip(drip: 1, to: (0, 0, 0))])\n",
+          "t.vug", {})
+          .report();
+  has(open, "t.vug:3:");
+  has(open, "the drip at (0, 0, 0) has no roof above it");
+  has(open, "ends at a height of 1 m");
   has(report("edits: [remove_drip(drip: 3), move_drip(drip: 3, to: (0, 0, 0))]"),
       "drip 3 is moved or removed twice");
   has(load_text("volume v = level_set(speleothems(of: 3), voxel: 5cm)\n", "t.vug", {}).report(),

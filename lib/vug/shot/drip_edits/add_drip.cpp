@@ -25,7 +25,9 @@ struct AddDrip {
                 .min = 1,
                 .max = 1e7});
   }
-  void add(drips::DripEdits& edits) const { edits.added.push_back({at, interval, age}); }
+  void add(drips::DripEdits& edits, const SourceLocation& where) const {
+    edits.added.push_back({at, interval, age, where});
+  }
 };
 
 }  // namespace

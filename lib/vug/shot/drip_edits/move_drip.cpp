@@ -18,7 +18,9 @@ struct MoveDrip {
                 .dimension = Dimension::length,
                 .required = true});
   }
-  void add(drips::DripEdits& edits) const { edits.moved.push_back({drip, to}); }
+  void add(drips::DripEdits& edits, const SourceLocation& where) const {
+    edits.moved.push_back({drip, to, where});
+  }
 };
 
 }  // namespace

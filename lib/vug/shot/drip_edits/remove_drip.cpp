@@ -13,7 +13,9 @@ struct RemoveDrip {
         .param("drip", &RemoveDrip::drip,
                {.doc = "its number, as 'vug drips' prints it", .min = 0, .required = true});
   }
-  void add(drips::DripEdits& edits) const { edits.removed.push_back(drip); }
+  void add(drips::DripEdits& edits, const SourceLocation& where) const {
+    edits.removed.push_back({drip, where});
+  }
 };
 
 }  // namespace

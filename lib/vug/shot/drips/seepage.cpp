@@ -17,8 +17,22 @@ struct Seepage : DripParams {
 }  // namespace
 }  // namespace vug::shot
 
+// Faults of edits are reported at the edits.
 VUG_DRIPS_KIND(seepage) {
-  return make_kind<DripsPtr, Seepage>("seepage", "drips", [](const Seepage& p) -> DripsPtr {
-    return std::make_shared<const DripsPlan>(p);
-  });
+  Schema<Seepage> schema("seepage", "drips");
+  Seepage::describe(schema);
+  KindInfo info = schema.info();
+  return {std::move(info),
+          [schema = std::move(schema)](const Arguments& arguments, const SourceLocation& where,
+                                       Diagnostics& diagnostics) -> std::optional<DripsPtr> {
+            const std::optional<Seepage> params = schema.bind(arguments, where, diagnostics);
+            if (!params) return std::nullopt;
+            try {
+              return std::make_shared<const DripsPlan>(*params);
+            } catch (const Error& error) {
+              if (error.code() != ErrorCode::bad_input) throw;
+              diagnostics.add(error, where);
+              return std::nullopt;
+            }
+          }};
 }
