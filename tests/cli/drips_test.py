@@ -56,6 +56,16 @@ class Drips(VugTest):
         self.drips("--frames", "1..2", edits="density: keys(1: 100%, 2: 10%),", code=1)
         self.assertIn("--json excludes --frames", self.drips("--frames", "1..2", "--json", code=2))
 
+    def test_drips_without_effect_are_warnings(self):
+        at = "add_drip(at: (0.5, 0, 0.2))"
+        for verb in ("drips", "check"):
+            (self.folder / "cave.vug").write_text(SCENE.replace("EDITS", f"density: 0, edits: [\n{at},\n{at}],"))
+            error = self.expect(0, verb, "cave.vug").err
+            self.assertRegex(error, r"cave.vug:[34]:1: warning: the added drip -[12] has no place of its own: its water joins that of drip -[12]")
+            self.expect(2, verb, "cave.vug", "--strict")
+            (self.folder / "cave.vug").write_text(SCENE.replace("EDITS", f"density: 0, edits: [{at}],"))
+            self.assertNotIn("no place of its own", self.expect(0, verb, "cave.vug").err)
+
     def test_contradictory_ages(self):
         error = self.drips(edits="age: 5000, final_age: 4000,", code=2)
         self.assertIn("the final age must be at least the age", error)

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace vug::drips {
 namespace {
@@ -42,8 +43,8 @@ class Builder {
     graph_.drop = drop_volume(o.temperature, straw_diameter(o.temperature));
   }
 
-  Graph build() && {
-    add_seeps();
+  Graph build(const std::vector<Seep>& seeps) && {
+    add(seeps);
     std::vector<int> walls = roofs();
     std::vector<int> floors;
     if (o_.run_out) floors = run_down(walls);
@@ -58,9 +59,9 @@ class Builder {
  private:
   Node& node(int i) { return graph_.nodes[index(i)]; }
 
-  void add_seeps() {
+  void add(const std::vector<Seep>& seeps) {
     std::map<std::string, int> planes;
-    for (const Seep& seep : edited(find_seeps(rock_, o_), rock_, o_, o_.edits)) {
+    for (const Seep& seep : seeps) {
       Node node;
       node.id = seep.id;
       node.position = seep.position;
@@ -249,15 +250,7 @@ class Builder {
   Graph graph_;
 };
 
-}  // namespace
-
-double graph_memory(const SeepOptions& o) {
-  const double columns =
-      std::ceil((o.to.x - o.from.x) / o.spacing) * std::ceil((o.to.z - o.from.z) / o.spacing);
-  return columns * (kColumnBytes + std::min(1.0, 2 * o.density) * kDripBytes);
-}
-
-Graph build_graph(const field::Field& rock, const GraphOptions& o) {
+void require_buildable(const GraphOptions& o) {
   require_valid(o);
   if (!(o.temperature >= kColdest && o.temperature <= kWarmest))
     throw Error(ErrorCode::bad_input,
@@ -268,7 +261,32 @@ Graph build_graph(const field::Field& rock, const GraphOptions& o) {
                 "the mixing of waters must be 0 to 1, and the girth of stalactites 4 mm to 1 m", {},
                 "try a mixing of 0.5 and a girth of 5cm");
   require_memory(graph_memory(o), o.memory, "the graph of the drips", "use a larger spacing");
-  return Builder(rock, o).build();
+}
+
+}  // namespace
+
+double graph_memory(const SeepOptions& o) {
+  const double columns =
+      std::ceil((o.to.x - o.from.x) / o.spacing) * std::ceil((o.to.z - o.from.z) / o.spacing);
+  return columns * (kColumnBytes + std::min(1.0, 2 * o.density) * kDripBytes);
+}
+
+Graph build_graph(const field::Field& rock, const GraphOptions& o) {
+  require_buildable(o);
+  return Builder(rock, o).build(edited(find_seeps(rock, o), rock, o, o.edits));
+}
+
+Graph ways_of_edits(const field::Field& rock, const GraphOptions& options) {
+  require_buildable(options);
+  GraphOptions o = options;
+  o.run_out = true, o.over_floors = false;
+  const bool refers = !o.edits.moved.empty() || !o.edits.removed.empty();
+  std::vector<Seep> seeps =
+      edited(refers ? find_seeps(rock, o) : std::vector<Seep>(), rock, o, o.edits);
+  std::set<int64_t> moved;
+  for (const DripEdits::Move& each : o.edits.moved) moved.insert(each.drip);
+  std::erase_if(seeps, [&](const Seep& each) { return each.id >= 0 && !moved.contains(each.id); });
+  return Builder(rock, o).build(seeps);
 }
 
 }  // namespace vug::drips

@@ -39,4 +39,9 @@ double graph_memory(const SeepOptions& options);
 /// Error(too_large) if the graph needs more memory than allowed.
 Graph build_graph(const field::Field& rock, const GraphOptions& options);
 
+/// The ways of only the water that the edits of `options` add or move, as far as it drips or
+/// reaches a floor. The drips of the roof are searched only if edits refer to them. Throws as
+/// build_graph.
+Graph ways_of_edits(const field::Field& rock, const GraphOptions& options);
+
 }  // namespace vug::drips

@@ -2,11 +2,13 @@
 #include <vug/base/memory.h>
 #include <vug/building/cell_points.h>
 #include <vug/building/memory_estimate.h>
+#include <vug/drips/lost_drips.h>
 #include <vug/image/ocio_view.h>
 #include <vug/language/check.h>
 #include <vug/loading/placement/check.h>
 #include <vug/loading/validate.h>
 #include <vug/picture/picture_plan.h>
+#include <vug/shot/drips_plan.h>
 #include <vug/shot/lsystem_plan.h>
 #include <vug/shot/queries.h>
 #include <vug/volume/fitting_voxel.h>
@@ -96,10 +98,28 @@ void check_points_and_drawings(loading::Loaded& loaded) {
     }
 }
 
+/// Warns about drips that are added or moved by hand and do not drip, and reports edits of drips
+/// that do not exist. Only the water of the edits is followed.
+void check_drips(loading::Loaded& loaded, const std::string& file) {
+  for (const shot::NamedDrips& each : loaded.shot.drips) {
+    const shot::DripsPlan& plan = *each.drips;
+    const drips::GraphOptions& options = plan.options().graph;
+    const drips::DripEdits& edits = options.edits;
+    if (edits.added.empty() && edits.moved.empty() && edits.removed.empty()) continue;
+    try {
+      const drips::Graph ways = drips::ways_of_edits(plan.rock(), options);
+      for (const drips::LostDrip& lost : drips::lost_drips(ways, options))
+        loaded.diagnostics.warning(lost.where, lost.message, lost.hint);
+    } catch (const Error& error) {
+      loaded.diagnostics.add(error, {file, 0, 0});
+    }
+  }
+}
+
 }  // namespace
 
 void check_products(loading::Loaded& loaded, const std::string& file, const CheckOptions& options) {
-  if (options.thorough) check_points_and_drawings(loaded);
+  if (options.thorough) check_points_and_drawings(loaded), check_drips(loaded, file);
   for (const shot::RenderPlan& plan : loaded.shot.renders) try {
       if (loading::is_empty_scene(loaded.shot))
         loaded.diagnostics.warning(plan.where, "the scene has nothing to show");

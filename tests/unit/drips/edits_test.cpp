@@ -3,6 +3,7 @@
 #include <vug/base/error.h>
 #include <vug/drips/build_graph.h>
 #include <vug/drips/inventory.h>
+#include <vug/drips/lost_drips.h>
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,57 @@ TEST(Edits, GrowAStalagmiteBelowADripThatWasAdded) {
   EXPECT_EQ(explain(listed(*standing), 0, graph)
                 .rfind("stalagmite 0: drip -1, 40 s a drop, 9,000 years", 0),
             0u);
+}
+
+/// Faults of drips that are added to a roof without others.
+std::vector<LostDrip> lost(GraphOptions o, const std::vector<Vec3d>& points) {
+  o.density = 0;
+  for (size_t i = 0; i < points.size(); ++i)
+    o.edits.added.push_back({points[i], 60, 1000, {"t.vug", static_cast<int>(i) + 1, 7}});
+  std::vector<LostDrip> whole = lost_drips(build_graph(hall(), o), o);
+  const std::vector<LostDrip> alone = lost_drips(ways_of_edits(hall(), o), o);
+  EXPECT_EQ(whole.size(), alone.size());
+  for (size_t i = 0; i < whole.size() && i < alone.size(); ++i)
+    EXPECT_EQ(whole[i].message, alone[i].message);
+  return whole;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Edits, ThatHaveNoEffectAreFoundWithTheirReason) {
+  const Vec3d middle(0.4, 0, -0.3);
+  EXPECT_TRUE(lost(graph_options(3), {middle, {-0.4, 0, 0.3}}).empty());
+  const auto leaving = lost(graph_options(1.5), {middle, {1.499, 0, 0}});
+  ASSERT_EQ(leaving.size(), 1u);
+  EXPECT_EQ(leaving[0].where.line, 2);
+  EXPECT_TRUE(contains(leaving[0].message, "the added drip -2 does not drip"))
+      << leaving[0].message;
+  EXPECT_TRUE(contains(leaving[0].message, "it leaves the box")) << leaving[0].message;
+  GraphOptions high = graph_options(3);
+  high.from.y = -1;
+  const auto deep = lost(high, {middle});
+  ASSERT_EQ(deep.size(), 1u);
+  EXPECT_TRUE(contains(deep[0].message, "a floor below was found")) << deep[0].message;
+  const auto twice = lost(graph_options(3), {middle, middle});
+  ASSERT_EQ(twice.size(), 1u);
+  EXPECT_TRUE(contains(twice[0].message, "its water joins that of drip -")) << twice[0].message;
+}
+
+TEST(Edits, AMovedDripIsFollowedWithoutTheOthers) {
+  GraphOptions o = graph_options(1.5);
+  const std::vector<Seep> before = find_seeps(hall(), o);
+  ASSERT_GT(before.size(), 3u);
+  o.edits.moved = {{before[1].id, Vec3d(1.499, 0, 0), {"t.vug", 4, 2}},
+                   {before[2].id, Vec3d(-0.5, 0, 0.1), {"t.vug", 5, 2}}};
+  const Graph ways = ways_of_edits(hall(), o);
+  for (const Node& node : ways.nodes)
+    EXPECT_TRUE(node.id == before[1].id || node.id == before[2].id) << node.id;
+  const std::vector<LostDrip> found = lost_drips(ways, o);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].where.line, 4);
+  EXPECT_TRUE(contains(found[0].message, "the moved drip")) << found[0].message;
 }
 
 TEST(Edits, TheirPlacesInATextAreNoPartOfDigests) {

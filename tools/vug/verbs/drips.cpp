@@ -6,6 +6,7 @@
 #include <vug/delivery/drip_points.h>
 #include <vug/drips/growth_report.h>
 #include <vug/drips/inventory.h>
+#include <vug/drips/lost_drips.h>
 #include <vug/picture/frame_sequence.h>
 #include <vug/shot/drips_plan.h>
 #include <vug/shot/queries.h>
@@ -122,6 +123,16 @@ void print_list(const char* title, const std::vector<drips::GrowthEvent>& events
   for (const drips::GrowthEvent& event : events) fmt::print("  {}\n", event_line(event));
 }
 
+/// Warns about drips that are added or moved by hand and do not drip; false if warnings are errors.
+bool report_lost(const loading::Loaded& loaded, const DripsOptions& options,
+                 const std::vector<drips::LostDrip>& lost) {
+  Diagnostics diagnostics;
+  for (const drips::LostDrip& each : lost) diagnostics.warning(each.where, each.message, each.hint);
+  options.scene.apply_strictness(diagnostics);
+  fmt::print(stderr, "{}", loaded.report(diagnostics));
+  return !diagnostics.has_errors();
+}
+
 /// Compares the speleothems of the frames of a sequence.
 int run_frames(const DripsOptions& options) {
   const loading::SceneSource source = options.scene.source();
@@ -144,6 +155,8 @@ int run_drips(const DripsOptions& options) {
   const loading::Loaded loaded = options.scene.load();
   const shot::DripsPlan& plan = plan_of(loaded, options);
   const drips::Graph& graph = plan.graph();
+  if (!report_lost(loaded, options, drips::lost_drips(graph, plan.options().graph)))
+    return kUnusable;
   const std::vector<drips::Speleothem> grown = drips::inventory(plan.grown(), graph);
   if (!options.points.empty()) write_points(options.points, delivery::drip_points(graph));
   if (options.json)
