@@ -56,6 +56,14 @@ class Drips(VugTest):
         self.drips("--frames", "1..2", edits="density: keys(1: 100%, 2: 10%),", code=1)
         self.assertIn("--json excludes --frames", self.drips("--frames", "1..2", "--json", code=2))
 
+    def test_frames_without_growth(self):
+        still = self.drips("--frames", "1..3", edits="tip: 2cm,")
+        self.assertRegex(still, r"are the same in all 3 frames, because nothing .* has keys")
+        self.assertNotIn("greatest", still)
+        back = self.drips("--frames", "1..4", edits="age: keys(1: 5000, 4: 2000), final_age: 5000,", code=2)
+        self.assertIn("decreases from 5000 years at frame 1 to 4000 at frame 2", back)
+        self.assertIn("in ascending order", back)
+
     def test_drips_without_effect_are_warnings(self):
         at = "add_drip(at: (0.5, 0, 0.2))"
         for verb in ("drips", "check"):

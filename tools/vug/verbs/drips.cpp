@@ -17,6 +17,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 
 namespace vug::cli {
 namespace {
@@ -114,6 +115,7 @@ const shot::DripsPlan& plan_of(const loading::Loaded& loaded, const DripsOptions
 }
 
 std::string event_line(const drips::GrowthEvent& event) {
+  if (event.kind.empty()) return "none";
   return fmt::format("{:.2g} cm, {} of drip {} at frame {}", 100 * event.size, event.kind,
                      event.drip, event.frame);
 }
@@ -133,16 +135,50 @@ bool report_lost(const loading::Loaded& loaded, const DripsOptions& options,
   return !diagnostics.has_errors();
 }
 
+/// Refuses frames whose age is less than that of the frame before.
+class AgeCheck {
+ public:
+  void add(int frame, double age) {
+    if (age < age_)
+      throw Error(ErrorCode::bad_input,
+                  fmt::format("the age of the drips decreases from {:g} years at frame {} to {:g} "
+                              "at frame {}, but speleothems only grow",
+                              age_, frame_, age, frame),
+                  {},
+                  "give 'age' keys that increase with the frame, and name frames in ascending "
+                  "order");
+    frame_ = frame, age_ = age;
+  }
+
+ private:
+  int frame_ = 0;
+  double age_ = 0;
+};
+
 /// Compares the speleothems of the frames of a sequence.
 int run_frames(const DripsOptions& options) {
   const loading::SceneSource source = options.scene.source();
   drips::GrowthCheck check;
+  AgeCheck ages;
+  std::optional<Digest> first;
+  bool same = true;
   for (const int frame : picture::parse_frames(options.frames)) {
     const loading::Loaded loaded = options.scene.load(source, frame);
     const shot::DripsPlan& plan = plan_of(loaded, options);
+    ages.add(frame, plan.options().graph.oldest);
+    const Digest digest = plan.digest();
+    same = same && digest == first.value_or(digest);
+    first = first.value_or(digest);
     check.add(frame, plan.grown(), plan.options().forms);
   }
   const drips::GrowthReport& report = check.report();
+  if (same && report.frames > 1) {
+    fmt::print(
+        "the {} parts of speleothems are the same in all {} frames, because nothing that they "
+        "depend on has keys; 'age: keys(1: 200, 240: 30000), final_age: 30000' lets them grow\n",
+        report.speleothems, report.frames);
+    return kDone;
+  }
   fmt::print("{} frames, {} parts of speleothems at the end\n", report.frames, report.speleothems);
   fmt::print("greatest size at its first frame: {}\n", event_line(report.first));
   fmt::print("greatest step between two frames: {}\n", event_line(report.step));
