@@ -49,13 +49,16 @@ void describe_drips(Schema<P>& s) {
       .param("to", &DripParams::to, any_length("the opposite corner"))
       .param("spacing", &DripParams::spacing,
              positive_length("mean distance between the places at which water may drip"))
-      .param("density", &DripParams::density,
-             {.doc = "share of these places at which it does",
-              .dimension = Dimension::ratio,
-              .min = 0,
-              .max = 1})
+      .param(
+          "density", &DripParams::density,
+          {.doc = "greater values let more of these places drip: at 50 % about a third, at 100 % "
+                  "all",
+           .dimension = Dimension::ratio,
+           .min = 0,
+           .max = 1})
       .param("where", &DripParams::where,
-             {.doc = "a noise as mask of the density: 0 at -1, twice at 1"})
+             {.doc = "a noise by which the density varies: 0 at -1, twice at 1; every place drips "
+                     "where that is 100 % or more"})
       .param("joints", &DripParams::joints,
              {.doc = "fractures, faults and beds, out of which most of the water comes"})
       .param("joint_seed", &DripParams::joint_seed,
@@ -84,18 +87,24 @@ void describe_drips(Schema<P>& s) {
               .dimension = Dimension::length,
               .min = 0.005,
               .max = 0.5})
-      .param("straws", &DripParams::straws,
-             {.doc = "share of the drips with a straw in place of a stalactite",
-              .dimension = Dimension::ratio,
-              .min = 0,
-              .max = 1})
+      .param(
+          "straws", &DripParams::straws,
+          {.doc =
+               "share of the drips with a straw in place of a stalactite; straws need a 'tip' of "
+               "5.1 mm or less",
+           .dimension = Dimension::ratio,
+           .min = 0,
+           .max = 1})
       .param("budget", &DripParams::budget,
-             {.doc = "the number of drips, those with the most water; 0: all", .min = 0})
+             {.doc = "the number of places where water leaves the rock, those with the most water; "
+                     "added drips do not count; 0: all",
+              .min = 0})
       .param("edits", &DripParams::edits, {.doc = "drips that are added, moved or removed by hand"})
       .param("seed", &DripParams::seed, {.doc = "random seed; each seed gives different drips"})
       .param("tip", &DripParams::tip,
-             positive_length("least radius of every form: 2.55 mm in nature, but at least 0.75 "
-                             "voxels. Stalactites of less than six radii are left out"))
+             positive_length("least radius of every form: 2.55 mm in nature, but 1.2 voxels of the "
+                             "volume that shows it. Stalactites shorter than three of it are left "
+                             "out"))
       .param("stalagmites", &DripParams::stalagmites,
              share("share of the drips with a stalagmite below"))
       .param("broken", &DripParams::broken, share("share of the stalactites that broke"))
