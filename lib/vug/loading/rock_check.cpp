@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/building/rock_weights.h>
+#include <vug/field/material_source.h>
 #include <vug/loading/rock_check.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <unordered_set>
 
 namespace vug::loading {
 namespace {
@@ -65,6 +69,68 @@ const Declaration* declaration_of(const Document& document, const shot::ObjectPl
         each.where.line == object.where.line && each.where.column == object.where.column)
       return &each;
   return nullptr;
+}
+
+/// Two materials of a field that have the same name and different hardnesses.
+struct MaterialConflict {
+  field::RockMaterialPtr first, second;
+};
+
+/// field::materials_of has only one material of each name.
+std::optional<MaterialConflict> conflict_in(const field::Field& rock) {
+  std::map<std::string, field::RockMaterialPtr> known;
+  std::vector<field::NodePtr> pending{rock.node()};
+  std::unordered_set<const field::Node*> seen;
+  while (!pending.empty()) {
+    const field::NodePtr node = std::move(pending.back());
+    pending.pop_back();
+    if (!seen.insert(node.get()).second) continue;
+    const auto* source = dynamic_cast<const field::MaterialSource*>(node.get());
+    if (!source) {
+      if (std::vector<field::NodePtr> children = node->children(); !children.empty())
+        pending.push_back(std::move(children.front()));
+      continue;
+    }
+    for (const field::RockMaterialPtr& each : source->assigned())
+      if (const auto [place, added] = known.emplace(each->name, each);
+          !added && place->second->hardness != each->hardness)
+        return MaterialConflict{place->second, each};
+    for (field::NodePtr& each : source->material_operands()) pending.push_back(std::move(each));
+  }
+  return std::nullopt;
+}
+
+/// The last call in the text that declares the rock material of that name; `otherwise` if none
+/// does.
+SourceLocation place_of_material(const Document& document, const std::string& name,
+                                 const SourceLocation& otherwise) {
+  SourceLocation where = otherwise;
+  each_expression(document, [&](const Expr& expr) {
+    if (expr.kind != ExprKind::call || expr.text != "rock_material") return;
+    for (const Operand& operand : expr.operands)
+      if ((operand.name == "name" || operand.name.empty()) && operand.value &&
+          operand.value->kind == ExprKind::text && operand.value->text == name)
+        where = expr.where;
+  });
+  return where;
+}
+
+/// Reports materials that a rock has with two hardnesses, each name once.
+void check_hardnesses(const Document& document, const shot::Shot& shot, Diagnostics& diagnostics) {
+  std::unordered_set<std::string> reported;
+  for (const shot::VolumePtr& volume : shot.volumes) {
+    if (volume->source_mesh) continue;
+    const std::optional<MaterialConflict> conflict = conflict_in(volume->field);
+    if (!conflict || !reported.insert(conflict->first->name).second) continue;
+    const std::string& name = conflict->first->name;
+    const auto [low, high] = std::minmax(conflict->first->hardness, conflict->second->hardness);
+    diagnostics.error(
+        place_of_material(document, name, volume->where),
+        fmt::format("the rock material '{}' of '{}' has two hardnesses, {:g} % and {:g} %", name,
+                    volume->name, 100 * low, 100 * high),
+        "declare it once, 'let NAME = rock_material(...)', and use it everywhere; a text is a "
+        "material of hardness 0");
+  }
 }
 
 class RockChecker {
@@ -133,6 +199,7 @@ void check_rocks(const Document& document, const shot::Shot& shot,
     for (const Expr* name : names_of(expr)) checker.check_name(*name);
   });
   for (const shot::ObjectPlan& object : shot.objects) checker.check_object(object);
+  check_hardnesses(document, shot, diagnostics);
 }
 
 }  // namespace vug::loading

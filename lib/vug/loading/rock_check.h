@@ -21,6 +21,7 @@ void each_expression(const scene::Document& document,
 /// of all meshes, and the rocks of an object for which its table has no material. Included texts
 /// may serve other scenes as well: there, a name similar to a rock is a warning, and others are
 /// correct. In a text without any rock, which may only declare materials, the names are warnings.
+/// A material that one rock has with two hardnesses is an error.
 void check_rocks(const scene::Document& document, const shot::Shot& shot,
                  const std::vector<std::string>& rocks, Diagnostics& diagnostics);
 

@@ -57,6 +57,25 @@ TEST(RockMaterials, ARockWithoutAMaterialIsAnError) {
   }
 }
 
+TEST(RockMaterials, TwoHardnessesOfOneNameAreAnError) {
+  const auto report = [](const std::string& host, const std::string& bed) {
+    return load_rocks("let bed = made_of(slab(thickness: 20cm), of: " + bed +
+                      ")\nvolume rock = level_set(host_rock(sphere(1m), of: " + host +
+                      ", bodies: [bed]), voxel: 20cm)\n")
+        .report();
+  };
+  const auto material = [](const std::string& name, int percent) {
+    return "rock_material(name: \"" + name + "\", hardness: " + std::to_string(percent) + "%)";
+  };
+  EXPECT_EQ(report(material("a", 20), material("a", 20)), "");
+  EXPECT_EQ(report(material("a", 20), material("b", 90)), "");
+  const std::string two = report(material("a", 20), material("a", 90));
+  EXPECT_NE(two.find("'a' of 'rock' has two hardnesses, 20 % and 90 %"), std::string::npos) << two;
+  EXPECT_NE(two.find("rocks.vug:2:51: error"), std::string::npos) << two;
+  const std::string text = report("\"a\"", material("a", 90));
+  EXPECT_NE(text.find("two hardnesses, 0 % and 90 %"), std::string::npos) << text;
+}
+
 TEST(RockMaterials, AMaterialThatDoesNotExistIsAnError) {
   const std::string missing = report_with("limestone -> limestome_grey", false);
   EXPECT_NE(missing.find("limestome_grey"), std::string::npos) << missing;
