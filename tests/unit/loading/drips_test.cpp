@@ -233,6 +233,10 @@ TEST(DripsDeclaration, ReportsFaultsAtTheCall) {
   has(open, "t.vug:3:");
   has(open, "the drip at (0, 0, 0) has no roof above it");
   has(open, "ends at a height of 1 m");
+  has(load_text("drips water = seepage(sphere(1m), from: (-3, 50, -3), to: (3, 2, 3))\n", "t.vug",
+                {})
+          .report(),
+      "'from' must be less than 'to' in x, y and z, but in y it is 50m and 'to' is 2m");
   has(report("edits: [remove_drip(drip: 3), move_drip(drip: 3, to: (0, 0, 0))]"),
       "drip 3 is moved or removed twice");
   has(load_text("volume v = level_set(speleothems(of: 3), voxel: 5cm)\n", "t.vug", {}).report(),
