@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace vug::detail {
 
@@ -88,7 +89,7 @@ std::string ordinal(size_t index) {
 std::string unit_hint(Dimension dimension) {
   if (dimension == Dimension::angle) return "write it in deg or rad";
   const std::string unit = unit_of(dimension);
-  if (unit.empty()) return "";
+  if (unit.empty()) return "write it as a number without a unit";
   return fmt::format("write it in {}{}", unit[0] == '/' ? "1" : "", unit);
 }
 
@@ -116,7 +117,10 @@ bool check_number(const ParamInfo& info, const std::string& what, double value, 
   }
   const bool low = value < info.min || (info.above_min && value == info.min);
   if (low || value > info.max) {
-    const Dimension unit = bare ? info.dimension : dimension;
+    // Bounds such as 1 to 1e7 years make no sense as percentages.
+    const bool hundredths = dimension == Dimension::ratio && info.dimension == Dimension::none &&
+                            info.max > 1 && (low ? info.min : info.max) != 0;
+    const Dimension unit = bare || hundredths ? info.dimension : dimension;
     const char* side = !low ? "at most" : info.above_min ? "above" : "at least";
     std::string bound = quantity_text(low ? info.min : info.max, unit);
     std::string given = quantity_text(value, unit);
@@ -124,7 +128,10 @@ bool check_number(const ParamInfo& info, const std::string& what, double value, 
       bound = exact_quantity_text(low ? info.min : info.max, unit);
       given = exact_quantity_text(value, unit);
     }
-    diagnostics.error(where, fmt::format("{} must be {} {}, not {}", what, side, bound, given));
+    if (hundredths) given = quantity_text(value, dimension);
+    diagnostics.error(
+        where, fmt::format("{} must be {} {}, not {}", what, side, bound, given),
+        hundredths ? fmt::format("{} is {:g}; write a number without '%'", given, value) : "");
     return false;
   }
   return true;
@@ -167,6 +174,11 @@ bool check_value(const ParamInfo& info, const std::string& what, const Value& va
 
 /// A correction of a value whose type is not the expected one; empty if there is none.
 std::string correction(const ParamInfo& info, const Value& given) {
+  const Number* number = given.get<Number>();
+  const bool is_whole = number && number->value == std::floor(number->value);
+  if (is_whole && info.type == "whole number")
+    return fmt::format("whole numbers reach from {} to {}", -std::numeric_limits<int>::max(),
+                       std::numeric_limits<int>::max());
   const bool takes_vector = info.type.find("vector") != std::string::npos;
   if (const auto* name = given.get<Value::Name>(); name && takes_vector) {
     static const std::map<std::string, const char*> directions = {

@@ -71,6 +71,29 @@ TEST(Schema, BoundsHaveTheUnitOfTheGivenValue) {
   EXPECT_EQ(share.all().at(0).message, "'radius' must be at most 100%, not 120%");
 }
 
+TEST(Schema, NumbersWithoutUnitsHaveHintsForThoseWithAUnit) {
+  struct Drip {
+    double age = 1000;
+    int count = 1;
+  };
+  Schema<Drip> schema("drip", "test");
+  schema.param("age", &Drip::age, {.doc = "years", .min = 1, .max = 1e7});
+  schema.param("count", &Drip::count, {.doc = "", .min = 0});
+  const auto fault = [&](const char* name, const Value& value) {
+    Diagnostics diagnostics;
+    schema.bind({{name, value, {}}}, {}, diagnostics);
+    return diagnostics.all().at(0).message + "; " + diagnostics.all().at(0).hint;
+  };
+  EXPECT_EQ(fault("age", Number{0.5, Dimension::ratio}),
+            "'age' must be at least 1, not 50%; 50% is 0.5; write a number without '%'");
+  EXPECT_EQ(fault("age", Number{20, Dimension::time}),
+            "'age' expects a number, not a time; write it as a number without a unit");
+  EXPECT_EQ(fault("count", 1e12),
+            "'count' expects a whole number, not 1000000000000; whole numbers reach from "
+            "-2147483647 to 2147483647");
+  EXPECT_EQ(fault("count", 2.5), "'count' expects a whole number, not 2.5; ");
+}
+
 TEST(Schema, ListElementsAreRangeChecked) {
   struct Picture {
     std::vector<int> size;

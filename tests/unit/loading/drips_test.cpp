@@ -233,6 +233,7 @@ TEST(DripsDeclaration, ReportsFaultsAtTheCall) {
   has(open, "t.vug:3:");
   has(open, "the drip at (0, 0, 0) has no roof above it");
   has(open, "ends at a height of 1 m");
+  has(report("edits: [add_drip(at: (0, 0, 0), interval: 20s)]"), "without a unit");
   has(load_text("drips water = seepage(sphere(1m), from: (-3, 50, -3), to: (3, 2, 3))\n", "t.vug",
                 {})
           .report(),
