@@ -60,6 +60,9 @@ ExprPtr ExprParser::by_rock(const Token& by) {
     materials.operands.push_back({"", material->where, material});
   }
   cursor_.expect("}", "");
+  if (names.operands.empty() && otherwise.value)
+    cursor_.fail(by, "'by rock' has only the row 'otherwise'",
+                 "give its material without a table, or add a row such as limestone -> lambert()");
   if (names.operands.empty())
     cursor_.fail(by, "'by rock' without a rock", "by rock { limestone -> lambert() }");
   call.where = cursor_.since(by);

@@ -151,7 +151,8 @@ TEST(ByRock, RandomDrawsOfAMaterialDependOnItsRock) {
 
 TEST(ByRock, FaultsNameTheProblem) {
   EXPECT_EQ(faults("let a = by rock {}"), "1: 'by rock' without a rock\n");
-  EXPECT_EQ(faults("let a = by rock { otherwise -> b }"), "1: 'by rock' without a rock\n");
+  EXPECT_EQ(faults("let a = by rock { otherwise -> b }"),
+            "1: 'by rock' has only the row 'otherwise'\n");
   EXPECT_EQ(faults("let a = by rock {\n x -> b\n x -> c\n}"),
             "3: a second material for the rock 'x'\n");
   EXPECT_EQ(faults("let a = by rock { x -> b, otherwise -> c, otherwise -> d }"),
