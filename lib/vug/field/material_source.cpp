@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/base/parallel.h>
+#include <vug/field/assigned_materials.h>
 #include <vug/field/material_source.h>
 #include <vug/field/near_materials.h>
 
@@ -36,8 +37,8 @@ Coat coat_at(const Node& node, const Vec3d& p) {
   return children.empty() ? Coat() : coat_at(*children.front(), p);
 }
 
-std::vector<RockMaterialPtr> materials_of(const Field& field) {
-  std::map<std::string, RockMaterialPtr> by_name;
+std::vector<RockMaterialPtr> assigned_materials(const Field& field) {
+  std::vector<RockMaterialPtr> out;
   std::vector<NodePtr> pending{field.node()};
   std::unordered_set<const Node*> seen;
   while (!pending.empty()) {
@@ -46,11 +47,17 @@ std::vector<RockMaterialPtr> materials_of(const Field& field) {
     if (!seen.insert(node.get()).second) continue;
     const MaterialSource* source = source_of(*node);
     if (source)
-      for (const RockMaterialPtr& each : source->assigned()) by_name.emplace(each->name, each);
+      for (RockMaterialPtr& each : source->assigned()) out.push_back(std::move(each));
     std::vector<NodePtr> next = source ? source->material_operands() : node->children();
     if (!source && next.size() > 1) next.resize(1);
     for (NodePtr& each : next) pending.push_back(std::move(each));
   }
+  return out;
+}
+
+std::vector<RockMaterialPtr> materials_of(const Field& field) {
+  std::map<std::string, RockMaterialPtr> by_name;
+  for (const RockMaterialPtr& each : assigned_materials(field)) by_name.emplace(each->name, each);
   std::vector<RockMaterialPtr> out;
   for (const auto& [name, material] : by_name) out.push_back(material);
   return out;

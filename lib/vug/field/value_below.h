@@ -2,7 +2,7 @@
 // Nodes whose value at a single point takes less work if only values below a limit matter.
 #pragma once
 
-#include <vug/field/node.h>
+#include <vug/field/interface_of.h>
 
 namespace vug::field {
 
@@ -20,7 +20,7 @@ class ValueBelow {
 
 /// The same of any node.
 inline double value_below(const Node& node, const Point<double>& p, double limit) {
-  const auto* below = dynamic_cast<const ValueBelow*>(&node);
+  const auto* below = interface_of<ValueBelow>(node);
   return below ? below->value_below(p, limit) : node.eval(p);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vug/building/rock_weights.h>
-#include <vug/field/material_source.h>
+#include <vug/field/assigned_materials.h>
 #include <vug/loading/rock_check.h>
 
 #include <fmt/format.h>
@@ -76,27 +76,12 @@ struct MaterialConflict {
   field::RockMaterialPtr first, second;
 };
 
-/// field::materials_of has only one material of each name.
 std::optional<MaterialConflict> conflict_in(const field::Field& rock) {
   std::map<std::string, field::RockMaterialPtr> known;
-  std::vector<field::NodePtr> pending{rock.node()};
-  std::unordered_set<const field::Node*> seen;
-  while (!pending.empty()) {
-    const field::NodePtr node = std::move(pending.back());
-    pending.pop_back();
-    if (!seen.insert(node.get()).second) continue;
-    const auto* source = dynamic_cast<const field::MaterialSource*>(node.get());
-    if (!source) {
-      if (std::vector<field::NodePtr> children = node->children(); !children.empty())
-        pending.push_back(std::move(children.front()));
-      continue;
-    }
-    for (const field::RockMaterialPtr& each : source->assigned())
-      if (const auto [place, added] = known.emplace(each->name, each);
-          !added && place->second->hardness != each->hardness)
-        return MaterialConflict{place->second, each};
-    for (field::NodePtr& each : source->material_operands()) pending.push_back(std::move(each));
-  }
+  for (const field::RockMaterialPtr& each : field::assigned_materials(rock))
+    if (const auto [place, added] = known.emplace(each->name, each);
+        !added && place->second->hardness != each->hardness)
+      return MaterialConflict{place->second, each};
   return std::nullopt;
 }
 

@@ -17,6 +17,21 @@ std::vector<Box3d> component_bounds(const Mesh& mesh, const std::vector<uint32_t
   return boxes;
 }
 
+std::vector<double> component_volumes(const Mesh& mesh, const std::vector<uint32_t>& component_of) {
+  std::vector<double> volumes;
+  std::vector<Vec3d> origins;  // A point of each, because a distant origin loses digits.
+  for (size_t face = 0; face < component_of.size(); ++face) {
+    const auto [a, b, c] = corners(mesh, face);
+    if (component_of[face] == volumes.size()) {
+      volumes.push_back(0);
+      origins.push_back(a);
+    }
+    const Vec3d& o = origins[component_of[face]];
+    volumes[component_of[face]] += (a - o).dot((b - o).cross(c - o)) / 6;  // Of a tetrahedron.
+  }
+  return volumes;
+}
+
 Mesh remaining(Mesh mesh, const std::vector<uint32_t>& component_of,
                const std::vector<char>& remains) {
   std::vector<Triangle> kept;

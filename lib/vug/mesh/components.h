@@ -20,6 +20,10 @@ LargeComponents large_components(Mesh mesh, double smallest);
 /// The bounding boxes of the components; `component_of` is the result of face_components.
 std::vector<Box3d> component_bounds(const Mesh& mesh, const std::vector<uint32_t>& component_of);
 
+/// The volumes in cubic metres that the components of a closed mesh enclose, negative for those
+/// whose normals point into the enclosed space; `component_of` is the result of face_components.
+std::vector<double> component_volumes(const Mesh& mesh, const std::vector<uint32_t>& component_of);
+
 /// The mesh without the components that do not remain; `remains` has one value for each. The other
 /// triangles keep their order, normals and attributes.
 Mesh remaining(Mesh mesh, const std::vector<uint32_t>& component_of,

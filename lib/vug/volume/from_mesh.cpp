@@ -2,8 +2,8 @@
 #include <vug/base/error.h>
 #include <vug/base/memory.h>
 #include <vug/base/parallel.h>
+#include <vug/mesh/components.h>
 #include <vug/mesh/distance.h>
-#include <vug/mesh/shells.h>
 #include <vug/mesh/topology.h>
 #include <vug/mesh/weld.h>
 #include <vug/volume/contact.h>
@@ -21,7 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 namespace vug::volume {
@@ -52,8 +52,8 @@ struct Interrupter final : openvdb::util::NullInterrupter {
   const Progress& progress;
 };
 
-void require_closed(const mesh::Mesh& mesh) {
-  const size_t open = mesh::inspect(mesh::welded(mesh)).boundary_edges;
+void require_closed(const mesh::Mesh& welded, const mesh::Edges& edges) {
+  const size_t open = mesh::inspect(welded, edges).boundary_edges;
   if (open > 0)
     throw Error(ErrorCode::bad_input,
                 fmt::format("a mesh with {} open edges does not bound a solid", open), {},
@@ -107,7 +107,7 @@ bool has_outside(const openvdb::tree::ValueAccessor<const Tree, false>& at, cons
 /// except next to the surface, where the triangles decide. Voxels beyond the background become
 /// inactive.
 void make_exact(Tree& tree, const mesh::Mesh& mesh, double voxel, float background) {
-  const mesh::MeshDistance exact(mesh::welded(mesh));
+  const mesh::MeshDistance exact(mesh);
   const Tree before(tree);
   const auto clear = static_cast<float>(0.1 * voxel);
   double farthest = 0;
@@ -150,70 +150,85 @@ openvdb::FloatGrid::Ptr voxelized(openvdb::util::NullInterrupter& interrupter,
       openvdb::tools::DISABLE_RENORMALIZATION);
 }
 
-/// Voxelizes the shells of a mesh from the largest to the smallest, because OpenVDB fills whatever
-/// a surface encloses. A shell is a cavity if its normals point into the space that it encloses and
-/// it lies in the solid of the larger shells.
-class ShellVoxelizer {
- public:
-  ShellVoxelizer(openvdb::util::NullInterrupter& interrupter, double voxel, float band)
-      : interrupter_(interrupter),
-        voxel_(voxel),
-        band_(band),
-        lattice_(openvdb::math::Transform::createLinearTransform(voxel)) {}
+/// The components of a mesh and the volumes that they enclose; see mesh/components.h.
+struct Components {
+  const mesh::Mesh& mesh;
+  std::vector<uint32_t> component_of;
+  std::vector<double> volumes;
 
-  openvdb::FloatGrid::Ptr run(const mesh::Mesh& mesh) {
-    std::vector<mesh::Shell> shells = mesh::shells(mesh::welded(mesh));
-    // If the normals of the largest shell point inwards, all normals are taken as reversed.
-    const double outward = !shells.empty() && shells[0].volume < 0 ? -1 : 1;
-    const bool solid = std::all_of(shells.begin(), shells.end(), [&](const mesh::Shell& shell) {
-      return outward * shell.volume >= 0;
+  Components(const mesh::Mesh& closed, const mesh::Edges& edges)
+      : mesh(closed),
+        component_of(mesh::face_components(closed, edges)),
+        volumes(mesh::component_volumes(closed, component_of)) {
+    // If the normals of the largest component point inwards, all normals are taken as reversed.
+    const std::vector<uint32_t> order = by_size();
+    if (!order.empty() && volumes[order[0]] < 0)
+      for (double& volume : volumes) volume = -volume;
+  }
+
+  bool all_solid() const {
+    return std::all_of(volumes.begin(), volumes.end(), [](double volume) { return volume >= 0; });
+  }
+  /// The numbers of the components, the largest first.
+  std::vector<uint32_t> by_size() const {
+    std::vector<uint32_t> out(volumes.size());
+    std::iota(out.begin(), out.end(), 0U);
+    std::stable_sort(out.begin(), out.end(), [&](uint32_t a, uint32_t b) {
+      return std::fabs(volumes[a]) > std::fabs(volumes[b]);
     });
-    if (solid) return whole(mesh);
-    for (const mesh::Shell& shell : shells) {
-      const bool cavity = outward * shell.volume < 0 && holds(shell);
+    return out;
+  }
+  Vec3d point_of(uint32_t component) const {
+    const auto face = std::find(component_of.begin(), component_of.end(), component);
+    return corners(mesh, static_cast<size_t>(face - component_of.begin()))[0];
+  }
+};
+
+/// Voxelizes components from the largest to the smallest, because OpenVDB fills whatever a surface
+/// encloses. A component is a cavity if its normals point into the space that it encloses and it
+/// lies in the solid of the larger ones. `voxelize` makes the grid of a solid.
+template <class Voxelize>
+class ComponentVoxelizer {
+ public:
+  ComponentVoxelizer(const Components& parts, const Voxelize& voxelize)
+      : parts_(parts), voxelize_(voxelize), pending_(parts.volumes.size()) {}
+
+  openvdb::FloatGrid::Ptr run() && {
+    for (const uint32_t component : parts_.by_size()) {
+      const bool cavity = parts_.volumes[component] < 0 && is_inside(parts_.point_of(component));
       if (cavity != removes_) merge();
       removes_ = cavity;
-      append(shell.surface);
+      pending_[component] = 1;
     }
     merge();
-    return grid_;
+    return solid_;
   }
 
  private:
-  openvdb::FloatGrid::Ptr whole(const mesh::Mesh& mesh) const {
-    return voxelized(interrupter_, LatticeMesh(mesh, voxel_), *lattice_, band_);
-  }
-  void append(const mesh::Mesh& surface) {
-    const auto first = static_cast<uint32_t>(pending_.positions.size());
-    pending_.positions.insert(pending_.positions.end(), surface.positions.begin(),
-                              surface.positions.end());
-    for (const mesh::Triangle& t : surface.triangles)
-      pending_.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-  /// Whether the larger shells before this one contain it.
-  bool holds(const mesh::Shell& shell) {
+  /// Whether a point lies in the solid of all larger components.
+  bool is_inside(const Vec3d& point) {
     if (!removes_) merge();
-    const Vec3d p = Vec3d(shell.surface.positions[0]) / voxel_;
-    return grid_->tree().getValue(openvdb::Coord::round(openvdb::Vec3d(p.x, p.y, p.z))) < 0;
+    const openvdb::Vec3d at(point.x, point.y, point.z);
+    return solid_->tree().getValue(openvdb::Coord::round(solid_->worldToIndex(at))) < 0;
   }
-  /// Adds the pending shells to the solid, or removes them from it.
+  /// Adds the pending components to the solid, or removes them from it.
   void merge() {
-    if (pending_.triangles.empty()) return;
-    const openvdb::FloatGrid::Ptr next = whole(std::exchange(pending_, {}));
-    if (!grid_)
-      grid_ = next;
+    if (std::count(pending_.begin(), pending_.end(), 1) == 0) return;
+    const openvdb::FloatGrid::Ptr next =
+        voxelize_(mesh::remaining(parts_.mesh, parts_.component_of, pending_));
+    pending_.assign(pending_.size(), 0);
+    if (!solid_)
+      solid_ = next;
     else if (removes_)
-      openvdb::tools::csgDifference(*grid_, *next);
+      openvdb::tools::csgDifference(*solid_, *next);
     else
-      openvdb::tools::csgUnion(*grid_, *next);
+      openvdb::tools::csgUnion(*solid_, *next);
   }
 
-  openvdb::util::NullInterrupter& interrupter_;
-  double voxel_;
-  float band_;
-  openvdb::math::Transform::Ptr lattice_;
-  openvdb::FloatGrid::Ptr grid_;
-  mesh::Mesh pending_;
+  const Components& parts_;
+  const Voxelize& voxelize_;
+  openvdb::FloatGrid::Ptr solid_;
+  std::vector<char> pending_;  // For each component whether it is in the next merge.
   bool removes_ = false;
 };
 
@@ -226,19 +241,26 @@ double from_mesh_bytes(double area, const FromMeshOptions& options) {
 
 LevelSet from_mesh(const mesh::Mesh& mesh, const FromMeshOptions& options, Progress& progress) {
   initialise_openvdb();
-  require_closed(mesh);
+  const mesh::Mesh closed = mesh::welded(mesh);
+  const mesh::Edges edges = mesh::find_edges(closed);
+  require_closed(closed, edges);
   require_on_lattice(mesh, options);
   const double bytes = from_mesh_bytes(area_of(mesh), options);
   const uint64_t limit = options.max_memory ? options.max_memory : available_memory();
   require_memory(bytes, limit, fmt::format("a level set with voxels of {} m", options.voxel),
                  fitting_voxel_hint(options.voxel, bytes, limit));
   progress.begin("level set of a mesh", 1);
+  const auto lattice = openvdb::math::Transform::createLinearTransform(options.voxel);
   const auto band = static_cast<float>(options.half_width + 1);
   Interrupter interrupter(progress);
-  const auto grid = ShellVoxelizer(interrupter, options.voxel, band).run(mesh);
+  const auto voxelize = [&](const mesh::Mesh& solid) {
+    return voxelized(interrupter, LatticeMesh(solid, options.voxel), *lattice, band);
+  };
+  const Components parts(closed, edges);
+  const auto grid = parts.all_solid() ? voxelize(mesh) : ComponentVoxelizer(parts, voxelize).run();
   progress.check();
   const float background = mesh_background(options);
-  if (grid->activeVoxelCount() > 0) make_exact(grid->tree(), mesh, options.voxel, background);
+  if (grid->activeVoxelCount() > 0) make_exact(grid->tree(), closed, options.voxel, background);
   openvdb::tools::changeLevelSetBackground(grid->tree(), background);
   openvdb::tools::pruneLevelSet(grid->tree());
   progress.check();

@@ -30,6 +30,11 @@ using Kind = SmallFeature::Kind;
 /// The side that polygons_of assigns to a value.
 bool is_inside(float value) { return value < std::numeric_limits<float>::min(); }
 
+Vec3d position_of(const openvdb::math::Transform& transform, const openvdb::Vec3d& at) {
+  const openvdb::Vec3d p = transform.indexToWorld(at);
+  return {p.x(), p.y(), p.z()};
+}
+
 /// How far across a gap the exact field is examined, in voxels.
 constexpr int kLargestGap = 3;
 
@@ -56,10 +61,6 @@ class Sides {
     return
         [this, centre](const Offset& by) { return inside(centre.offsetBy(by[0], by[1], by[2])); };
   }
-  Vec3d position(const openvdb::Vec3d& at) const {
-    const openvdb::Vec3d p = transform_.indexToWorld(at);
-    return {p.x(), p.y(), p.z()};
-  }
   /// Whether the exact field has the side of `from` all the way to `to`. False without a field.
   bool exactly_connected(const Coord& from, const Coord& to) const {
     if (!exact_) return false;
@@ -67,7 +68,7 @@ class Sides {
     const field::Field& near = exact_nearby();
     for (int i = 0; i <= kSteps; ++i) {
       const openvdb::Vec3d at = from.asVec3d() + (to - from).asVec3d() * (1.0 * i / kSteps);
-      if ((near.value(position(at)) <= 0) != inside(from)) return false;
+      if ((near.value(position_of(transform_, at)) <= 0) != inside(from)) return false;
     }
     return true;
   }
@@ -78,7 +79,8 @@ class Sides {
     if (!nearby_) {
       const double voxel = transform_.voxelSize().x();
       // A little larger, because positions are rounded.
-      const field::Ball ball{position(middle_), voxel * (std::sqrt(3.0) * reach_ + 0.1)};
+      const field::Ball ball{position_of(transform_, middle_),
+                             voxel * (std::sqrt(3.0) * reach_ + 0.1)};
       const field::NodePtr smaller = exact_->node()->restrict_to(ball).node;
       nearby_ = smaller ? field::Field(smaller) : *exact_;
     }
@@ -319,8 +321,8 @@ class Search {
   void add(const Feature& feature) {
     SmallFeature out{feature.kind, Vec3d(0), {}};
     for (const Coord& at : feature.samples) {
-      out.at +=
-          sides(at, 1).position(at.asVec3d()) * (1.0 / static_cast<double>(feature.samples.size()));
+      out.at += position_of(grid_.transform(), at.asVec3d()) *
+                (1.0 / static_cast<double>(feature.samples.size()));
       out.samples.emplace_back(at.x(), at.y(), at.z());
     }
     found_.push_back(std::move(out));
